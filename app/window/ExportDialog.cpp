@@ -121,8 +121,7 @@ QLayout* ExportDialog::makeForm() {
   choose->setAutoDefault(false);
   connect(choose, &QPushButton::clicked, this, [this] {
     const QString chosen =
-        QFileDialog::getExistingDirectory(this, tr("Folder for the export"), folder_->text(),
-                                          QFileDialog::ShowDirsOnly | QFileDialog::ReadOnly);
+        QFileDialog::getExistingDirectory(this, tr("Folder for the export"), folder_->text());
     if (!chosen.isEmpty()) {
       folder_->setText(chosen);
     }

@@ -59,6 +59,8 @@ class FileCommands : public QObject {
   bool isLost() const;  // another program has moved or removed the file of the document
   /// Unsaved changes or a lost file: save, discard or stay. True when the document may be replaced.
   bool mayLeave();
+  /// Where dialogs begin: with the user's own files.
+  QString folder() const;
 
  Q_SIGNALS:
   void opened();  // a document is there to be edited, or a recorded run to be seen
@@ -73,7 +75,6 @@ class FileCommands : public QObject {
   enum class Kind { Scenario, Map, Image, Tree, Run };
   bool tell(const base::Diagnostics& problems);
   base::Diagnostics applyRunOptions();
-  QString folder() const;
   void openIfWanted(const QString& path);  // empty: nothing was chosen
   QString ask(QFileDialog::FileMode mode, const QString& title, const QString& filter = {});
   Kind kindOf(const QString& path) const;

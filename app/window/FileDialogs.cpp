@@ -95,8 +95,10 @@ QDateTime Memory::noted(const QString& path) const {
 QString askFile(QFileDialog& dialog, Memory& memory) {
   const QString folder = dialog.directory().absolutePath();
   dress(dialog, memory);
-  dialog.setOption(QFileDialog::ReadOnly);  // files are chosen here, not deleted or renamed
-  dialog.setDirectory(folder);              // that of the last time would come back with the state
+  if (dialog.acceptMode() == QFileDialog::AcceptOpen) {  // saving may take a new folder
+    dialog.setOption(QFileDialog::ReadOnly);  // files are chosen here, not deleted or renamed
+  }
+  dialog.setDirectory(folder);  // that of the last time would come back with the state
   const bool isAccepted = dialog.exec() == QDialog::Accepted;
   memory.setValue(kStateKey, dialog.saveState());
   memory.setValue(kSizeKey, dialog.size());

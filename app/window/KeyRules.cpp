@@ -1,12 +1,15 @@
 #include "app/window/KeyRules.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLineEdit>
-#include <QPlainTextEdit>
 
 #include "editor/panels/ScenarioPanel.h"
 
@@ -46,6 +49,25 @@ bool isRemoving(const QKeyEvent& event) {
   return event.key() == Qt::Key_Delete || event.key() == Qt::Key_Backspace;
 }
 
+bool isCursorKey(const QKeyEvent& event) {
+  constexpr int kCursorKeys[] = {Qt::Key_Left, Qt::Key_Right, Qt::Key_Up,     Qt::Key_Down,
+                                 Qt::Key_Home, Qt::Key_End,   Qt::Key_PageUp, Qt::Key_PageDown};
+  return std::count(std::begin(kCursorKeys), std::end(kCursorKeys), event.key()) > 0;
+}
+
+/// The row has a box to tick.
+bool isTickable(const QWidget& widget) {
+  const auto* list = qobject_cast<const QAbstractItemView*>(&widget);
+  const QModelIndex row = list == nullptr ? QModelIndex() : list->currentIndex();
+  return row.flags().testFlag(Qt::ItemIsUserCheckable) && row.data(Qt::CheckStateRole).isValid();
+}
+
+/// The text would take it and do nothing.
+bool isInVain(const QLineEdit& line, const QKeyEvent& event) {
+  return (event.matches(QKeySequence::Undo) && !line.isModified()) ||
+         (event.matches(QKeySequence::Redo) && !line.isRedoAvailable());
+}
+
 bool isEnter(const QKeyEvent& event) {
   return event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter;
 }
@@ -61,26 +83,34 @@ QStringList KeyRules::rules() {
   return {
       tr("A text that is being typed has all keys that it uses. Enter finishes it and gives the "
          "keyboard back to the map; Ctrl+Z is the text's own only while something is typed."),
-      tr("A list has the keys that move in it, and Delete if it has rows to remove. Only from "
-         "the list of the scenario does Delete reach what is selected on the map."),
+      tr("A list has the keys that move in it, Space in rows with a box to tick, and Delete if it "
+         "has rows to remove. Only from the list of the scenario does Delete reach what is "
+         "selected on the map."),
       tr("Buttons, check boxes and choices do not take the keyboard from a click. Who goes "
          "there by Tab uses them with Space and the arrows."),
       tr("All else belongs to the commands of the window, such as Space to run and pause, then "
-         "to the tool of the map.")};
+         "to the tool of the map. Arrows move things only while the map has the keyboard.")};
 }
 
 /// Whether the widget has a key although it does not say so, and a command waits for it.
 bool KeyRules::isOfWidget(QWidget& focus, const QKeyEvent& event) const {
   const bool isSpace = event.key() == Qt::Key_Space && event.modifiers() == Qt::NoModifier;
   if (isSpace) {
-    return isOnlyClicked(focus) || &focus == &workspace_.view();
+    return isOnlyClicked(focus) || isTickable(focus) || &focus == &workspace_.view();
   }
   return isRemoving(event) && isList(focus) && !isInScenarioPanel(focus);
 }
 
+/// In the window, or in one of its panels that floats: commands of the window act there too.
+bool KeyRules::isInWindow(const QWidget& widget) const {
+  const QWidget* top = widget.window();
+  return top == &window_ ||
+         (qobject_cast<const QDockWidget*>(top) != nullptr && top->parentWidget() == &window_);
+}
+
 bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
   auto* widget = qobject_cast<QWidget*>(watched);
-  if (widget == nullptr || widget->window() != &window_) {
+  if (widget == nullptr || !isInWindow(*widget)) {
     return false;
   }
   if (event->type() == QEvent::Polish && isOnlyClicked(*widget) &&
@@ -97,9 +127,9 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
   }
   auto& key = static_cast<QKeyEvent&>(*event);
   const QLineEdit* line = lineOf(*widget);
-  if (line != nullptr && key.matches(QKeySequence::Undo) && !line->isModified()) {
+  if (line != nullptr && isInVain(*line, key)) {
     key.ignore();
-    return true;  // the text would take it and do nothing
+    return true;
   }
   if (isOfWidget(*widget, key)) {
     key.accept();
@@ -121,7 +151,8 @@ void KeyRules::takeLeft(QKeyEvent& event) {
     }
     return;
   }
-  if (!isRemoving(event) || !isList(*focus)) {
+  const bool isOfList = isRemoving(event) && isList(*focus);
+  if (!isOfList && !isCursorKey(event)) {  // at its ends a list has nothing for the arrows to do
     QCoreApplication::sendEvent(&view.mapScene(), &event);
   }
 }

@@ -23,6 +23,7 @@ class KeyRules : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  bool isInWindow(const QWidget& widget) const;
   bool isOfWidget(QWidget& focus, const QKeyEvent& event) const;
 
   QMainWindow& window_;

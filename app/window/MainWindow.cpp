@@ -158,6 +158,7 @@ void MainWindow::connectFiles() {
     showStart(false);
     workspace_.view().fitAll(false);
   });
+  docks_->context().folder = [files] { return files->folder(); };
   connect(files, &FileCommands::closed, this, [this] { showStart(true); });
   connect(files, &FileCommands::issuesRaised, this, [this] {
     if (isOnStartPage()) {
@@ -234,7 +235,10 @@ void MainWindow::followState() {
   }
   actions_->openMap->setEnabled(!isOnStartPage() &&
                                 workspace_.runner().state() == SimulationRunner::State::Editing);
-  actions_->close->setEnabled(!isOnStartPage());
+  for (QAction* action :
+       {actions_->close, workspace_.playback().playPause, workspace_.playback().step}) {
+    action->setEnabled(!isOnStartPage());
+  }
   showTitle();
 }
 
@@ -308,9 +312,13 @@ void MainWindow::tellAbout() {
 }
 
 void MainWindow::showShortcuts() {
-  auto* dialog = new ShortcutsDialog(*menuBar(), this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->show();  // beside the window, to try the keys out
+  if (keysDialog_ == nullptr) {
+    keysDialog_ = new ShortcutsDialog(*menuBar(), this);
+    keysDialog_->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  keysDialog_->show();  // beside the window, to try the keys out
+  keysDialog_->raise();
+  keysDialog_->activateWindow();
 }
 
 /// A name without a folder is one beside the scenario.

@@ -2,8 +2,10 @@
 
 #include <vector>
 
+#include <QDialog>
 #include <QLabel>
 #include <QMainWindow>
+#include <QPointer>
 #include <QStackedWidget>
 
 #include "app/window/Docks.h"
@@ -98,6 +100,7 @@ class MainWindow : public QMainWindow {
   QMenu* recent_ = nullptr;
   QLabel* saved_;
   editor::TextViewer* viewer_ = nullptr;
+  QPointer<QDialog> keysDialog_;
 };
 
 }  // namespace app

@@ -1,5 +1,7 @@
 #include "app/window/StatusLine.h"
 
+#include <utility>
+
 #include <QCursor>
 #include <QPainter>
 #include <QStatusTipEvent>
@@ -50,7 +52,7 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
       workspace_(workspace),
       dot_(new QLabel),
       state_(new QLabel),
-      hint_(editor::secondaryLabel({})) {
+      hint_(new editor::ElidedLabel(nullptr)) {
   bar_.setSizeGripEnabled(false);
   bar_.setFixedHeight(24);
   bar_.setContentsMargins(8, 0, 4, 0);
@@ -60,7 +62,7 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
   bar_.addWidget(dot_);
   bar_.addWidget(state_);
   hint_->setContentsMargins(8, 0, 0, 0);
-  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  hint_->setForegroundRole(QPalette::PlaceholderText);
   bar_.addWidget(hint_, 1);
   x_ = addRight(72);
   y_ = addRight(72);
@@ -136,6 +138,11 @@ QString StatusLine::watched() const {
 void StatusLine::showState() {
   const SimulationRunner& runner = workspace_.runner();
   const auto state = runner.state();
+  const bool isRun = state != SimulationRunner::State::Editing;
+  if (isRun && !std::exchange(isRun_, isRun)) {  // what is edited later is not of this run
+    runEnd_ = editor::runEndText(workspace_.document().scenario());
+  }
+  isRun_ = isRun;
   Role color = Role::TextSecondary;
   QString words = tr("Editing");
   QString hint;
@@ -158,9 +165,8 @@ void StatusLine::showState() {
   } else if (state == SimulationRunner::State::Running) {
     color = Role::Ok;
     words = tr("Running");
-    const QString end = editor::runEndText(workspace_.document().scenario());
     hint = tr("Space pauses · Click a person to watch them · Drag the timeline to look back");
-    hint.prepend(end.isEmpty() ? end : editor::capitalized(end) + tr(" · "));
+    hint.prepend(runEnd_.isEmpty() ? runEnd_ : editor::capitalized(runEnd_) + tr(" · "));
   } else if (state == SimulationRunner::State::Paused) {
     color = Role::WarningMark;
     words = runner.isFinished() ? tr("Finished") : tr("Paused");
@@ -168,12 +174,12 @@ void StatusLine::showState() {
                ? endOf(runner) + tr("Space plays it again · Ctrl+R goes back to editing")
                : tr("Space runs on · . steps · Ctrl+R goes back to editing");
   }
-  if (state != SimulationRunner::State::Editing) {
+  if (isRun) {
     hint.prepend(watched());
   }
   dot_->setPixmap(dotPixmap(workspace_.theme().color(color)));
   state_->setText(words);
-  hint_->setText(tip_.isEmpty() ? hint : tip_);
+  hint_->setWords(tip_.isEmpty() ? hint : tip_);
   showNumbers();
 }
 

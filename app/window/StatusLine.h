@@ -4,6 +4,7 @@
 #include <QStatusBar>
 
 #include "app/window/Workspace.h"
+#include "editor/look/Form.h"
 
 namespace app {
 
@@ -30,8 +31,12 @@ class StatusLine : public QObject {
   QStatusBar& bar_;
   Workspace& workspace_;
   bool idle_ = false;
-  QString tip_;  // of the menu entry or button under the mouse
-  QLabel *dot_, *state_, *hint_, *x_, *y_, *ground_, *zoom_, *seed_, *speed_;
+  QString tip_;         // of the menu entry or button under the mouse
+  QString runEnd_;      // of the run that goes on, as it began
+  bool isRun_ = false;  // not editing
+  QLabel *dot_, *state_;
+  editor::ElidedLabel* hint_;
+  QLabel *x_, *y_, *ground_, *zoom_, *seed_, *speed_;
 };
 
 }  // namespace app

@@ -127,7 +127,8 @@ QAction* WindowActions::toggle(const QString& text, bool CanvasOptions::*option,
 void WindowActions::makeViewActions() {
   zoomIn = make(tr("Zoom &in"), tr("Nearer"), QKeySequence::ZoomIn, "add");
   zoomOut = make(tr("Zoom &out"), tr("Farther"), QKeySequence::ZoomOut, "remove");
-  zoomFit = make(tr("&Fit"), tr("The whole map in the window"), Qt::Key_F, "view-fit");
+  zoomFit =
+      make(tr("&Fit"), tr("All that is known of the map in the window"), Qt::Key_F, "view-fit");
   fullScreen = make(tr("Full scr&een"), tr("Only the map"), Qt::Key_F11);
   fullScreen->setCheckable(true);
   resetLayout = make(tr("Reset the la&yout"), tr("Docks as they were at first"));
@@ -218,7 +219,10 @@ void WindowActions::connectEditing() {
           [&document] { editor::pushRemove(document, document.selection()); });
   connect(selectAll, &QAction::triggered, this, [&document] { editor::selectAll(document); });
   for (const QAction* action : {deselect, settings}) {
-    connect(action, &QAction::triggered, this, [&document] { document.setSelection({}); });
+    connect(action, &QAction::triggered, this, [this, &document] {
+      document.setSelection({});
+      workspace_.scene().setGuest({});  // it stands over the selection
+    });
   }
   connect(next, &QAction::triggered, this, [this] { selectNext(1); });
   connect(previous, &QAction::triggered, this, [this] { selectNext(-1); });

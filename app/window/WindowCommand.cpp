@@ -133,7 +133,7 @@ bool waitFor(const std::function<bool()>& done) {
 /// Trails grow by what is shown.
 void showStates(Workspace& workspace, const sim2d::Recording& recording, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
-    workspace.scene().showFrame(recording.frame(k));
+    workspace.scene().showFrame(recording.frame(k), &recording);
   }
 }
 

@@ -391,8 +391,11 @@ std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
           {QStringLiteral("Total"), Role::ForceTotal, total}};
 }
 
-void FrameLayer::paintTrail(QPainter& painter, const Trail& trail, QColor color) const {
-  const std::size_t count = trail.points.size();
+void FrameLayer::paintTrail(QPainter& painter, const Trail& trail, const Vec2& end,
+                            QColor color) const {
+  const bool isAhead =  // the body is still on its way to the newest point
+      frame_ != nullptr && trail.points.size() > 1 && trail.points.back().first >= frame_->time;
+  const std::size_t count = trail.points.size() - (isAhead ? 1 : 0);
   for (int part = 0; part < kTrailParts; ++part) {
     const std::size_t from = count * static_cast<std::size_t>(part) / kTrailParts;
     const std::size_t to =
@@ -402,7 +405,7 @@ void FrameLayer::paintTrail(QPainter& painter, const Trail& trail, QColor color)
       line << toScene(trail.points[i].second);
     }
     if (part + 1 == kTrailParts) {
-      line << toScene(*trail.last);
+      line << toScene(end);
     }
     color.setAlphaF(0.5 * (part + 1) / kTrailParts);
     QPen pen(color, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
@@ -415,7 +418,8 @@ void FrameLayer::paintTrail(QPainter& painter, const Trail& trail, QColor color)
 void FrameLayer::paintTrails(QPainter& painter) const {
   for (const auto& [id, trail] : trails_) {
     if (!trail.points.empty()) {
-      paintTrail(painter, trail,
+      const Body* there = body(id);
+      paintTrail(painter, trail, there != nullptr ? there->pose.position : *trail.last,
                  id < 0 ? theme().color(Role::RobotLine) : theme().line(agent(id).look));
     }
   }

@@ -72,7 +72,7 @@ class FrameLayer : public FullLayer {
   void lengthenTrails(const sim2d::Frame& frame, bool isPoint);
   void addPassed(const sim2d::Recording& recording, const sim2d::Frame& frame);
   void cutTrails(double time);
-  void paintTrail(QPainter& painter, const Trail& trail, QColor color) const;
+  void paintTrail(QPainter& painter, const Trail& trail, const Vec2& end, QColor color) const;
   void meet(const sim2d::TraceHeader& header, const sim2d::Frame& frame);
   const Body* body(int id) const;
   const Agent& agent(int id) const;

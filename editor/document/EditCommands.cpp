@@ -36,8 +36,8 @@ class EditEntities : public QUndoCommand {
 
   void undo() override {
     const ScenarioDocument::Step step(document_);
-    swapTrees();
     std::for_each(edits_.rbegin(), edits_.rend(), [this](EntityEdit& edit) { swap(edit); });
+    swapTrees();  // last, as in redo: the document notes for whom a tree is written
   }
 
   int id() const override { return mayMerge_ ? kEditEntity : -1; }

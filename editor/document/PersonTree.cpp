@@ -140,6 +140,16 @@ PersonTree personTree(const ScenarioDocument& document, EntityId person) {
   return result;
 }
 
+bool hasFollowingTree(const ScenarioDocument& document, EntityId person) {
+  const std::optional<std::string> own = document.tree(person);
+  const sim2d::Human* human = document.human(person);
+  if (!own || human == nullptr) {
+    return false;
+  }
+  const base::Result<bt::TreeFile> file = bt::readTreeText(*own);
+  return file && isMadeWithBlocks(document, *human, *own, *file);
+}
+
 std::vector<OutlineNode> outlineOf(const PersonTree& tree) {
   std::vector<OutlineNode> nodes;
   const bt::TreeTable::Entry* main = tree.table.find(tree.table.mainTree);

@@ -24,6 +24,8 @@ struct PersonTree {
   const bt::TreeSpec* mainTree() const;
 };
 PersonTree personTree(const ScenarioDocument& document, EntityId person);
+/// An own tree that is made with blocks.
+bool hasFollowingTree(const ScenarioDocument& document, EntityId person);
 
 /// A node of the tree, SubTrees followed. The place in the list is the number that frames of a run
 /// give the node.

@@ -1,6 +1,8 @@
 #include "editor/look/Form.h"
 
 #include <QHBoxLayout>
+#include <QPainter>
+#include <QTextDocument>
 #include <QVBoxLayout>
 
 #include "editor/look/HouseStyle.h"
@@ -15,6 +17,27 @@ constexpr int kLeastHalf = 72;
 constexpr int kFormRowHeight = 28;
 
 }  // namespace
+
+ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
+  setTextFormat(Qt::PlainText);
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+}
+
+void ElidedLabel::setWords(const QString& words) {
+  setText(words);
+  setToolTip(Qt::mightBeRichText(words) ? QStringLiteral("<p>%1</p>").arg(words.toHtmlEscaped())
+                                        : words);
+}
+
+QString ElidedLabel::shownWords() const {
+  return fontMetrics().elidedText(text(), Qt::ElideMiddle, contentsRect().width());
+}
+
+void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setPen(palette().color(foregroundRole()));
+  painter.drawText(contentsRect(), int(alignment()) | Qt::TextSingleLine, shownWords());
+}
 
 QLabel* secondaryLabel(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);

@@ -38,6 +38,18 @@ class FormSection : public QWidget {
   QGridLayout* grid_;
 };
 
+/// One line that asks for no width of its own: what does not fit loses its middle, and the tool tip
+/// has the whole. `text` stays whole.
+class ElidedLabel : public QLabel {
+ public:
+  explicit ElidedLabel(QWidget* parent);
+  void setWords(const QString& words);
+  QString shownWords() const;  // as they fit now
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+
 /// A text in the secondary colour of the palette.
 QLabel* secondaryLabel(const QString& text, QWidget* parent = nullptr);
 /// A text in another font.

@@ -44,19 +44,21 @@ std::vector<EntityId> peopleMeant(const ScenarioDocument& document) {
   return people.empty() ? document.entities(EntityKind::Human) : people;
 }
 
-void fillBehaviorMenu(QMenu& menu, ScenarioDocument& document, const Theme& theme,
-                      QWidget* parent) {
+void fillBehaviorMenu(QMenu& menu, ScenarioDocument& document, const Theme& theme, QWidget* parent,
+                      bool isEditing) {
   for (int i = 1; i <= kBehaviorCount; ++i) {
     const auto type = static_cast<BehaviorType>(i);
     const QString name = lookName(lookOf(type));
     QAction* action =
         menu.addAction(name, &document, [&document, type] { makeAllBehave(document, type); });
     describe(*action, QObject::tr("Make the people that are selected %1").arg(name.toLower()));
+    action->setEnabled(isEditing);
   }
   menu.addSeparator();
   QAction* mix = menu.addAction(QObject::tr("&Mix…"), parent,
                                 [&document, &theme, parent] { openMix(document, theme, parent); });
   describe(*mix, QObject::tr("Shares of behaviours among those selected, or among everybody"));
+  mix->setEnabled(isEditing);
 }
 
 MixDialog::MixDialog(ScenarioDocument& document, const Theme& theme, QWidget* parent)
@@ -74,7 +76,16 @@ MixDialog::MixDialog(ScenarioDocument& document, const Theme& theme, QWidget* pa
   QWidget* fields = makeMixFields(
       recipe_, theme, [this] { apply(); }, this);
   arranged(new QVBoxLayout(this), {12, 12, 12, 12}, 8, {fields, result_, buttons});
-  apply();
+  showShares();
+}
+
+/// The mix as it was offered is one too. Nothing is pushed before: opening keeps what can be
+/// redone.
+void MixDialog::accept() {
+  if (!isTouched_) {
+    apply();
+  }
+  QDialog::accept();
 }
 
 void MixDialog::reject() {
@@ -84,10 +95,16 @@ void MixDialog::reject() {
 
 /// Every time from how they were, so that nothing of the mix before is left.
 void MixDialog::apply() {
+  isTouched_ = true;
   takeBack();
   const int before = document_.undoStack().index();
   pushMix(document_, people_, recipe_);
-  isApplied_ = document_.undoStack().index() > before;
+  const int after = document_.undoStack().index();
+  appliedAt_ = after > before ? after : 0;
+  showShares();
+}
+
+void MixDialog::showShares() {
   QStringList words;
   const std::vector<BehaviorType> given = mixedBehaviors(recipe_, people_.size());
   for (int i = 1; i <= kBehaviorCount; ++i) {
@@ -100,7 +117,8 @@ void MixDialog::apply() {
 }
 
 void MixDialog::takeBack() {
-  if (std::exchange(isApplied_, false)) {
+  const int at = std::exchange(appliedAt_, 0);
+  if (at > 0 && at == document_.undoStack().index()) {  // else somebody else has changed something
     document_.undoStack().undo();
   }
 }

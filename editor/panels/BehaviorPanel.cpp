@@ -1,7 +1,9 @@
 #include "editor/panels/BehaviorPanel.h"
 
 #include <algorithm>
+#include <utility>
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -38,10 +40,11 @@ QHBoxLayout* rowOf(std::initializer_list<QWidget*> widgets) {
 }  // namespace
 
 BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runner,
-                             const Theme& theme)
+                             const Theme& theme, std::function<QString()> folder)
     : document_(document),
       theme_(theme),
       runner_(runner),
+      folder_(std::move(folder)),
       stack_(new QStackedLayout(this)),
       name_(headingLabel({}, theme.font(12.0, QFont::DemiBold))),
       about_(secondaryLabel({})),
@@ -111,9 +114,8 @@ void BehaviorPanel::makeLinks(QVBoxLayout& layout) {
   QToolButton* save = link(tr("Save…"), tr("Write the tree into a file"), [this] { askForFile(); });
   template_ =
       link(tr("Template…"), tr("Begin from the tree of a behaviour"), [this] { offerTemplates(); });
-  anew_ = link(tr("Make anew"), tr("Back to the tree that behaviour and goals make"), [this] {
-    pushTreeText(document_, person_, std::nullopt, tr("Make the tree anew"));
-  });
+  anew_ = link(tr("Make anew"), tr("Back to the tree that behaviour and goals make"),
+               [this] { pushTreesAnew(document_, {person_}); });
   takeRoute_ = link(tr("Put the route into the tree"), tr("Put the route into the tree"),
                     [this] { pushGoalsOfRoute(document_, person_); });
   earlier_ = link(tr("Earlier"), tr("Before the block above"), [this] { moveBlock(-1); });
@@ -259,7 +261,8 @@ void BehaviorPanel::showStatus() {
 
 void addBehaviorPanel(PanelRegistry& to) {
   to.add({40, QObject::tr("Behaviour"), Qt::RightDockWidgetArea}, [](PanelContext& context) {
-    auto* panel = new BehaviorPanel(context.document, context.runner, context.theme());
+    auto* panel = new BehaviorPanel(context.document, context.runner, context.theme(),
+                                    [&context] { return context.folder(); });
     QObject::connect(&context, &PanelContext::themeChanged, panel, &BehaviorPanel::setTheme);
     QObject::connect(panel, &BehaviorPanel::told, &context, &PanelContext::problemsFound);
     return panel;
@@ -288,10 +291,9 @@ base::Diagnostics BehaviorPanel::saveTreeTo(const QString& path) const {
 }
 
 void BehaviorPanel::askForTree() {
-  const QString path = QFileDialog::getOpenFileName(window(), tr("Take a behaviour tree"),
-                                                    QFileInfo(document_.path()).absolutePath(),
-                                                    tr("Behaviour trees (*.xml);;All files (*)"),
-                                                    nullptr, QFileDialog::ReadOnly);
+  const QString path = QFileDialog::getOpenFileName(
+      window(), tr("Take a behaviour tree"), folder_(),
+      tr("Behaviour trees (*.xml);;All files (*)"), nullptr, QFileDialog::ReadOnly);
   if (!path.isEmpty()) {
     Q_EMIT told(takeTreeFrom(path));
   }
@@ -301,10 +303,9 @@ void BehaviorPanel::askForFile() {
   const sim2d::Human* human = document_.human(person_);
   const QString name = QString::fromStdString(
       bt::treeFileName(document_.scenario().yamlBaseName.value_or("scenario"), human->id));
-  const QString path = QFileDialog::getSaveFileName(
-      window(), tr("Save the behaviour tree"),
-      QFileInfo(document_.path()).absoluteDir().filePath(name), tr("Behaviour trees (*.xml)"),
-      nullptr, QFileDialog::ReadOnly);
+  const QString path =
+      QFileDialog::getSaveFileName(window(), tr("Save the behaviour tree"),
+                                   QDir(folder_()).filePath(name), tr("Behaviour trees (*.xml)"));
   if (!path.isEmpty()) {
     Q_EMIT told(saveTreeTo(path));
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <QLabel>
 #include <QStackedLayout>
 #include <QToolButton>
@@ -19,7 +21,9 @@ class ValueForm;
 class BehaviorPanel : public QWidget {
   Q_OBJECT
  public:
-  BehaviorPanel(ScenarioDocument& document, SimulationRunner& runner, const Theme& theme);
+  /// `folder`: where the dialogs for trees begin.
+  BehaviorPanel(ScenarioDocument& document, SimulationRunner& runner, const Theme& theme,
+                std::function<QString()> folder);
   void setTheme(const Theme& theme);
   TreeOutline& outline() const { return *outline_; }
   EntityId person() const { return person_; }
@@ -54,6 +58,7 @@ class BehaviorPanel : public QWidget {
   ScenarioDocument& document_;
   Theme theme_;
   const SimulationRunner& runner_;
+  std::function<QString()> folder_;
   EntityId person_;
   PersonTree tree_;
   std::vector<bt::Block> blocks_;  // of its main tree

@@ -1,6 +1,7 @@
 #include "editor/panels/IssuesPanel.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <tuple>
 
@@ -50,8 +51,8 @@ constexpr Echo kEchoes[] = {{"scenario.nobody-listed", "scenario.nobody"},
                             {"world.point-out-of-reach", "places.no-way"},
                             {"world.point-out-of-reach", "places.no-way-to-point"}};
 
-/// Every problem once: without those that say the same of the same thing, wherever it was found.
-base::Diagnostics toldOnce(const base::Diagnostics& all) {
+/// Some of all problems, without those that another of all tells too.
+base::Diagnostics withoutEchoes(const base::Diagnostics& some, const base::Diagnostics& all) {
   using About = std::tuple<EntityId, std::string_view, std::string>;  // thing, code, goal
   std::set<About> told;
   for (const base::Diagnostic& issue : all) {
@@ -60,16 +61,24 @@ base::Diagnostics toldOnce(const base::Diagnostics& all) {
       told.insert({thing, issue.code, std::string()});
     }
   }
-  std::set<std::pair<EntityId, std::string>> said;
-  base::Diagnostics once;
-  for (const base::Diagnostic& issue : all) {
-    const bool isEcho = std::any_of(std::begin(kEchoes), std::end(kEchoes), [&](const Echo& echo) {
+  base::Diagnostics left;
+  std::copy_if(some.begin(), some.end(), std::back_inserter(left), [&](const auto& issue) {
+    return std::none_of(std::begin(kEchoes), std::end(kEchoes), [&](const Echo& echo) {
       return echo.code == issue.code &&
              told.count({issue.entity, echo.of, issue.value("goal")}) > 0;
     });
+  });
+  return left;
+}
+
+/// Every problem once: without those that say the same of the same thing, wherever it was found.
+base::Diagnostics toldOnce(const base::Diagnostics& all) {
+  std::set<std::pair<EntityId, std::string>> said;
+  base::Diagnostics once;
+  for (const base::Diagnostic& issue : withoutEchoes(all, all)) {
     const std::string place =
         issue.file + ':' + std::to_string(issue.line) + ':' + std::to_string(issue.column) + ':';
-    if (!isEcho && said.insert({issue.entity, place + issue.message}).second) {
+    if (said.insert({issue.entity, place + issue.message}).second) {
       once.push_back(issue);
     }
   }
@@ -206,9 +215,12 @@ void IssuesPanel::setActionIssues(const base::Diagnostics& issues) {
 }
 
 void IssuesPanel::rebuild() {
-  base::Diagnostics all = action_;
-  base::append(all, document_.issues());
+  base::Diagnostics all = document_.issues();
   base::append(all, adviceFor(document_.scenario()));
+  base::Diagnostics known = action_;
+  base::append(known, all);
+  action_ = withoutEchoes(action_, known);  // what is mended does not come back as its echo
+  all.insert(all.begin(), action_.begin(), action_.end());
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);
   });

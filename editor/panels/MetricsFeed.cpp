@@ -12,6 +12,8 @@ namespace {
 constexpr double kLeastGap = 0.25;  // of points of a curve [s]
 constexpr double kGapShare = 1.0 / 80.0;
 constexpr std::size_t kMostFrames = 500;  // until the panel is told
+constexpr std::size_t kNearFrames = 100;  // values of so long ago may stand while it plays
+constexpr std::size_t kNoMoment = std::numeric_limits<std::size_t>::max();
 
 int decimalsOf(const std::string& unit) {
   if (unit == "s" || unit == "%") {
@@ -113,6 +115,7 @@ MetricsFeed::MetricsFeed(const ScenarioDocument& document, SimulationRunner& run
 }
 
 MetricsFeed::~MetricsFeed() {
+  stopPast();
   task_.finish();
   pastTask_.finish();
 }
@@ -155,6 +158,7 @@ bool MetricsFeed::isCurrent() const {
 
 void MetricsFeed::begin() {
   work_.reset();
+  stopPast();
   task_.finish();
   pastTask_.finish();
   pastWork_.reset();
@@ -195,6 +199,25 @@ const std::vector<metrics::MetricResult>& MetricsFeed::shown() const {
   return past_ && pastIndex() ? past_->results : snapshot_.results;
 }
 
+void MetricsFeed::stopPast() {
+  pastStop_->stop();
+  pastStop_ = std::make_shared<base::StopFlag>();
+}
+
+/// Values of another moment do not stand for the one at `index`, but when it plays on from there.
+void MetricsFeed::dropOtherPast(std::size_t index) {
+  const bool isNear = past_ && (past_->index == kNoMoment ||
+                                (index >= past_->index && index - past_->index <= kNearFrames));
+  if (isNear) {
+    return;
+  }
+  past_ = Past{kNoMoment, snapshot_.results};
+  for (metrics::MetricResult& result : past_->results) {
+    result.value = {};
+  }
+  Q_EMIT updated();
+}
+
 void MetricsFeed::lookBack() {
   const std::optional<std::size_t> index = pastIndex();
   if (!index) {
@@ -207,13 +230,20 @@ void MetricsFeed::lookBack() {
   if (past_ && past_->index == *index) {
     return;
   }
+  if (*index < pastWanted_) {
+    stopPast();  // it goes on beyond what is wanted now
+  }
+  pastWanted_ = *index;
+  dropOtherPast(*index);
   // The work is touched by one task at a time, which begin() waits for.
-  pastTask_.start([this, index = *index, recording = recording_, make = makeWork_] {
+  pastTask_.start([this, index = *index, recording = recording_, make = makeWork_,
+                   stop = base::StopFlagPtr(pastStop_)] {
     if (pastWork_ == nullptr || pastWork_->times.size() > index + 1) {
       pastWork_ = make();
       pastWork_->hasTracks = false;
     }
     while (pastWork_->times.size() <= index) {
+      stop->check();
       pastWork_->take(*recording, pastWork_->times.size());
     }
     return Past{index, pastWork_->live->values()};

@@ -39,7 +39,8 @@ class MetricsFeed : public QObject {
   Q_DISABLE_COPY_MOVE(MetricsFeed)
 
   const MetricSnapshot& snapshot() const { return snapshot_; }
-  /// Values up to the state that is shown, which is not the newest one when looking back.
+  /// Values up to the state that is shown, which is not the newest one when looking back; without
+  /// values until they are worked out.
   const std::vector<metrics::MetricResult>& shown() const;
   /// Which metrics, instead of those of the scenario's settings; counts from the next frame on.
   void setSelection(std::optional<metrics::Selection> selection);
@@ -65,6 +66,8 @@ class MetricsFeed : public QObject {
   void deliver(MetricSnapshot snapshot);
   std::optional<std::size_t> pastIndex() const;
   void lookBack();
+  void stopPast();
+  void dropOtherPast(std::size_t index);
   void deliverPast(Past past);
 
   const ScenarioDocument& document_;
@@ -77,6 +80,8 @@ class MetricsFeed : public QObject {
   LatestTask<MetricSnapshot> task_;
   std::shared_ptr<Work> pastWork_;
   std::optional<Past> past_;
+  std::size_t pastWanted_ = 0;                                                    // index
+  std::shared_ptr<base::StopFlag> pastStop_ = std::make_shared<base::StopFlag>();  // what is begun
   LatestTask<Past> pastTask_;
 };
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include <QFileInfo>
 #include <QWidget>
 
 #include "editor/canvas/MapView.h"
@@ -26,6 +27,8 @@ class PanelContext : public QObject {
   SimulationRunner& runner;
   RunEvents& happened;
   MetricsFeed& feed;
+  /// Where dialogs for files begin: never among what the program brought.
+  std::function<QString()> folder = [this] { return QFileInfo(document.path()).absolutePath(); };
 
  Q_SIGNALS:
   void themeChanged(const editor::Theme& theme);

@@ -6,7 +6,6 @@
 
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/Groups.h"
-#include "editor/document/PersonTree.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/panels/BehaviorMenu.h"
 #include "editor/panels/EntityPages.h"
@@ -86,40 +85,6 @@ void PersonPage::addPersonSection() {
       section, "kind",
       inWords({tr("Adult"), tr("Child"), tr("Elderly"), tr("Wheelchair"), tr("With luggage")}));
   addListed(section);
-}
-
-/// Trees that somebody wrote do not hear of behaviour, reaction and goals: it is told, and mended
-/// by a click.
-void PersonPage::addTreeRow(FormSection* section) {
-  ownTree_ = secondaryLabel({}, this);
-  ownTree_->setWordWrap(true);
-  section->addRow(QString(), ownTree_);
-  treeAnew_ = linkButton(
-      tr("Make the tree anew"),
-      tr("The tree that behaviour, reaction and goals make; Ctrl+Z brings the other one back"),
-      this, [this] { pushTreesAnew(document(), targets()); });
-  section->addRow(QString(), treeAnew_);
-  addRefresh([this, section](const std::vector<Entity>&) { showTreeRow(*section); });
-}
-
-void PersonPage::showTreeRow(FormSection& section) {
-  constexpr std::size_t kMostAsked = 200;  // whether a tree is behind takes its time
-  std::size_t own = 0, behind = 0;
-  for (const EntityId id : targets()) {
-    if (document().tree(id)) {
-      ++own;
-      behind += own <= kMostAsked && document().isTreeBehind(id) ? 1 : 0;
-    }
-  }
-  const bool isOne = targets().size() == 1;
-  const QString who =
-      isOne ? tr("A tree of their own decides.")
-            : tr("%1 with trees of their own.").arg(counted(own, tr("person"), tr("people")));
-  ownTree_->setText(
-      behind > 0 ? who + QLatin1Char(' ') + tr("It does not hear of what was changed here.")
-                 : who + QLatin1Char(' ') + tr("Behaviour, reaction and goals do not reach it."));
-  section.setRowVisible(ownTree_, own > 0);
-  section.setRowVisible(treeAnew_, own > 0);
 }
 
 void PersonPage::addGoalSection() {

@@ -21,7 +21,9 @@ constexpr int kLeft = 152;  // of the groove of the timeline [px]
 constexpr int kRight = 24;
 constexpr double kGrooveY = 17.0;
 constexpr double kMarkY = 6.0;
-constexpr int kLabelPx = 90;  // least distance of labelled ticks
+constexpr int kLabelPx = 90;         // least distance of labelled ticks
+constexpr double kMarkFont = 8.0;    // [pt]
+constexpr double kBesideMark = 8.0;  // from the middle of a mark to its number and beyond [px]
 
 struct Speed {
   const char* text;
@@ -239,6 +241,11 @@ void TimelineBar::paintGroove(QPainter& painter) const {
 std::vector<TimelineBar::Cluster> TimelineBar::clusters() const {
   constexpr double kApart = 13.0;  // [px] between two marks
   constexpr double kWidest = 48.0;
+  const QFontMetrics metrics(theme_.font(kMarkFont));
+  const auto numberOf = [&metrics](const Cluster& last) {
+    const QString number = QString::number(last.count);
+    return last.count > 1 ? kBesideMark + metrics.horizontalAdvance(number) : 0.0;
+  };
   std::vector<Cluster> all;
   for (const RunEvent& event : events_.events()) {
     const EventMark mark = markOfEvent(event.event.kind);
@@ -247,7 +254,8 @@ std::vector<TimelineBar::Cluster> TimelineBar::clusters() const {
     if (loudness == 0) {
       continue;
     }
-    if (all.empty() || x - all.back().last >= kApart || x - all.back().first >= kWidest) {
+    if (all.empty() || x - all.back().last >= kApart + numberOf(all.back()) ||
+        x - all.back().first >= kWidest) {
       all.push_back({mark, x, x, 1});
       continue;
     }
@@ -265,7 +273,7 @@ std::vector<TimelineBar::Cluster> TimelineBar::clusters() const {
 
 /// Many of a kind in one place are one mark with their number.
 void TimelineBar::paintMarks(QPainter& painter) const {
-  painter.setFont(theme_.font(7.5));
+  painter.setFont(theme_.font(kMarkFont));
   for (const Cluster& cluster : clusters()) {
     const QPointF at(0.5 * (cluster.first + cluster.last), kMarkY);
     paintEventMark(painter, cluster.mark, at, theme_);

@@ -41,6 +41,13 @@ class TimelineBar : public QWidget {
   double xOf(double time) const;
   double timeAt(double x) const;
   QSize sizeHint() const override { return {400, 44}; }
+  /// Events that lie on one another: the loudest of them, and how many there are of it.
+  struct Cluster {
+    EventMark mark = EventMark::None;
+    double first = 0.0, last = 0.0;  // x [px]
+    int count = 0;
+  };
+  std::vector<Cluster> clusters() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -58,13 +65,6 @@ class TimelineBar : public QWidget {
   void paintTicks(QPainter& painter) const;
   void paintGroove(QPainter& painter) const;
   void paintMarks(QPainter& painter) const;
-  /// Events that lie on one another: the loudest of them, and how many there are of it.
-  struct Cluster {
-    EventMark mark = EventMark::None;
-    double first = 0.0, last = 0.0;  // x [px]
-    int count = 0;
-  };
-  std::vector<Cluster> clusters() const;
 
   const ScenarioDocument& document_;
   RunEvents& events_;

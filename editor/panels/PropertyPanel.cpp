@@ -4,8 +4,6 @@
 #include <utility>
 
 #include <QHBoxLayout>
-#include <QPainter>
-#include <QTextDocument>
 #include <QVBoxLayout>
 
 #include "editor/canvas/Tool.h"
@@ -74,27 +72,6 @@ QString aboutOne(const sim2d::Scenario& scenario, const Entity& entity) {
 }
 
 }  // namespace
-
-ElidedLabel::ElidedLabel(QWidget* parent) : QLabel(parent) {
-  setTextFormat(Qt::PlainText);
-  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-}
-
-void ElidedLabel::setWords(const QString& words) {
-  setText(words);
-  setToolTip(Qt::mightBeRichText(words) ? QStringLiteral("<p>%1</p>").arg(words.toHtmlEscaped())
-                                        : words);
-}
-
-QString ElidedLabel::shownWords() const {
-  return fontMetrics().elidedText(text(), Qt::ElideMiddle, contentsRect().width());
-}
-
-void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {
-  QPainter painter(this);
-  painter.setPen(palette().color(foregroundRole()));
-  painter.drawText(contentsRect(), int(alignment()) | Qt::TextSingleLine, shownWords());
-}
 
 PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
     : document_(document),
@@ -248,7 +225,7 @@ void PropertyPanel::setTheme(const Theme& theme) {
 
 void PropertyPanel::showFrame(const FramePtr& frame, bool isRecorded) {
   frame_ = frame;
-  later_->setVisible(frame_ != nullptr && !isRecorded);
+  isRecorded_ = isRecorded;
   for (const auto& [kind, page] : pages_) {
     page->setEnabled(!isRecorded);
   }
@@ -267,6 +244,7 @@ std::optional<int> PropertyPanel::agentOf(EntityId id) const {
 }
 
 void PropertyPanel::showNow() {
+  later_->setVisible(frame_ != nullptr && !isRecorded_ && !guest_);  // nothing of a guest is edited
   const std::vector<EntityId>& ids = document_.selection();
   if (guest_) {
     now_->show(frame_.get(), guest_->id, nullptr);

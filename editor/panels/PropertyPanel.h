@@ -5,22 +5,11 @@
 #include <QLabel>
 #include <QStackedWidget>
 
+#include "editor/look/Form.h"
 #include "editor/panels/PropertyPage.h"
 #include "editor/run/SimulationRunner.h"
 
 namespace editor {
-
-/// One line that asks for no width of its own: what does not fit loses its middle, and the tool tip
-/// has the whole. `text` stays whole.
-class ElidedLabel : public QLabel {
- public:
-  explicit ElidedLabel(QWidget* parent);
-  void setWords(const QString& words);
-  QString shownWords() const;  // as they fit now
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-};
 
 class NowSection;
 
@@ -56,6 +45,7 @@ class PropertyPanel : public QWidget {
   QLabel* later_;
   bool isSame_ = true;  // in the step that has not ended nothing came or went
   FramePtr frame_;
+  bool isRecorded_ = false;
   QStackedWidget* stack_;
   QLabel* guestPage_;
   std::optional<sim2d::TraceHuman> guest_;

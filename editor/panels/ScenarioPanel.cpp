@@ -194,7 +194,11 @@ ScenarioPanel::ScenarioPanel(ScenarioDocument& document, const Theme& theme)
 
 void ScenarioPanel::showEmptiness() {
   const sim2d::Scenario& scenario = document_.scenario();
-  const bool isFound = filter_->rowCount() > 0;
+  const int groups = filter_->rowCount();
+  const bool isFound = groups > 0;
+  if (groups > std::exchange(groups_, groups) && !filterField_->text().isEmpty()) {
+    expandGroups();  // what comes back is seen
+  }
   empty_->setVisible(isFound && scenario.humans.empty() && scenario.goals.empty());
   nothing_->showFor(isFound);
 }
@@ -279,6 +283,10 @@ void addScenarioPanel(PanelRegistry& to) {
   to.add({10, QObject::tr("Scenario"), Qt::LeftDockWidgetArea, false}, [](PanelContext& context) {
     auto* panel = new ScenarioPanel(context.document, context.theme());
     QObject::connect(&context, &PanelContext::themeChanged, panel, &ScenarioPanel::setTheme);
+    QObject::connect(&context.runner, &SimulationRunner::stateChanged, panel,
+                     [panel](SimulationRunner::State state) {
+                       panel->setEditing(state == SimulationRunner::State::Editing);
+                     });
     QObject::connect(panel, &ScenarioPanel::activated, &context.view, &MapView::centerOnEntity);
     QObject::connect(panel, &ScenarioPanel::goalsWanted, &context, &PanelContext::goalsWanted);
     return panel;
@@ -335,7 +343,7 @@ void ScenarioPanel::addPeopleActions(QMenu& menu) {
     }
   }
   menu.addSeparator();
-  fillBehaviorMenu(*menu.addMenu(tr("Behaviour")), document_, theme_, this);
+  fillBehaviorMenu(*menu.addMenu(tr("Behaviour")), document_, theme_, this, isEditing_);
   offer(menu, tr("Assign goals…"), tr("Which people visit which goals, in which order"),
         [this] { Q_EMIT goalsWanted(); });
   offer(menu, tr("Walk as a group"),

@@ -16,6 +16,8 @@ class ScenarioPanel : public QWidget {
  public:
   ScenarioPanel(ScenarioDocument& document, const Theme& theme);
   void setTheme(const Theme& theme);
+  /// In runs behaviours are not given.
+  void setEditing(bool editing) { isEditing_ = editing; }
   QTreeView& tree() const { return *tree_; }
   QLineEdit& filter() const { return *filterField_; }
   EntityModel& model() const { return *model_; }
@@ -48,6 +50,8 @@ class ScenarioPanel : public QWidget {
   QLabel* empty_;
   NothingFound* nothing_ = nullptr;
   bool syncing_ = false;
+  bool isEditing_ = true;
+  int groups_ = 0;  // that are seen
 };
 
 }  // namespace editor

@@ -167,7 +167,9 @@ void SimulationRunner::setSpeed(double factor) {
   Q_ASSERT(factor > 0.0);
   speed_ = factor;
   if (finished_) {
-    startClock();
+    if (state_ == State::Running) {
+      startClock();
+    }
   } else if (session_ != nullptr) {
     session_->setSpeed(factor);
   }
@@ -197,7 +199,7 @@ void SimulationRunner::playOn() {
   if (recording_->stepOf(index) > shown_->step) {
     show(recording_->frame(index), !isRecorded_);
   }
-  if (shown_->step == newest_->step) {
+  if (index + 1 == recording_->size()) {  // the last step need not be one that is recorded
     show(newest_, false);
     pause();
   }

@@ -54,7 +54,7 @@ class SimulationRunner : public QObject {
   void setRequest(std::function<RunRequest()> request) { request_ = std::move(request); }
 
   State state() const { return state_; }
-  bool isFinished() const { return finished_; }  // the rule has ended the run; state is Paused
+  bool isFinished() const { return finished_; }  // nothing more is computed; it is played or paused
   /// How it ended; none: it has not, or was recorded before.
   const std::optional<sim2d::RunResult>& result() const { return result_; }
   double speed() const { return speed_; }

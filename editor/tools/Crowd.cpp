@@ -235,7 +235,11 @@ void pushMix(ScenarioDocument& document, const std::vector<EntityId>& people,
   const std::vector<sim2d::BehaviorType> behaviors = mixedBehaviors(recipe, people.size());
   std::vector<Entity> values;
   for (std::size_t i = 0; i < people.size(); ++i) {
-    sim2d::Human human = *document.human(people[i]);
+    const sim2d::Human* there = document.human(people[i]);
+    if (there == nullptr) {
+      continue;  // removed meanwhile
+    }
+    sim2d::Human human = *there;
     human.behavior.type = behaviors[i];
     completeReaction(document.scenario(), human);
     values.emplace_back(std::move(human));

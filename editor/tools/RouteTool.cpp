@@ -18,11 +18,11 @@ class RouteTool : public Tool {
   using Tool::Tool;
 
   QString statusText() const override {
-    if (!refusal_.isEmpty()) {
+    if (!refusal_.isEmpty() && document().selection() == refusedFor_) {
       return refusal_;
     }
     if (walkers().empty()) {
-      return tr("Click the person whose route it is (Shift adds more)");
+      return tr("Click the person or robot whose route it is (Shift adds more)");
     }
     if (goals_.empty()) {
       return tr("Click the goals in the order of visiting");
@@ -77,13 +77,14 @@ class RouteTool : public Tool {
   }
 
   bool keyPress(const QKeyEvent& event) override {
+    refusal_.clear();
     if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
       commit();
     } else if (event.key() == Qt::Key_Backspace) {
       if (!goals_.empty()) {
         goals_.pop_back();
-        preview();
       }
+      preview();
     } else {
       return false;
     }
@@ -101,8 +102,9 @@ class RouteTool : public Tool {
 
   /// Null: there is none where the mouse was.
   void addGoal(const sim2d::GlobalGoal* goal) {
+    refusedFor_ = document().selection();
     if (walkers().empty()) {
-      refusal_ = tr("No person is selected: click a person first");
+      refusal_ = tr("Nobody is selected: click a person or robot first");
     } else if (goal == nullptr) {
       refusal_ = tr("There is no goal here: click the pin of one, G makes more");
     } else if (!goals_.empty() && goals_.back() == goal->id) {
@@ -128,7 +130,8 @@ class RouteTool : public Tool {
   }
 
   std::vector<int> goals_;
-  QString refusal_;  // why the last click did nothing
+  QString refusal_;                   // why the last click did nothing
+  std::vector<EntityId> refusedFor_;  // the selection then
 };
 
 }  // namespace

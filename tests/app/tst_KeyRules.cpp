@@ -1,11 +1,13 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QTreeWidget>
 #include <QtTest>
 
 #include "app/window/MainWindow.h"
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/IssuesPanel.h"
+#include "editor/panels/MetricsChoicePanel.h"
 #include "editor/panels/PropertyPanel.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "editor/tools/ToolOptionsBar.h"
@@ -67,6 +69,51 @@ class KeyRulesTest : public QObject {
     QCOMPARE(document().contains(person_), !isSelection);
   }
 
+  void arrows_moveThePersonFromTheMapOnly_data() { everyFocus(); }
+  void arrows_moveThePersonFromTheMapOnly() {
+    QFETCH(QString, where);
+    for (const Qt::Key arrow : {Qt::Key_Up, Qt::Key_Down, Qt::Key_Left, Qt::Key_Right}) {
+      document().setSelection({person_});
+      focus(where);
+      for (int k = 0; k < 3; ++k) {  // to the end of short lists, and on
+        key(arrow);
+      }
+      QCOMPARE(document().undoStack().canUndo(), where == QLatin1String("canvas"));
+      document().undoStack().undo();
+    }
+  }
+
+  void space_onARowWithABox_ticksIt() {
+    QTreeWidget& list = metrics();
+    focus(QStringLiteral("metrics"));
+    QTreeWidgetItem* row = list.topLevelItem(0)->child(0);
+    list.setCurrentItem(row);
+    const Qt::CheckState before = row->checkState(0);
+    key(Qt::Key_Space);
+    QVERIFY(row->checkState(0) != before);
+    QCOMPARE(window_->workspace().runner().state(), SimulationRunner::State::Editing);
+  }
+
+  void startPage_hasNothingToRun() {
+    const editor::PlaybackActions& playback = window_->workspace().playback();
+    QVERIFY(playback.playPause->isEnabled() && playback.step->isEnabled());
+    document().undoStack().setClean();
+    window_->actions().close->trigger();
+    QVERIFY(window_->isOnStartPage());
+    QVERIFY(!playback.playPause->isEnabled() && !playback.step->isEnabled());
+  }
+
+  void delete_inAPanelThatFloats_keepsThePerson() {
+    QDockWidget* dock = window_->docks().dock(QStringLiteral("issues"));
+    dock->setFloating(true);
+    auto* list = window_->docks().panel<editor::IssuesPanel>().findChild<QAbstractItemView*>();
+    list->setFocus();
+    QKeyEvent remove(QEvent::ShortcutOverride, Qt::Key_Delete, Qt::NoModifier);
+    remove.ignore();
+    QCoreApplication::sendEvent(list, &remove);
+    QVERIFY(remove.isAccepted());  // so the command of the window does not have it
+  }
+
   void delete_ofABlock_removesIt() {
     auto& panel = window_->docks().panel<editor::BehaviorPanel>();
     for (const editor::EntityId id : document().entities(EntityKind::Human)) {
@@ -101,8 +148,7 @@ class KeyRulesTest : public QObject {
     field = someNumber();
     QCOMPARE(field->value(), before);
     field->setFocus();  // back in the field, where nothing has been typed since
-    key(Qt::Key_Y, Qt::ControlModifier);
-    window_->actions().redo->trigger();
+    key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(document().undoStack().canUndo());
     key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(!document().undoStack().canUndo());
@@ -145,18 +191,13 @@ class KeyRulesTest : public QObject {
   }
 
   void checkBox_reachedByTab_hasItsSpace() {
-    for (QCheckBox* box : window_->findChildren<QCheckBox*>()) {
-      if (!box->isVisible() || !box->isEnabled()) {
-        continue;
-      }
-      box->setFocus(Qt::TabFocusReason);
-      const bool before = box->isChecked();
-      key(Qt::Key_Space);
-      QCOMPARE(box->isChecked(), !before);
-      QCOMPARE(window_->workspace().runner().state(), SimulationRunner::State::Editing);
-      return;
-    }
-    QSKIP("no check box is seen");
+    auto* box = new QCheckBox(QStringLiteral("a box"));
+    window_->statusBar()->addWidget(box);
+    box->setFocus(Qt::TabFocusReason);
+    QVERIFY(box->hasFocus());
+    key(Qt::Key_Space);
+    QVERIFY(box->isChecked());
+    QCOMPARE(window_->workspace().runner().state(), SimulationRunner::State::Editing);
   }
 
  private:
@@ -173,6 +214,7 @@ class KeyRulesTest : public QObject {
     QTest::newRow("goals of the route") << "Route" << false;
     QTest::newRow("issues") << "issues" << false;
     QTest::newRow("time line") << "time line" << true;
+    QTest::newRow("metrics") << "metrics" << false;
   }
   void focus(const QString& where) {
     QWidget* wanted = &window_->workspace().view();
@@ -184,6 +226,9 @@ class KeyRulesTest : public QObject {
     } else if (where == QLatin1String("issues")) {
       raise(where);
       wanted = window_->docks().panel<editor::IssuesPanel>().findChild<QAbstractItemView*>();
+    } else if (where == QLatin1String("metrics")) {
+      raise(QStringLiteral("measure"));
+      wanted = &metrics();
     } else if (where == QLatin1String("time line")) {
       wanted = window_->findChild<editor::TimelineBar*>();
     } else if (where != QLatin1String("canvas")) {
@@ -194,6 +239,9 @@ class KeyRulesTest : public QObject {
     QVERIFY(wanted != nullptr);
     wanted->setFocus();
     QVERIFY2(wanted->hasFocus(), qPrintable(where));
+  }
+  QTreeWidget& metrics() {
+    return *window_->docks().panel<editor::MetricsChoicePanel>().findChild<QTreeWidget*>();
   }
   void raise(const QString& dock) {
     window_->docks().dock(dock)->show();

@@ -51,9 +51,6 @@ class Monkey : public QObject {
   }
 
   void step() {
-    if (isBusy_) {
-      return;  // a dialog runs inside of the last event
-    }
     if (left_-- <= 0) {
       leave();
       return;
@@ -217,7 +214,6 @@ class Monkey : public QObject {
   const base::AgentRng rng_;
   std::uint32_t draws_ = 0;
   int left_;
-  bool isBusy_ = false;
   QTimer timer_;
   QEventLoop loop_;
 };

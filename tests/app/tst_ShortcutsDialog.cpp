@@ -71,6 +71,15 @@ class ShortcutsDialogTest : public QObject, protected quiet::InFolder {
     QVERIFY(dialog_->findChild<editor::NothingFound*>()->isVisible());
   }
 
+  void dialog_askedForAgain_isTheSame() {
+    window_->actions().shortcuts->trigger();
+    QCOMPARE(window_->findChildren<app::ShortcutsDialog*>().size(), 1);
+    dialog_->close();
+    QTRY_VERIFY(window_->findChildren<app::ShortcutsDialog*>().isEmpty());
+    window_->actions().shortcuts->trigger();
+    QCOMPARE(window_->findChildren<app::ShortcutsDialog*>().size(), 1);
+  }
+
   void rules_forKeys_areToldAsTheyCount() {
     QCOMPARE(app::KeyRules::rules().size(), 4);
     for (const QString& rule : app::KeyRules::rules()) {

@@ -4,8 +4,10 @@
 #include "CanvasTester.h"
 #include "editor/panels/BehaviorMenu.h"
 #include "editor/panels/EntityPages.h"
+#include "editor/panels/ScenarioPanel.h"
 
 using editor::CrowdRecipe;
+using editor::EntityId;
 using editor::MixDialog;
 using sim2d::BehaviorType;
 
@@ -90,14 +92,57 @@ class BehaviorMixTest : public QObject {
     QVERIFY(document_->scenario() == small::scenario());
   }
 
+  void dialog_openedAndCancelled_keepsWhatCanBeRedone() {
+    const EntityId person = CanvasTester::person(1);
+    editor::pushMove(*document_, {person}, {1.0, 0.0});
+    document_->undoStack().undo();
+    QWidget window;
+    auto* dialog = new MixDialog(*document_, editor::Theme::light(), &window);
+    dialog->reject();
+    QVERIFY(document_->undoStack().canRedo());
+    document_->undoStack().redo();
+    QVERIFY(document_->scenario() != small::scenario());
+  }
+
+  void dialog_cancelled_leavesWhatOthersChanged() {
+    QWidget window;
+    auto* dialog = new MixDialog(*document_, editor::Theme::light(), &window);
+    for (editor::NumberField* field : dialog->findChildren<editor::NumberField*>()) {
+      field->setValue(field->accessibleName() == QStringLiteral("Scared") ? 100.0 : 0.0);
+    }
+    editor::pushRemove(*document_, {CanvasTester::person(1)});
+    dialog->reject();
+    QCOMPARE(document_->scenario().humans.size(), std::size_t{5});
+    auto* again = new MixDialog(*document_, editor::Theme::light(), &window);
+    editor::pushRemove(*document_, {CanvasTester::person(2)});
+    again->accept();  // without who has gone
+    QCOMPARE(document_->scenario().humans.size(), std::size_t{4});
+  }
+
+  void menu_ofTheScenarioPanel_givesNoBehavioursInARun() {
+    editor::ScenarioPanel panel(*document_, editor::Theme::light());
+    document_->setSelection({CanvasTester::person(1)});
+    for (const bool editing : {true, false}) {
+      panel.setEditing(editing);
+      QMenu menu;
+      panel.fillMenu(menu, CanvasTester::person(1));
+      const QList<QMenu*> below = menu.findChildren<QMenu*>();
+      QCOMPARE(below.size(), 1);
+      for (const QAction* each : below.front()->actions()) {
+        QVERIFY(each->isSeparator() || each->isEnabled() == editing);
+      }
+    }
+  }
+
   void dialog_nobodySelected_isForEverybody() {
     document_->setSelection(document_->entities(base::EntityKind::Goal));
     QCOMPARE(editor::peopleMeant(*document_).size(), std::size_t{6});
     QWidget window;
     auto* dialog = new MixDialog(*document_, editor::Theme::light(), &window);
     QCOMPARE(dialog->windowTitle(), QStringLiteral("Behaviours of 6 people"));
-    QVERIFY(types() == editor::mixedBehaviors({}, 6));
+    QCOMPARE(document_->undoStack().index(), 0);
     dialog->accept();
+    QVERIFY(types() == editor::mixedBehaviors({}, 6));
     QCOMPARE(document_->undoStack().index(), 1);
     document_->undoStack().undo();
     QVERIFY(document_->scenario() == small::scenario());

@@ -75,7 +75,8 @@ class BehaviorPanelTest : public QObject {
     document_->setMap(small::room());
     runner_ = std::make_unique<editor::SimulationRunner>();
     runner_->setRequest([this] { return editor::runRequestOf(*document_); });
-    panel_ = std::make_unique<BehaviorPanel>(*document_, *runner_, editor::Theme::light());
+    panel_ = std::make_unique<BehaviorPanel>(*document_, *runner_, editor::Theme::light(),
+                                             [] { return QString(); });
     panel_->resize(320, 640);
     panel_->show();
     QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));

@@ -128,18 +128,16 @@ class DocumentMapsTest : public QObject {
   /// What was saved is there to be opened, wherever the map has gone.
   void save_mapsFolderIsGone_writesTheMapAgain() {
     const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("room.yaml"));
+    QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("scenarios")));
+    const QString path = folder.filePath(QStringLiteral("scenarios/room.yaml"));
     ScenarioDocument document;
     document.load(small::scenario());
     document.setMap(small::room());
     check(document.save(path));
     pushMove(document, {{EntityKind::Human, 1}}, Vec2(0.5, 0.0));
-    const QFileInfo map(document.mapPath());
-    QVERIFY(QFile::remove(map.filePath()));
-    for (const QString& image :
-         map.dir().entryList({QStringLiteral("*.pgm"), QStringLiteral("*.png")})) {
-      QVERIFY(QFile::remove(map.dir().filePath(image)));
-    }
+    QDir maps(folder.filePath(QStringLiteral("maps")));
+    QCOMPARE(QFileInfo(document.mapPath()).absolutePath(), maps.absolutePath());
+    QVERIFY(maps.removeRecursively());
     check(document.save(path));
     ScenarioDocument again;
     check(again.open(path));

@@ -88,6 +88,24 @@ class IssuesPanelTest : public QObject {
     QCOMPARE(panel.table().model()->rowCount(), before + (isSame ? 0 : 1));
   }
 
+  void issues_mended_doNotComeBackInOtherWords() {
+    ScenarioDocument document;
+    document.load(personWithUnknownGoal());
+    IssuesPanel panel(document, editor::Theme::light());
+    document.checkNow();
+    QTRY_VERIFY(panel.hasErrors());
+    const base::EntityId ana = document.scenario().humans.front().key;
+    base::Diagnostic echo = base::warning("tree.no-goal", {"7"});
+    echo.entity = ana;
+    panel.setActionIssues({echo});
+    editor::pushChange<sim2d::Human>(document, ana, QString(),
+                                     [](sim2d::Human& human) { human.goals.clear(); });
+    document.checkNow();
+    QTRY_VERIFY(!panel.hasErrors());
+    const IssuesPanel fresh(document, editor::Theme::light());
+    QCOMPARE(panel.table().model()->rowCount(), fresh.table().model()->rowCount());
+  }
+
   /// Asked for, its map is an error; found missing, a warning: one problem all the same.
   void issues_sameWordsWithAnotherSeverity_areToldOnce() {
     ScenarioDocument document;

@@ -134,7 +134,12 @@ class MetricsPanelTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() && feed.isCurrent(), 20000);
     const sim2d::Trace whole = runner.recording()->trace();
     for (const std::int64_t step : {20, 35, 8}) {
+      runner.seek(step + 1);
       runner.seek(step);
+      const auto isEmpty = [](const auto& result) { return !result.value.value; };
+      const auto& meanwhile = feed.shown();  // not those of another moment
+      QVERIFY(step == 35 || std::all_of(meanwhile.begin(), meanwhile.end(), isEmpty));
+      QCOMPARE(meanwhile.size(), feed.snapshot().results.size());
       QTRY_VERIFY_WITH_TIMEOUT(feed.isCurrent(), 20000);
       sim2d::Trace part = whole;
       part.frames.resize(static_cast<std::size_t>(step) + 1);
@@ -150,6 +155,26 @@ class MetricsPanelTest : public QObject {
     runner.seekNewest();
     QTRY_VERIFY_WITH_TIMEOUT(feed.isCurrent(), 20000);
     QVERIFY(&feed.shown() == &feed.snapshot().results);
+  }
+
+  /// Work on the past is given up, and what follows it is right.
+  void selection_whileThePastIsWorkedOut_beginsAnew() {
+    ScenarioDocument document;
+    document.load(passing());
+    SimulationRunner runner;
+    runner.setRequest([&] { return editor::runRequestOf(document); });
+    MetricsFeed feed(document, runner);
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() && feed.isCurrent(), 20000);
+    runner.seek(30);
+    feed.setSelection(feed.selection());
+    QTRY_VERIFY_WITH_TIMEOUT(feed.isCurrent(), 20000);
+    QCOMPARE(feed.shown().size(), feed.snapshot().results.size());
+    QVERIFY(&feed.shown() != &feed.snapshot().results);
+    const auto& results = feed.shown();
+    QVERIFY(std::any_of(results.begin(), results.end(),
+                        [](const auto& result) { return result.value.value.has_value(); }));
   }
 
   /// However often the table was told of the run meanwhile.

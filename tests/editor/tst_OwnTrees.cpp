@@ -59,6 +59,19 @@ class OwnTreesTest : public QObject {
                                    *document.human({EntityKind::Human, 1})));
   }
 
+  void undo_ofAnEditThatABlockTreeFollows_leavesItUpToDate() {
+    SavedRoom room;
+    ScenarioDocument& document = room.document;
+    const EntityId person{EntityKind::Human, 1};
+    pushAddBlock(document, {person}, {"GreetingInitiator", {}});
+    check(document.save(room.path));
+    pushRoute(document, {person}, {3});
+    QVERIFY(!document.isTreeBehind(person));
+    document.undoStack().undo();
+    QVERIFY(!document.isTreeBehind(person));
+    QVERIFY(document.treeQuestions(room.path).empty());
+  }
+
   void save_treeOfTheOriginalsStyle_staysInItsStyle() {
     SavedRoom room;
     ScenarioDocument& document = room.document;

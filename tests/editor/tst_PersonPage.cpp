@@ -4,6 +4,7 @@
 #include "SmallScenario.h"
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
+#include "editor/document/PersonTree.h"
 #include "editor/look/Fields.h"
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/PropertyPanel.h"
@@ -18,6 +19,14 @@ using editor::EntityKind;
 using editor::NumberField;
 using editor::ScenarioDocument;
 using editor::TextField;
+
+namespace {
+
+constexpr char kOwnTree[] =
+    "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
+    "    <RegularNav agent_id=\"{id}\" time_step=\"{dt}\"/>\n  </BehaviorTree>\n</root>\n";
+
+}  // namespace
 
 class PersonPageTest : public QObject {
   Q_OBJECT
@@ -72,21 +81,39 @@ class PersonPageTest : public QObject {
     QFAIL(qPrintable(words));
   }
 
+  bool isTold(const QString& words) const {
+    const QList<QLabel*> labels = panel_->currentPage()->findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+      return label->isVisibleTo(panel_.get()) && label->text().contains(words);
+    });
+  }
+
  private Q_SLOTS:
+  /// Trees made with blocks hear of all that is changed, and keep their blocks.
+  void tree_madeWithBlocks_isNotCalledTheirOwn() {
+    editor::pushAddBlock(*document_, {human(2).key}, {"GreetingInitiator", {}});
+    const std::optional<std::string> blocks = document_->tree(human(2).key);
+    QVERIFY(blocks.has_value());
+    select({2});
+    QVERIFY(!isTold(QStringLiteral("of their own")));
+    for (const int person : {0, 1}) {
+      document_->exchangeTree(human(person).key, std::string(kOwnTree));
+    }
+    select({0, 1, 2});
+    QVERIFY(
+        isTold(QStringLiteral("2 people with trees of their own. Behaviour, reaction and "
+                              "goals do not reach their trees.")));
+    click(QStringLiteral("Make the tree anew"));
+    QVERIFY(!document_->tree(human(0).key));
+    QVERIFY(!document_->tree(human(1).key));
+    QVERIFY(document_->tree(human(2).key) == blocks);
+  }
+
   /// A behaviour that a tree of their own does not hear of is told, and mended by a click.
   void behavior_ofWhoHasATree_tellsAndMakesItAnew() {
-    constexpr char kTree[] =
-        "<root BTCPP_format=\"4\" main_tree_to_execute=\"Mine\">\n  <BehaviorTree ID=\"Mine\">\n"
-        "    <RegularNav agent_id=\"{id}\" time_step=\"{dt}\"/>\n  </BehaviorTree>\n</root>\n";
-    const auto isTold = [this](const QString& words) {
-      const QList<QLabel*> labels = panel_->currentPage()->findChildren<QLabel*>();
-      return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-        return label->isVisibleTo(panel_.get()) && label->text().contains(words);
-      });
-    };
     select({0});
     QVERIFY(!isTold(QStringLiteral("A tree of their own")));
-    document_->exchangeTree(human(0).key, std::string(kTree));
+    document_->exchangeTree(human(0).key, std::string(kOwnTree));
     panel_->currentPage()->refresh();
     QVERIFY(isTold(QStringLiteral("A tree of their own")));
     click(QStringLiteral("Make the tree anew"));

@@ -80,6 +80,16 @@ class ScenarioPanelTest : public QObject {
     QVERIFY(!nothing->isVisible() && panel_->tree().isVisible());
   }
 
+  void filter_groupThatComesBack_isOpen() {
+    const EntityId curious = document_->scenario().humans[2].key;
+    panel_->filter().setText(QStringLiteral("curious"));
+    pushRemove(*document_, {curious});
+    QVERIFY(panel_->findChild<editor::NothingFound*>()->isVisible());
+    document_->undoStack().undo();
+    QVERIFY(!panel_->findChild<editor::NothingFound*>()->isVisible());
+    QVERIFY(panel_->tree().isExpanded(rowOf(curious).parent()));
+  }
+
   void filter_thatHidesAll_knowsWhatCameMeanwhile() {
     using Mode = QAbstractItemModelTester::FailureReportingMode;
     const QAbstractItemModelTester whole(&panel_->model(), Mode::QtTest);

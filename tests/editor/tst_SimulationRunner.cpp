@@ -158,6 +158,37 @@ class SimulationRunnerTest : public QObject {
     QVERIFY(!runner.result());
   }
 
+  void play_whereTheLastStepIsNotRecorded_ends() {
+    SimulationRunner runner;
+    runner.setRequest([] {
+      RunRequest sparse = request(43);
+      sparse.recordEvery = 5;
+      return sparse;
+    });
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished(), 20000);
+    QCOMPARE(runner.recording()->stepOf(runner.recording()->size() - 1), std::int64_t{40});
+    runner.seek(10);
+    runner.play();
+    QTRY_COMPARE_WITH_TIMEOUT(runner.state(), SimulationRunner::State::Paused, 20000);
+    QCOMPARE(runner.shownFrame()->step, std::int64_t{43});
+    QVERIFY(!runner.isLookingBack());
+    runner.play();
+    QCOMPARE(runner.state(), SimulationRunner::State::Running);
+    QVERIFY(runner.shownFrame()->step < 43);
+  }
+
+  void setSpeed_afterTheEnd_keepsTheMeasuredOne() {
+    SimulationRunner runner;
+    runner.setRequest([] { return request(3); });
+    runner.play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished(), 20000);
+    const double measured = runner.measuredSpeed();
+    runner.setSpeed(16.0);
+    QCOMPARE(runner.measuredSpeed(), measured);
+  }
+
   void stepOnce_fromEditing_makesOneStep() {
     SimulationRunner runner;
     runner.setRequest([] { return request(1000); });

@@ -188,10 +188,16 @@ class ToolsTest : public QObject, private CanvasTester {
     use("Route");
     click(Vec2(6.0, 8.0));
     QCOMPARE(tool("Route")->statusText(),
-             QStringLiteral("No person is selected: click a person first"));
+             QStringLiteral("Nobody is selected: click a person or robot first"));
     click(Vec2(3.2, 3.8));
     click(Vec2(6.0, 8.0));
     QVERIFY(tool("Route")->statusText().startsWith(QStringLiteral("There is no goal here")));
+    key(Qt::Key_Backspace);
+    QVERIFY(tool("Route")->statusText().startsWith(QStringLiteral("Click the goals")));
+    click(Vec2(6.0, 8.0));
+    document_.setSelection({});  // in a list
+    QVERIFY(tool("Route")->statusText().startsWith(QStringLiteral("Click the person or robot")));
+    click(Vec2(3.2, 3.8));
     click(Vec2(10.0, 1.5));
     QVERIFY(tool("Route")->statusText().startsWith(QStringLiteral("Route 3")));
     click(Vec2(10.0, 1.5));

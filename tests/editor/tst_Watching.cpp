@@ -72,9 +72,47 @@ class WatchingTest : public QObject, protected CanvasTester {
     QVERIFY(says(panel, "Person 99 · Curious · goals 3"));
     QVERIFY(says(panel, "7.00, 7.00 m"));
     QVERIFY(says(panel, "reacting"));
+    QVERIFY(!says(panel, "Changes count from the next start."));
     document_.setSelection({person(1)});
     panel.setGuest(std::nullopt);
     QVERIFY(says(panel, "Ana") && !says(panel, "entrance_1"));
+    QVERIFY(says(panel, "Changes count from the next start."));
+  }
+
+  void step_inShares_isWalkedSmoothly() {
+    const auto show = [this](const base::Vec2& robot) {
+      scene_.showFrame(std::make_shared<const sim2d::Frame>(moment(robot)));
+    };
+    const auto isAt = [this](const base::Vec2& place) {
+      return isNear(*scene_.frameLayer().positionOf(-1), place, 1e-9);
+    };
+    show({10.0, 3.0});
+    show({10.8, 3.0});
+    QVERIFY(isAt({10.8, 3.0}));  // a frame alone is shown as it is
+    scene_.setFrameShare(0.25);
+    QVERIFY(isAt({10.2, 3.0}));
+    scene_.setFrameShare(1.0);
+    QVERIFY(isAt({10.8, 3.0}));
+    show({2.0, 3.0});  // set somewhere else, not walked
+    scene_.setFrameShare(0.25);
+    QVERIFY(isAt({2.0, 3.0}));
+  }
+
+  void trail_ofAStepInShares_endsAtTheBody() {
+    const auto color = [this](bool trails) {
+      editor::CanvasOptions options = scene_.options();
+      options.trails = trails;
+      scene_.setOptions(options);
+      const QImage picture = view_.viewport()->grab().toImage();
+      return picture.pixelColor(view_.viewportFrom({10.4, 8.0}));
+    };
+    scene_.showFrame(std::make_shared<const sim2d::Frame>(moment({10.0, 8.0})));
+    sim2d::Frame next = moment({10.9, 8.0});
+    next.time = 0.1;
+    scene_.showFrame(std::make_shared<const sim2d::Frame>(next));
+    QVERIFY(color(true) != color(false));
+    scene_.setFrameShare(0.0);
+    QVERIFY(color(true) == color(false));
   }
 
   /// As the pin on the map and the list of the scenario have it.

@@ -165,6 +165,25 @@ class ScenarioCheckTest : public QObject {
     QVERIFY2(all.contains(QStringLiteral("there is no way")) != reachable, qPrintable(all));
   }
 
+  void check_nobodyButASource_hasSomebody() {
+    Scenario scenario;
+    const auto isNobodyThere = [&scenario] {
+      const base::Diagnostics said = check(scenario);
+      return std::any_of(said.begin(), said.end(),
+                         [](const auto& each) { return each.code == "scenario.nobody"; });
+    };
+    QVERIFY(isNobodyThere());
+    Area entrance;
+    entrance.key = {base::EntityKind::Area, 70};
+    entrance.name = "entrance";
+    entrance.kind = AreaKind::Source;
+    entrance.points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
+    scenario.areas.push_back(entrance);
+    QVERIFY(!isNobodyThere());
+    scenario.areas[0].listed = false;
+    QVERIFY(isNobodyThere());
+  }
+
   void check_obstacleOnOpenPlane_startMoves() {
     Scenario scenario = oneWalker({0.0, 0.0}, {5.0, 0.0});
     Obstacle box;

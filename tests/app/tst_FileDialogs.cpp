@@ -1,0 +1,107 @@
+#include <QStandardPaths>
+
+#include "app/window/FileDialogs.h"
+#include "editor/look/HouseStyle.h"
+#include "editor/panels/BehaviorPanel.h"
+#include "tests/app/QuietWindow.h"
+
+/// Where dialogs for files begin, and what can be done in them.
+class FileDialogsTest : public QObject, protected quiet::InFolder {
+  Q_OBJECT
+
+ private:
+  struct Seen {
+    QString folder;
+    bool isReadOnly = false;
+    int count = 0;
+  };
+  /// The next dialog for files is looked at and left.
+  static void look(Seen& seen) {
+    seen = {};
+    quiet::answerDialog<QFileDialog>([&seen](QFileDialog& dialog) {
+      seen = {dialog.directory().absolutePath(), dialog.testOption(QFileDialog::ReadOnly), 1};
+      dialog.reject();
+    });
+  }
+  static QString ownFiles() {
+    return QDir(QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)).absolutePath();
+  }
+
+ private Q_SLOTS:
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void init() { begin(); }
+  void cleanup() { end(); }
+
+  void folder_ofWhatTheProgramBrought_isTheUsersOwn() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    QVERIFY(document().isShipped(quiet::demoPath()));
+    QCOMPARE(QDir(window_->files().folder()).absolutePath(), ownFiles());
+    QCOMPARE(window_->files().nameForSaving(),
+             QDir(window_->files().folder()).filePath(QStringLiteral("corner_cafe_agents.yaml")));
+    const QString own = copyOfDemo();
+    QVERIFY(window_->open(own));
+    QVERIFY(!document().isShipped(own));
+    QCOMPARE(window_->files().folder(), QFileInfo(own).absolutePath());
+    QCOMPARE(window_->files().nameForSaving(), own);
+  }
+
+  void dialogs_forReading_deleteNothing() {
+    QVERIFY(window_->open(copyOfDemo()));
+    Seen seen;
+    look(seen);
+    window_->actions().open->trigger();
+    QCOMPARE(seen.count, 1);
+    QVERIFY(seen.isReadOnly);
+  }
+
+  void dialogs_forWriting_makeNewFolders() {
+    QVERIFY(window_->open(copyOfDemo()));
+    Seen seen;
+    look(seen);
+    window_->actions().saveAs->trigger();
+    QCOMPARE(seen.count, 1);
+    QVERIFY(!seen.isReadOnly);
+    app::Bundle source;
+    source.scenario = std::make_shared<const sim2d::Scenario>(document().scenario());
+    app::ExportDialog dialog(source, folder_->path(), editor::Theme::light());
+    look(seen);
+    for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
+      if (button->text().remove(QLatin1Char('&')) == QString::fromUtf8("Choose…")) {
+        button->click();
+      }
+    }
+    QCOMPARE(seen.count, 1);
+    QVERIFY(!seen.isReadOnly);
+  }
+
+  void treeDialogs_beginWithTheUsersFiles_data() {
+    QTest::addColumn<QString>("button");
+    QTest::addColumn<bool>("isReading");
+    QTest::newRow("open") << QStringLiteral("Take a tree from a file") << true;
+    QTest::newRow("save") << QStringLiteral("Write the tree into a file") << false;
+  }
+  void treeDialogs_beginWithTheUsersFiles() {
+    QFETCH(QString, button);
+    QFETCH(bool, isReading);
+    QVERIFY(window_->open(quiet::demoPath()));
+    document().setSelection({document().entities(base::EntityKind::Human).front()});
+    Seen seen;
+    look(seen);
+    quiet::part<QToolButton>(window_->docks().panel<editor::BehaviorPanel>(),
+                             button.toUtf8().constData())
+        .click();
+    QCOMPARE(seen.count, 1);
+    QVERIFY2(!document().isShipped(seen.folder + QStringLiteral("/tree.xml")),
+             qPrintable(seen.folder));
+    QCOMPARE(seen.isReadOnly, isReading);
+  }
+
+  void heightOnScreen_fitsTheScreen() {
+    QCOMPARE(app::heightOnScreen(*window_, 100), 100);
+    QVERIFY(app::heightOnScreen(*window_, 100000) <
+            window_->screen()->availableGeometry().height());
+  }
+};
+
+QTEST_MAIN(FileDialogsTest)
+#include "tst_FileDialogs.moc"

@@ -1,0 +1,81 @@
+#include "editor/document/EditCommands.h"
+#include "editor/look/Form.h"
+#include "editor/look/HouseStyle.h"
+#include "tests/app/QuietWindow.h"
+
+using editor::SimulationRunner;
+
+/// What the line at the bottom says of a run.
+class StatusLineTest : public QObject, protected quiet::InFolder {
+  Q_OBJECT
+
+ private:
+  SimulationRunner& runner() { return window_->workspace().runner(); }
+  bool isHinted(const char* words) const {
+    const QList<QLabel*> labels = window_->statusBar()->findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+      return label->text().contains(QString::fromUtf8(words));
+    });
+  }
+  void setDuration(std::optional<double> seconds) {
+    editor::pushChange<editor::ScenarioSettings>(
+        document(), editor::kSettingsId, QString(),
+        [seconds](editor::ScenarioSettings& settings) { settings.desktop.duration = seconds; });
+  }
+
+ private Q_SLOTS:
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void init() {
+    begin();
+    QVERIFY(window_->open(quiet::demoPath()));
+  }
+  void cleanup() {
+    runner().reset();
+    end();
+  }
+
+  void run_thatIsOver_saysWhyAndIsPlayedAgain() {
+    setDuration(2.0);
+    runner().setSpeed(std::numeric_limits<double>::infinity());
+    window_->workspace().playback().playPause->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(runner().isFinished(), 20000);
+    QVERIFY(isHinted("The duration is over, 2.0 s · Space plays it again"));
+    QVERIFY(isSaid(QStringLiteral("Finished")));
+    runner().setSpeed(1.0);
+    window_->workspace().view().setFocus();
+    QTest::keyClick(window_->workspace().view().viewport(), Qt::Key_Space);
+    QCOMPARE(runner().state(), SimulationRunner::State::Running);
+    QVERIFY(isSaid(QStringLiteral("Playing back")));
+    QVERIFY(isHinted("Space pauses · End shows the last step"));
+    window_->workspace().playback().newest->trigger();
+    runner().reset();
+    QVERIFY(!isHinted("The duration is over"));
+  }
+
+  void run_whoseScenarioIsEdited_keepsItsWords() {
+    setDuration(std::nullopt);
+    runner().play();
+    QVERIFY(isHinted("Until the robot arrives, at most 120 s"));
+    setDuration(7.0);
+    QVERIFY(document().undoStack().canUndo());
+    runner().pause();
+    runner().play();
+    QVERIFY(isHinted("Until the robot arrives, at most 120 s"));
+  }
+
+  void hint_thatDoesNotFit_losesItsMiddleAndHasATooltip() {
+    window_->resize(window_->minimumSize());
+    runner().play();
+    editor::ElidedLabel* hint = nullptr;
+    for (QLabel* label : window_->statusBar()->findChildren<QLabel*>()) {
+      hint = hint == nullptr ? dynamic_cast<editor::ElidedLabel*>(label) : hint;
+    }
+    QVERIFY(hint != nullptr);
+    QCoreApplication::processEvents();
+    QVERIFY(hint->shownWords().size() < hint->text().size());
+    QCOMPARE(hint->toolTip(), hint->text());
+  }
+};
+
+QTEST_MAIN(StatusLineTest)
+#include "tst_StatusLine.moc"

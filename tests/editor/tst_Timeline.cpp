@@ -1,0 +1,81 @@
+#include <QtTest>
+
+#include "SmallScenario.h"
+#include "editor/panels/Playback.h"
+
+using editor::TimelineBar;
+using sim2d::Event;
+using sim2d::EventKind;
+
+/// The time line and the events on it, of a run that was recorded.
+class TimelineTest : public QObject {
+  Q_OBJECT
+
+ private:
+  static constexpr double kDt = 0.1;  // [s]
+  editor::ScenarioDocument document_;
+  editor::SimulationRunner runner_;
+  editor::RunEvents events_{document_, runner_};
+  TimelineBar bar_{document_, events_, runner_, editor::Theme::light()};
+
+  /// 42.4 s, of which each has ten pixels.
+  void open(const std::vector<std::pair<double, Event>>& happened) {
+    sim2d::TraceHeader header;
+    header.dt = kDt;
+    auto recording = std::make_shared<sim2d::Recording>();
+    recording->setHeader(header);
+    sim2d::Frame frame;
+    recording->addState(frame);
+    frame.step = 424;
+    frame.time = 42.4;
+    recording->addState(frame);
+    for (const auto& [time, event] : happened) {
+      recording->addEvent(std::llround(time / kDt), event);
+    }
+    runner_.openRecorded(recording);
+    bar_.resize(600, 44);
+    QCOMPARE(bar_.xOf(11.0) - bar_.xOf(1.0), 100.0);
+  }
+  std::vector<int> counts() const {
+    std::vector<int> all;
+    for (const TimelineBar::Cluster& cluster : bar_.clusters()) {
+      all.push_back(cluster.count);
+    }
+    return all;
+  }
+
+ private Q_SLOTS:
+  void initTestCase() { document_.load(small::scenario()); }
+  void cleanup() { runner_.reset(); }
+
+  void marks_ofOneKindInOnePlace_areOneWithTheirNumber() {
+    const Event goal{EventKind::Goal, 1, true, 0, false, "3"};
+    open({{1.0, goal}, {1.1, goal}, {1.2, goal}, {12.0, goal}, {20.0, goal}, {22.0, goal}});
+    QCOMPARE(counts(), (std::vector<int>{3, 1, 1, 1}));
+  }
+
+  void marks_besideANumber_leaveItRoom() {
+    const Event goal{EventKind::Goal, 1, true, 0, false, "3"};
+    open({{1.0, goal}, {1.1, goal}, {2.8, goal}, {12.0, goal}, {13.7, goal}});
+    QCOMPARE(counts(), (std::vector<int>{4, 1, 1}));  // without a number there is room
+  }
+
+  void marks_ofSeveralKinds_showTheLoudest() {
+    const Event goal{EventKind::Goal, 1, true, 0, false, "3"};
+    const Event contact{EventKind::Contact, 1, true, 2, true, {}};
+    open({{1.0, goal}, {1.1, contact}, {1.2, goal}});
+    QCOMPARE(counts(), (std::vector<int>{1}));
+    QVERIFY(bar_.clusters().front().mark == editor::EventMark::Cross);
+  }
+
+  void texts_ofGoals_nameThem() {
+    open({{1.0, {EventKind::Goal, 1, true, 0, false, "3"}},
+          {2.0, {EventKind::Goal, 1, true, 0, false, {}}}});
+    QCOMPARE(events_.events().size(), std::size_t{2});
+    QCOMPARE(events_.events()[0].text, QStringLiteral("Ana reached Goal 3"));
+    QCOMPARE(events_.events()[1].text, QStringLiteral("Ana reached the goal"));
+  }
+};
+
+QTEST_MAIN(TimelineTest)
+#include "tst_Timeline.moc"
