@@ -242,6 +242,10 @@ void SimulationRunner::poll() {
     return;
   }
   app::SessionNews news = session_->takeNews();
+  if (news.isStopped) {
+    reset();
+    return;
+  }
   if (news.remarks && base::hasErrors(*news.remarks)) {
     const base::Diagnostics errors = *news.remarks;
     stopSession();

@@ -60,6 +60,7 @@ class NavigationLayers {
       : stop_(std::move(stop)) {}
   std::shared_ptr<const NavigationLayer> of(const OccupancyGrid& map, const Obstacles& obstacles,
                                             const std::vector<Vec2>& places);
+  const base::StopFlagPtr& stopFlag() const { return stop_; }
 
  private:
   struct Entry {

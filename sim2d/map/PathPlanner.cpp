@@ -98,16 +98,12 @@ PathPlanner::PathPlanner(std::shared_ptr<const DistanceField> field, double radi
   assert(radius >= 0.0);
 }
 
-/// Made when first asked for: bodies of many radii walk straight. Null: nobody waits any more; the
-/// people of a run ask in threads that nothing may be thrown in.
-WayFinder* PathPlanner::finder() {
+/// Made when first asked for: bodies of many radii walk straight.
+WayFinder& PathPlanner::finder() {
   if (finder_ == nullptr) {
-    try {
-      finder_ = makeWayFinder(space_);
-    } catch (const base::Stopped&) {
-    }
+    finder_ = makeWayFinder(space_);
   }
-  return finder_.get();
+  return *finder_;
 }
 
 /// Empty: there is no way.
@@ -116,8 +112,7 @@ std::vector<Vec2> PathPlanner::planRound(const WalkSpace::Anchor& from,
   std::vector<Cell> cells;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    WayFinder* const ways = finder();
-    cells = ways != nullptr ? ways->way(from.cell, to.cell) : cells;
+    cells = finder().way(from.cell, to.cell);
   }
   if (cells.empty()) {
     return {};
@@ -160,8 +155,7 @@ bool PathPlanner::isReachable(const Vec2& start, const Vec2& goal) {
     return false;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  WayFinder* const ways = finder();
-  return ways != nullptr && ways->isReachable(from->cell, to->cell);
+  return finder().isReachable(from->cell, to->cell);
 }
 
 int PathPlanner::searches() const {

@@ -19,10 +19,10 @@ double lengthOfWay(const Vec2& from, const std::vector<Vec2>& way, std::size_t f
 /// wider clearance is preferred up to 0.3 m more; unknown cells are entered only where there is no
 /// other way. Paths are pulled straight where the line keeps the clearance, which holds to a
 /// centimetre. Beyond a map nothing is open; beyond the grid of an open plane all is. On a large
-/// map
-/// (`DistanceField::isLarge`) the way is chosen among blocks of cells, with lengths rough by about
-/// a block, so that it may be a little longer than the best one; it exists where one does and keeps
-/// its clearance. The result depends on the arguments alone, not on earlier calls. Thread: any.
+/// map (`DistanceField::isLarge`) the way is chosen among blocks of cells, so that it may be longer
+/// than the best one, by up to about 8 %; it exists where one does and keeps its clearance. The
+/// result depends on the arguments alone, not on earlier calls. Thread: any; asking throws
+/// `base::Stopped` when the field's flag says so.
 class PathPlanner {
  public:
   PathPlanner(std::shared_ptr<const DistanceField> field, double radius);
@@ -45,7 +45,7 @@ class PathPlanner {
   std::size_t bytes() const;
 
  private:
-  WayFinder* finder();
+  WayFinder& finder();
   std::vector<Vec2> planRound(const WalkSpace::Anchor& from, const WalkSpace::Anchor& to);
 
   WalkSpace space_;

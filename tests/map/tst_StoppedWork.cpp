@@ -13,7 +13,8 @@ class StoppedWorkTest : public QObject {
   void init() { stop_ = std::make_shared<base::StopFlag>(); }
   void work_stopped_throws();
   void layers_stopped_keepNothing();
-  void plan_stopped_isNoWay();
+  void plan_stopped_throws();
+  void needed_stopped_goesOn();
 
  private:
   OccupancyGrid grid_ = randomMap(1);
@@ -48,8 +49,7 @@ void StoppedWorkTest::layers_stopped_keepNothing() {
   }
 }
 
-/// People ask for ways in threads of which none may throw.
-void StoppedWorkTest::plan_stopped_isNoWay() {
+void StoppedWorkTest::plan_stopped_throws() {
   const auto field =
       std::make_shared<const DistanceField>(grid_, obstacles_, std::vector<Vec2>(), 0.0, stop_);
   PathPlanner before(field, 0.2);
@@ -58,9 +58,20 @@ void StoppedWorkTest::plan_stopped_isNoWay() {
   QVERIFY(before.plan(from, to).size() > 2);
   stop_->stop();
   PathPlanner after(field, 0.2);
-  QVERIFY(after.plan(from, to).empty());
-  QVERIFY(!after.isReachable(from, to));
+  QVERIFY_EXCEPTION_THROWN(after.plan(from, to), base::Stopped);
+  QVERIFY_EXCEPTION_THROWN(after.isReachable(from, to), base::Stopped);
   QVERIFY(before.plan(from, to).size() > 2);
+}
+
+void StoppedWorkTest::needed_stopped_goesOn() {
+  {
+    const base::NeededWork first(stop_);
+    const base::NeededWork second(stop_);
+    stop_->stop();
+    stop_->check();
+  }
+  QVERIFY_EXCEPTION_THROWN(stop_->check(), base::Stopped);
+  QVERIFY_EXCEPTION_THROWN(base::NeededWork{stop_}, base::Stopped);
 }
 
 QTEST_APPLESS_MAIN(StoppedWorkTest)
