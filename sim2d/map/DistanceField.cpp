@@ -125,9 +125,7 @@ CellDistances distancesToWalls(const OccupancyGrid& grid, bool isLarge,
 void lowerDistances(const OccupancyGrid& grid, const Obstacles& obstacles,
                     const std::vector<char>& cells, bool isLarge, const base::StopFlag& stop,
                     CellDistances& distance) {
-  // Of a large map the cells alone count, not its outlines, which are off them by half a cell.
-  const bool isCovered = isLarge ? coverMoreThanWalls(grid, cells)
-                                 : std::find(cells.begin(), cells.end(), char{1}) != cells.end();
+  const bool isCovered = std::find(cells.begin(), cells.end(), char{1}) != cells.end();
   if (!isCovered && !reachBeyond(grid, obstacles)) {
     return;
   }
@@ -144,8 +142,11 @@ void lowerDistances(const OccupancyGrid& grid, const Obstacles& obstacles,
     }
   }
   // All or none are infinite, so that values can be mixed: where only what stands beyond the grid
-  // is felt, the cells far from its edge take the range within which it was looked for.
-  distance.replaceInfinite(static_cast<float>(kExactRange));
+  // is felt, the cells far from its edge take the range within which it was looked for; else those
+  // that are far from all that stands on a large map without walls the most that is kept.
+  constexpr float kMostKept = 256.0F;  // [cells]
+  distance.replaceInfinite(isCovered ? kMostKept * static_cast<float>(grid.resolution())
+                                     : static_cast<float>(kExactRange));
 }
 
 /// The cells with all that stands on them as walls.
@@ -180,7 +181,8 @@ DistanceField::DistanceField(const OccupancyGrid& grid, const Obstacles& obstacl
       isOpenPlane_(grid.isEmpty()),
       isLarge_(!isOpenPlane_ && static_cast<double>(grid_.cells().size()) > mostCells) {
   distance_ = walls != nullptr ? *walls : distancesToWalls(grid_, isLarge_, *stop_);
-  const std::vector<char> cells = cellsOfObstacles(grid_, obstacles);
+  // Of a large map the cells alone count, not its outlines, which are off them by half a cell.
+  const std::vector<char> cells = cellsOfObstacles(grid_, obstacles, isLarge_);
   lowerDistances(grid_, obstacles, cells, isLarge_, *stop_, distance_);
   if (!isLarge_ && std::find(cells.begin(), cells.end(), char{1}) != cells.end()) {
     grid_ = withObstacles(grid_, cells);

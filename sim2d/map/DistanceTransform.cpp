@@ -172,7 +172,7 @@ void CellDistances::replaceInfinite(float distance) {
   }
   const auto isNear = [](std::uint16_t value) { return value < kMostSteps; };
   if (std::isinf(beyond_) && std::any_of(steps_.begin(), steps_.end(), isNear)) {
-    beyond_ = distance;
+    beyond_ = std::min(distance, static_cast<float>(kMostSteps) * step_);
   }
 }
 

@@ -133,26 +133,15 @@ class Rasteriser {
 
 }  // namespace
 
-std::vector<char> cellsOfObstacles(const OccupancyGrid& grid, const Obstacles& obstacles) {
+std::vector<char> cellsOfObstacles(const OccupancyGrid& grid, const Obstacles& obstacles,
+                                   bool isLarge) {
   Rasteriser rasteriser(grid);
   for (int part = 0; part < obstacles.partCount(); ++part) {
-    if (obstacles.isEnabled(part)) {
+    if (obstacles.isEnabled(part) && !(isLarge && obstacles.isOfMap(part))) {
       rasteriser.add(obstacles.outlines(part));
     }
   }
   return rasteriser.takeMarks();
-}
-
-bool coverMoreThanWalls(const OccupancyGrid& grid, const std::vector<char>& marks) {
-  for (int row = 0; row < grid.height(); ++row) {
-    for (int column = 0; column < grid.width(); ++column) {
-      const Cell cell{column, row};
-      if (marks[grid.indexOf(cell)] != 0 && !isBesideWall(grid, cell)) {
-        return true;
-      }
-    }
-  }
-  return false;
 }
 
 std::vector<char> cellsOfWalls(const OccupancyGrid& grid) {

@@ -28,13 +28,14 @@ bool isWestOf(const Segment& segment, const Vec2& point) {
 
 }  // namespace
 
-int Obstacles::add(std::vector<Outline> outlines, bool enabled) {
+int Obstacles::add(std::vector<Outline> outlines, bool enabled, bool isOfMap) {
   double area = 0.0;
   for (const Outline& outline : outlines) {
     area += signedArea(outline.points);
   }
   parts_.push_back(std::move(outlines));
   enabled_.push_back(enabled ? 1 : 0);
+  ofMap_.push_back(isOfMap ? 1 : 0);
   background_.push_back(area < 0.0 ? 1 : 0);
   return partCount() - 1;
 }

@@ -12,13 +12,15 @@ namespace sim2d {
 class Obstacles {
  public:
   Obstacles() = default;
-  /// Returns the number of the part; all its outlines are switched together.
-  int add(std::vector<Outline> outlines, bool enabled = true);
+  /// Returns the number of the part; all its outlines are switched together. `isOfMap`: they are
+  /// those of the map's own walls.
+  int add(std::vector<Outline> outlines, bool enabled = true, bool isOfMap = false);
   void build();  // after the last add
   void setEnabled(int part, bool enabled) {
     enabled_.at(static_cast<std::size_t>(part)) = enabled ? 1 : 0;
   }
   bool isEnabled(int part) const { return enabled_.at(static_cast<std::size_t>(part)) != 0; }
+  bool isOfMap(int part) const { return ofMap_.at(static_cast<std::size_t>(part)) != 0; }
   int partCount() const { return static_cast<int>(parts_.size()); }
   const std::vector<Outline>& outlines(int part) const {
     return parts_.at(static_cast<std::size_t>(part));
@@ -89,7 +91,7 @@ class Obstacles {
   Hit firstHit(const Vec2& from, const Vec2& direction, double range) const;
 
   std::vector<std::vector<Outline>> parts_;
-  std::vector<char> enabled_;
+  std::vector<char> enabled_, ofMap_;
   std::vector<int> background_;  // of each part: winding far away, 1 where all around is solid
   std::vector<Segment> segments_;
   std::vector<Edge> edges_;

@@ -82,7 +82,7 @@ Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid,
                               const base::StopFlagPtr& stop) {
   Surroundings result;
   result.layers = std::make_shared<NavigationLayers>(stop);
-  result.obstacles.add(traceOutlines(grid, *stop));
+  result.obstacles.add(traceOutlines(grid, *stop), true, /*isOfMap=*/true);
   result.grid = std::move(grid);
   const std::vector<Outline> none;
   forEachListed(scenario.obstacles, [&](const Obstacle& obstacle) {
