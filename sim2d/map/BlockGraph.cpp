@@ -187,6 +187,7 @@ class BlockGraph::Builder {
     std::vector<Index> ends;
     graph_.firstStep_.push_back(0);
     for (Index node = 0; node < static_cast<Index>(graph_.size()); ++node) {
+      graph_.stopFlag().check();
       ends.clear();
       for (std::size_t i = first[at(node)]; i < first[at(node) + 1]; ++i) {
         const Index beside = touching_[i].second;

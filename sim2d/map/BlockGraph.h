@@ -26,6 +26,7 @@ class BlockGraph {
   std::int32_t part(Index node) const { return part_[at(node)]; }
   bool isUnknown(Index node) const { return nodes_[at(node)].isUnknown; }
   std::size_t size() const { return nodes_.size(); }
+  const base::StopFlag& stopFlag() const { return field_.stopFlag(); }
   int blockSide() const { return side_; }  // [cells]
   std::size_t bytes() const;
 

@@ -182,7 +182,7 @@ DistanceField::DistanceField(const OccupancyGrid& grid, const Obstacles& obstacl
       isLarge_(!isOpenPlane_ && static_cast<double>(grid_.cells().size()) > mostCells) {
   distance_ = walls != nullptr ? *walls : distancesToWalls(grid_, isLarge_, *stop_);
   // Of a large map the cells alone count, not its outlines, which are off them by half a cell.
-  const std::vector<char> cells = cellsOfObstacles(grid_, obstacles, isLarge_);
+  const std::vector<char> cells = cellsOfObstacles(grid_, obstacles, isLarge_, *stop_);
   lowerDistances(grid_, obstacles, cells, isLarge_, *stop_, distance_);
   if (!isLarge_ && std::find(cells.begin(), cells.end(), char{1}) != cells.end()) {
     grid_ = withObstacles(grid_, cells);
@@ -222,6 +222,7 @@ void DistanceField::measureUnknown() {
   const int height = isLarge_ ? blocksOf(grid_.height()) : grid_.height();
   std::vector<char> marks(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
   for (int row = 0; row < grid_.height(); ++row) {
+    stop_->check();
     for (int column = 0; column < grid_.width(); ++column) {
       if (grid_.isUnknown({column, row})) {
         marks[static_cast<std::size_t>(row / block) * static_cast<std::size_t>(width) +
@@ -229,7 +230,7 @@ void DistanceField::measureUnknown() {
       }
     }
   }
-  toUnknown_ = distancesToMarked(width, height, marks);
+  toUnknown_ = distancesToMarked(width, height, marks, *stop_);
 }
 
 double DistanceField::unknownDistance(Cell cell) const {

@@ -87,8 +87,8 @@ class RadixHeap {
 
 /// Cheapest ways from all places of a ground (cells of a `Terrain`, nodes of a `BlockGraph`) to one
 /// goal, by Dijkstra, searched only as far as somebody has asked for. What is unknown is entered
-/// when all that is known has been searched. `Ground` gives size(), isUnknown(place) and
-/// forEachStep(place, visit(place, cost)), whose steps go both ways.
+/// when all that is known has been searched. `Ground` gives size(), stopFlag(), isUnknown(place)
+/// and forEachStep(place, visit(place, cost)), whose steps go both ways.
 template <class Ground>
 class GoalSearch {
  public:
@@ -100,9 +100,11 @@ class GoalSearch {
   }
 
   Index goal() const { return goal_; }
-  /// Extends the search to the open place `from`; false when no way leads there.
+  /// Extends the search to the open place `from`; false when no way leads there. Stopped, it can be
+  /// gone on with.
   bool reach(Index from) {
     while (cost_.at(from) > frontier_) {
+      ground_.stopFlag().check();
       if (heap_.isEmpty() && (inUnknown_ || !enterUnknown())) {
         return false;
       }

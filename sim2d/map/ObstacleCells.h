@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sim2d/base/Stop.h"
 #include "sim2d/map/Obstacles.h"
 
 namespace sim2d {
@@ -10,7 +11,7 @@ namespace sim2d {
 /// centre is solid, and those an outline runs through unless they lie beside a wall of the map (so
 /// that the map's own outlines do not thicken its walls). `isLarge`: without the map's own parts.
 std::vector<char> cellsOfObstacles(const OccupancyGrid& grid, const Obstacles& obstacles,
-                                   bool isLarge);
+                                   bool isLarge, const base::StopFlag& stop = {});
 
 /// Marks of the wall cells of the map itself.
 std::vector<char> cellsOfWalls(const OccupancyGrid& grid);

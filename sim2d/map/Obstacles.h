@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim2d/base/Stop.h"
 #include "sim2d/map/SegmentGrid.h"
 
 namespace sim2d {
@@ -15,7 +16,7 @@ class Obstacles {
   /// Returns the number of the part; all its outlines are switched together. `isOfMap`: they are
   /// those of the map's own walls.
   int add(std::vector<Outline> outlines, bool enabled = true, bool isOfMap = false);
-  void build();  // after the last add
+  void build(const base::StopFlag& stop = {});  // after the last add
   void setEnabled(int part, bool enabled) {
     enabled_.at(static_cast<std::size_t>(part)) = enabled ? 1 : 0;
   }
@@ -77,7 +78,7 @@ class Obstacles {
 
   bool isOn(int edge) const;
   void addOutline(const Outline& outline, int part);
-  void countWindings();
+  void countWindings(const base::StopFlag& stop);
   void countWindingsOfRow(int row);
   std::vector<Crossing> crossingsOfRow(int row) const;
   int windingAt(const Vec2& point, SegmentGrid::Bucket bucket, const Winding& atCentre) const;

@@ -60,6 +60,7 @@ std::vector<std::int32_t> openParts(const Terrain& terrain) {
     ++part;
     enter(index);
     while (!waiting.empty()) {  // the closed cells all round a terrain keep the search inside
+      terrain.stopFlag().check();
       const Terrain::Index at = waiting.back();
       waiting.pop_back();
       for (const Terrain::Index side : {-1, 1, -terrain.stride(), terrain.stride()}) {

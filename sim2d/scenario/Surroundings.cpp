@@ -92,7 +92,7 @@ Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid,
   forEachListed(scenario.doors, [&](const Door& door) {
     result.obstacles.add(door.from == door.to ? none : outlinesOf(door), !door.open.value_or(true));
   });
-  result.obstacles.build();
+  result.obstacles.build(*stop);
   return result;
 }
 
