@@ -106,14 +106,17 @@ WayFinder& PathPlanner::finder() {
   return *finder_;
 }
 
+std::vector<Cell> PathPlanner::cellsOfWay(Cell from, Cell to) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<Cell> cells = finder().way(from, to);
+  bytes_ = finder_->bytes();
+  return cells;
+}
+
 /// Empty: there is no way.
 std::vector<Vec2> PathPlanner::planRound(const WalkSpace::Anchor& from,
                                          const WalkSpace::Anchor& to) {
-  std::vector<Cell> cells;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    cells = finder().way(from.cell, to.cell);
-  }
+  const std::vector<Cell> cells = cellsOfWay(from.cell, to.cell);
   if (cells.empty()) {
     return {};
   }
@@ -155,17 +158,14 @@ bool PathPlanner::isReachable(const Vec2& start, const Vec2& goal) {
     return false;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  return finder().isReachable(from->cell, to->cell);
+  const bool isThere = finder().isReachable(from->cell, to->cell);
+  bytes_ = finder_->bytes();
+  return isThere;
 }
 
 int PathPlanner::searches() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return finder_ == nullptr ? 0 : finder_->searches();
-}
-
-std::size_t PathPlanner::bytes() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return finder_ == nullptr ? 0 : finder_->bytes();
 }
 
 }  // namespace sim2d

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -41,16 +42,18 @@ class PathPlanner {
 
   /// Goals from which has been searched so far, those forgotten included.
   int searches() const;
-  /// Memory taken, but for the field.
-  std::size_t bytes() const;
+  /// Memory taken, but for the field. Does not wait for who asks for a way.
+  std::size_t bytes() const { return bytes_; }
 
  private:
   WayFinder& finder();
+  std::vector<Cell> cellsOfWay(Cell from, Cell to);
   std::vector<Vec2> planRound(const WalkSpace::Anchor& from, const WalkSpace::Anchor& to);
 
   WalkSpace space_;
   mutable std::mutex mutex_;  // of what follows
   std::unique_ptr<WayFinder> finder_;
+  std::atomic<std::size_t> bytes_{0};
 };
 
 }  // namespace sim2d
