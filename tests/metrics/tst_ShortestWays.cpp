@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include <QtTest>
@@ -44,7 +45,9 @@ void ShortestWaysTest::shortestPath_largeMap_isThatOfCells() {
   PathPlanner planner(scene.field, kRadius);
   const Vec2 from(1.5, 1.5);
   for (const Vec2& to : {Vec2(103.0, 42.0), Vec2(44.0, 103.0), Vec2(103.5, 22.0)}) {
-    const std::vector<Vec2> best = tautened(planner.plan(to, from), scene.obstacles, kRadius);
+    std::vector<Vec2> cells = planner.plan(to, from);
+    std::reverse(cells.begin(), cells.end());
+    const std::vector<Vec2> best = tautened(cells, scene.obstacles, kRadius);
     QVERIFY(best.size() > 2);
     QCOMPARE(lengthOfWay(metrics::shortestPath(context, from, to)), lengthOfWay(best));
   }
