@@ -11,13 +11,13 @@ namespace {
 using Index = BlockGraph::Index;
 using Pair = std::pair<Index, Index>;
 
-constexpr int kLeastSide = 12;        // [cells]
-constexpr double kMostInGraph = 6e4;  // a search over them takes about 7 ms
+constexpr int kLeastSide = 12;            // [cells]
+constexpr double kMostGraphBlocks = 6e4;  // a search over them takes about 7 ms
 constexpr Index kNoLabel = -1;
 
 int sideFor(const OccupancyGrid& grid) {
   const double cells = static_cast<double>(grid.width()) * grid.height();
-  return std::max(kLeastSide, static_cast<int>(std::ceil(std::sqrt(cells / kMostInGraph))));
+  return std::max(kLeastSide, static_cast<int>(std::ceil(std::sqrt(cells / kMostGraphBlocks))));
 }
 
 /// Gives the cells from `first` that hang together within the rectangle the same label.

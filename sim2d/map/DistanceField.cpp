@@ -17,7 +17,6 @@ constexpr double kExactRange = 1.2;  // [m]
 OccupancyGrid gridOver(const Obstacles& obstacles, const std::vector<Vec2>& points) {
   constexpr double kMargin = 3.0;      // [m]
   constexpr double kResolution = 0.1;  // [m]
-  constexpr double kMostCells = 4e6;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Vec2 low = Vec2::Constant(kFar);
   Vec2 high = Vec2::Constant(-kFar);
@@ -37,11 +36,12 @@ OccupancyGrid gridOver(const Obstacles& obstacles, const std::vector<Vec2>& poin
     low = high = Vec2::Zero();
   }
   const Vec2 extent = high - low + Vec2::Constant(2.0 * kMargin);
-  double resolution = std::max(kResolution, std::sqrt(extent.x() * extent.y() / kMostCells));
+  double resolution =
+      std::max(kResolution, std::sqrt(extent.x() * extent.y() / DistanceField::kMostCells));
   const auto cells = [&](double length) {
     return static_cast<int>(std::ceil(length / resolution));
   };
-  while (static_cast<double>(cells(extent.x())) * cells(extent.y()) > kMostCells) {
+  while (static_cast<double>(cells(extent.x())) * cells(extent.y()) > DistanceField::kMostCells) {
     resolution *= 1.01;  // the last cells of a row and column stick out
   }
   const int width = cells(extent.x());
@@ -159,10 +159,10 @@ OccupancyGrid withObstacles(const OccupancyGrid& grid, const std::vector<char>& 
                        std::move(values));
 }
 
-constexpr int kLookup = 16;  // [cells] along the side of those that unknown cells are looked up by
+constexpr int kUnknownBlock = 16;  // [cells] along the side of those in `toUnknown_`
 
 int blocksOf(int cells) {
-  return (cells + kLookup - 1) / kLookup;
+  return (cells + kUnknownBlock - 1) / kUnknownBlock;
 }
 
 }  // namespace
@@ -217,7 +217,7 @@ void DistanceField::measureUnknown() {
   if (std::none_of(cells.begin(), cells.end(), [](std::int8_t value) { return value < 0; })) {
     return;
   }
-  const int block = isLarge_ ? kLookup : 1;
+  const int block = isLarge_ ? kUnknownBlock : 1;
   const int width = isLarge_ ? blocksOf(grid_.width()) : grid_.width();
   const int height = isLarge_ ? blocksOf(grid_.height()) : grid_.height();
   std::vector<char> marks(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
@@ -242,8 +242,9 @@ double DistanceField::unknownDistance(Cell cell) const {
   }
   constexpr double kHalfDiagonal = 0.7072;  // [blocks]
   const int blocks = blocksOf(grid_.width());
-  const auto block = static_cast<std::size_t>(cell.row / kLookup * blocks + cell.column / kLookup);
-  const double least = kLookup * (static_cast<double>(toUnknown_[block]) - kHalfDiagonal);
+  const auto block =
+      static_cast<std::size_t>(cell.row / kUnknownBlock * blocks + cell.column / kUnknownBlock);
+  const double least = kUnknownBlock * (static_cast<double>(toUnknown_[block]) - kHalfDiagonal);
   return grid_.isUnknown(cell) ? 0.0 : std::max(1.0, least);
 }
 
