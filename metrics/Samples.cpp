@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim2d/map/TautWay.h"
 
@@ -95,7 +96,9 @@ class Routes {
     if (!planner_) {
       const std::vector<Vec2> bounds = {from, to};
       planner_ = std::make_unique<sim2d::PathPlanner>(
-          std::make_shared<const sim2d::DistanceField>(map_, *obstacles_, bounds), robotRadius_);
+          std::make_shared<const sim2d::DistanceField>(map_, *obstacles_, bounds,
+                                                       std::numeric_limits<double>::infinity()),
+          robotRadius_);
     }
     // The field of distances is kept per goal, and it is the start that stays the same.
     std::vector<Vec2> path = planner_->plan(to, from);

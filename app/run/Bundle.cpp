@@ -180,6 +180,7 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   }
   sim2d::WorldSetup setup;
   setup.surroundings = surroundingsOf(bundle);
+  bundle.left->check();
   base::Diagnostics meaning =
       sim2d::checkScenario(*bundle.scenario, *setup.surroundings, bundle.path,
                            sim2d::knownNames(sim2d::programRegistries()));
@@ -192,6 +193,7 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   if (depth == CheckDepth::Meaning || !verdict.ok()) {
     return verdict;
   }
+  bundle.left->check();
   setup.scenario = bundle.scenario;
   setup.compatibility = bundle.settings.compatibility;
   setup.threads = bundle.settings.threads;

@@ -39,6 +39,7 @@ struct Bundle {
   std::shared_ptr<const sim2d::OccupancyGrid> map;  // null: there should be one; empty: open plane
   std::shared_ptr<KnownSurroundings> known = std::make_shared<KnownSurroundings>();  // of both
   base::StopFlagPtr stop = std::make_shared<const base::StopFlag>();  // of the work on the map
+  base::StopFlagPtr left = std::make_shared<const base::StopFlag>();  // of one run's making alone
   std::string mapPath;  // of the map's YAML; empty: in none
   int comments = 0;     // in the scenario file
   bt::TreeFiles trees;
@@ -71,7 +72,7 @@ enum class CheckDepth { Meaning, World };
 
 /// Meaning of the scenario, trees, metrics; at last the world, when nothing is wrong until then.
 /// Every way to run, and every list of problems, comes from here. Any thread; reads metrics files
-/// and what trees in files hold. Throws `base::Stopped` when the bundle's flag says so.
+/// and what trees in files hold. Throws `base::Stopped` when a flag of the bundle says so.
 Verdict check(const Bundle& bundle, CheckDepth depth = CheckDepth::World);
 
 /// Those that are errors.

@@ -99,6 +99,8 @@ void Session::run(const WorldMaker& makeWorld) {
   try {
     runMade(makeWorld());
   } catch (const base::Stopped&) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    news_.isStopped = true;
   }
 }
 

@@ -23,6 +23,7 @@ struct SessionNews {
   sim2d::FramePtr newest;
   std::optional<double> measuredSpeed;     // [simulated s / wall s]
   std::optional<sim2d::RunResult> result;  // the run is over
+  bool isStopped = false;                  // the world was not made: its map is another one now
 };
 
 /// One run of a world, the same for the commands and the window: it is stepped until its rule is
@@ -45,8 +46,7 @@ class Session {
   /// them, the last with the event `stop`.
   sim2d::RunResult run(sim2d::World& world, sim2d::FrameSink* sink = nullptr,
                        const Watcher& watch = {});
-  /// The same with a world that is made first; all that comes of it is news. Nothing comes of work
-  /// on a map that was stopped.
+  /// The same with a world that is made first; all that comes of it is news.
   void run(const WorldMaker& makeWorld);
 
   // any thread

@@ -5,6 +5,7 @@
 
 #include "editor/canvas/Layers.h"
 #include "editor/canvas/PixelFrame.h"
+#include "sim2d/map/DistanceField.h"
 
 namespace editor {
 
@@ -78,12 +79,11 @@ QImage cellImage(const sim2d::OccupancyGrid& grid, const Theme& theme, const QRe
   return image;
 }
 
-/// [pixels] along the side of the pictures that a map is painted in.
+/// [pixels] along the side of the pictures that a map is painted in: large ones in pieces.
 int tileSide(const sim2d::OccupancyGrid& grid) {
-  constexpr double kMostCells = 4e6;  // larger maps are painted in pieces
   constexpr int kTile = 512;
   const double cells = static_cast<double>(grid.width()) * grid.height();
-  return cells > kMostCells ? kTile : std::max(grid.width(), grid.height());
+  return cells > sim2d::DistanceField::kMostCells ? kTile : std::max(grid.width(), grid.height());
 }
 
 constexpr std::size_t kMostTiles = 32;  // kept beyond those that are seen

@@ -11,6 +11,7 @@ namespace editor {
 namespace {
 
 constexpr int kDisplayMs = 16;
+constexpr int kEndingMs = 1000;
 constexpr double kFastest = 64.0;                    // at which a recorded run is played
 constexpr std::chrono::milliseconds kPatience(100);  // with a run that is to end
 
@@ -26,6 +27,7 @@ RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& set
   RunRequest request;
   request.rule = sim2d::stopRuleOf(*bundle.scenario);
   request.recordEvery = bundle.scenario->desktop.recordEvery.value_or(1);
+  bundle.left = request.left;
   request.makeWorld = [bundle =
                            std::move(bundle)]() -> base::Result<std::unique_ptr<sim2d::World>> {
     app::Verdict verdict = app::check(bundle);
@@ -49,6 +51,8 @@ SimulationRunner::SimulationRunner(QObject* parent) : QObject(parent) {
   timer_.setInterval(kDisplayMs);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &SimulationRunner::poll);
+  endingTimer_.setInterval(kEndingMs);
+  connect(&endingTimer_, &QTimer::timeout, this, &SimulationRunner::forgetEndings);
 }
 
 SimulationRunner::~SimulationRunner() {
@@ -70,6 +74,7 @@ void SimulationRunner::start(bool paused) {
   measuredSpeed_ = 0.0;
   RunRequest request = request_();
   session_ = std::make_unique<app::Session>(request.rule);
+  left_ = request.left;
   session_->keepHistory(request.recordEvery);
   session_->setPaused(paused);
   session_->setSpeed(speed_);
@@ -81,21 +86,29 @@ void SimulationRunner::start(bool paused) {
   setState(paused ? State::Paused : State::Running);
 }
 
-/// Whether it is over. A world on a large map may take seconds to be made; the session is kept
-/// until then.
-bool SimulationRunner::stopSession() {
-  timer_.stop();
+void SimulationRunner::forgetEndings() {
   endings_.erase(std::remove_if(endings_.begin(), endings_.end(),
                                 [](const Ending& each) { return isOver(each.thread, {}); }),
                  endings_.end());
+  if (endings_.empty()) {
+    endingTimer_.stop();
+  }
+}
+
+/// Whether it is over. On a large map a world may take seconds to be made, and so may a step; the
+/// session is kept until then, and nobody hears its last words.
+bool SimulationRunner::stopSession() {
+  timer_.stop();
   if (session_ != nullptr) {
     session_->stop();
+    left_->stop();
   }
   if (isOver(thread_, kPatience)) {
     thread_ = {};
     return true;
   }
   endings_.push_back({std::move(session_), std::move(thread_)});
+  endingTimer_.start();
   return false;
 }
 
@@ -244,6 +257,10 @@ void SimulationRunner::poll() {
     return;
   }
   app::SessionNews news = session_->takeNews();
+  if (news.isStopped) {
+    reset();
+    return;
+  }
   if (news.remarks && base::hasErrors(*news.remarks)) {
     const base::Diagnostics errors = *news.remarks;
     stopSession();

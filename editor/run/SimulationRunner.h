@@ -24,6 +24,7 @@ using sim2d::FramePtr;
 /// A run to be started.
 struct RunRequest {
   app::WorldMaker makeWorld;  // called in the worker thread, so it holds copies of all it needs
+  std::shared_ptr<base::StopFlag> left = std::make_shared<base::StopFlag>();  // ends the making
   sim2d::StopRule rule;
   int recordEvery = 1;
 };
@@ -63,7 +64,8 @@ class SimulationRunner : public QObject {
   void play();  // from Editing: makes the world first; after the end: plays the recording
   void pause();
   void stepOnce();  // one step, then paused; from the past: one recorded frame forward
-  /// Ends the run, back to Editing. Does not wait for a world that is still being made.
+  /// Ends the run, back to Editing. Does not wait for a world that is still being made, or in a
+  /// step that takes long.
   void reset();
   void setSpeed(double factor);  // > 0; infinity = as fast as possible
 
@@ -108,8 +110,10 @@ class SimulationRunner : public QObject {
     std::unique_ptr<app::Session> session;
     std::future<void> thread;
   };
-  std::vector<Ending> endings_;  // runs that were left while their world was being made
-  QTimer timer_;
+  void forgetEndings();
+  std::shared_ptr<base::StopFlag> left_;  // of the session
+  std::vector<Ending> endings_;           // runs that were left and are not over yet
+  QTimer timer_, endingTimer_;
   State state_ = State::Editing;
   bool finished_ = false, lookingBack_ = false;
   double speed_ = 1.0, measuredSpeed_ = 0.0;

@@ -11,13 +11,13 @@ namespace {
 using Index = BlockGraph::Index;
 using Pair = std::pair<Index, Index>;
 
-constexpr int kLeastSide = 12;        // [cells]
-constexpr double kMostInGraph = 6e4;  // a search over them takes about 7 ms
+constexpr int kLeastSide = 12;            // [cells]
+constexpr double kMostGraphBlocks = 6e4;  // a search over them takes about 7 ms
 constexpr Index kNoLabel = -1;
 
 int sideFor(const OccupancyGrid& grid) {
   const double cells = static_cast<double>(grid.width()) * grid.height();
-  return std::max(kLeastSide, static_cast<int>(std::ceil(std::sqrt(cells / kMostInGraph))));
+  return std::max(kLeastSide, static_cast<int>(std::ceil(std::sqrt(cells / kMostGraphBlocks))));
 }
 
 /// Gives the cells from `first` that hang together within the rectangle the same label.
@@ -187,6 +187,7 @@ class BlockGraph::Builder {
     std::vector<Index> ends;
     graph_.firstStep_.push_back(0);
     for (Index node = 0; node < static_cast<Index>(graph_.size()); ++node) {
+      graph_.stopFlag().check();
       ends.clear();
       for (std::size_t i = first[at(node)]; i < first[at(node) + 1]; ++i) {
         const Index beside = touching_[i].second;

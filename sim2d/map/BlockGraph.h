@@ -10,8 +10,8 @@ namespace sim2d {
 /// The open cells of a large map for bodies of one radius, in square blocks: each piece of a block
 /// whose cells hang together by their sides, all known or all unknown, is a node. Two nodes are
 /// joined where their cells touch, or over a corner by way of a third one, so ways exist between
-/// nodes exactly where they exist between cells. Lengths are those between the anchors of nodes,
-/// hence rough by about a block. Immutable.
+/// nodes exactly where they exist between cells. Lengths are those between the anchors of nodes in
+/// eight directions, hence up to about 8 % too long and rough by a block. Immutable.
 class BlockGraph {
  public:
   using Index = std::int32_t;
@@ -26,6 +26,7 @@ class BlockGraph {
   std::int32_t part(Index node) const { return part_[at(node)]; }
   bool isUnknown(Index node) const { return nodes_[at(node)].isUnknown; }
   std::size_t size() const { return nodes_.size(); }
+  const base::StopFlag& stopFlag() const { return field_.stopFlag(); }
   int blockSide() const { return side_; }  // [cells]
   std::size_t bytes() const;
 

@@ -17,7 +17,6 @@ constexpr double kExactRange = 1.2;  // [m]
 OccupancyGrid gridOver(const Obstacles& obstacles, const std::vector<Vec2>& points) {
   constexpr double kMargin = 3.0;      // [m]
   constexpr double kResolution = 0.1;  // [m]
-  constexpr double kMostCells = 4e6;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   Vec2 low = Vec2::Constant(kFar);
   Vec2 high = Vec2::Constant(-kFar);
@@ -37,11 +36,12 @@ OccupancyGrid gridOver(const Obstacles& obstacles, const std::vector<Vec2>& poin
     low = high = Vec2::Zero();
   }
   const Vec2 extent = high - low + Vec2::Constant(2.0 * kMargin);
-  double resolution = std::max(kResolution, std::sqrt(extent.x() * extent.y() / kMostCells));
+  double resolution =
+      std::max(kResolution, std::sqrt(extent.x() * extent.y() / DistanceField::kMostCells));
   const auto cells = [&](double length) {
     return static_cast<int>(std::ceil(length / resolution));
   };
-  while (static_cast<double>(cells(extent.x())) * cells(extent.y()) > kMostCells) {
+  while (static_cast<double>(cells(extent.x())) * cells(extent.y()) > DistanceField::kMostCells) {
     resolution *= 1.01;  // the last cells of a row and column stick out
   }
   const int width = cells(extent.x());
@@ -125,9 +125,7 @@ CellDistances distancesToWalls(const OccupancyGrid& grid, bool isLarge,
 void lowerDistances(const OccupancyGrid& grid, const Obstacles& obstacles,
                     const std::vector<char>& cells, bool isLarge, const base::StopFlag& stop,
                     CellDistances& distance) {
-  // Of a large map the cells alone count, not its outlines, which are off them by half a cell.
-  const bool isCovered = isLarge ? coverMoreThanWalls(grid, cells)
-                                 : std::find(cells.begin(), cells.end(), char{1}) != cells.end();
+  const bool isCovered = std::find(cells.begin(), cells.end(), char{1}) != cells.end();
   if (!isCovered && !reachBeyond(grid, obstacles)) {
     return;
   }
@@ -144,8 +142,11 @@ void lowerDistances(const OccupancyGrid& grid, const Obstacles& obstacles,
     }
   }
   // All or none are infinite, so that values can be mixed: where only what stands beyond the grid
-  // is felt, the cells far from its edge take the range within which it was looked for.
-  distance.replaceInfinite(static_cast<float>(kExactRange));
+  // is felt, the cells far from its edge take the range within which it was looked for; else those
+  // that are far from all that stands on a large map without walls the most that is kept.
+  constexpr float kMostKept = 256.0F;  // [cells]
+  distance.replaceInfinite(isCovered ? kMostKept * static_cast<float>(grid.resolution())
+                                     : static_cast<float>(kExactRange));
 }
 
 /// The cells with all that stands on them as walls.
@@ -158,10 +159,10 @@ OccupancyGrid withObstacles(const OccupancyGrid& grid, const std::vector<char>& 
                        std::move(values));
 }
 
-constexpr int kLookup = 16;  // [cells] along the side of those that unknown cells are looked up by
+constexpr int kUnknownBlock = 16;  // [cells] along the side of those in `toUnknown_`
 
 int blocksOf(int cells) {
-  return (cells + kLookup - 1) / kLookup;
+  return (cells + kUnknownBlock - 1) / kUnknownBlock;
 }
 
 }  // namespace
@@ -180,7 +181,8 @@ DistanceField::DistanceField(const OccupancyGrid& grid, const Obstacles& obstacl
       isOpenPlane_(grid.isEmpty()),
       isLarge_(!isOpenPlane_ && static_cast<double>(grid_.cells().size()) > mostCells) {
   distance_ = walls != nullptr ? *walls : distancesToWalls(grid_, isLarge_, *stop_);
-  const std::vector<char> cells = cellsOfObstacles(grid_, obstacles);
+  // Of a large map the cells alone count, not its outlines, which are off them by half a cell.
+  const std::vector<char> cells = cellsOfObstacles(grid_, obstacles, isLarge_, *stop_);
   lowerDistances(grid_, obstacles, cells, isLarge_, *stop_, distance_);
   if (!isLarge_ && std::find(cells.begin(), cells.end(), char{1}) != cells.end()) {
     grid_ = withObstacles(grid_, cells);
@@ -215,11 +217,12 @@ void DistanceField::measureUnknown() {
   if (std::none_of(cells.begin(), cells.end(), [](std::int8_t value) { return value < 0; })) {
     return;
   }
-  const int block = isLarge_ ? kLookup : 1;
+  const int block = isLarge_ ? kUnknownBlock : 1;
   const int width = isLarge_ ? blocksOf(grid_.width()) : grid_.width();
   const int height = isLarge_ ? blocksOf(grid_.height()) : grid_.height();
   std::vector<char> marks(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
   for (int row = 0; row < grid_.height(); ++row) {
+    stop_->check();
     for (int column = 0; column < grid_.width(); ++column) {
       if (grid_.isUnknown({column, row})) {
         marks[static_cast<std::size_t>(row / block) * static_cast<std::size_t>(width) +
@@ -227,7 +230,7 @@ void DistanceField::measureUnknown() {
       }
     }
   }
-  toUnknown_ = distancesToMarked(width, height, marks);
+  toUnknown_ = distancesToMarked(width, height, marks, *stop_);
 }
 
 double DistanceField::unknownDistance(Cell cell) const {
@@ -239,8 +242,9 @@ double DistanceField::unknownDistance(Cell cell) const {
   }
   constexpr double kHalfDiagonal = 0.7072;  // [blocks]
   const int blocks = blocksOf(grid_.width());
-  const auto block = static_cast<std::size_t>(cell.row / kLookup * blocks + cell.column / kLookup);
-  const double least = kLookup * (static_cast<double>(toUnknown_[block]) - kHalfDiagonal);
+  const auto block =
+      static_cast<std::size_t>(cell.row / kUnknownBlock * blocks + cell.column / kUnknownBlock);
+  const double least = kUnknownBlock * (static_cast<double>(toUnknown_[block]) - kHalfDiagonal);
   return grid_.isUnknown(cell) ? 0.0 : std::max(1.0, least);
 }
 

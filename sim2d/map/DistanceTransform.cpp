@@ -29,13 +29,20 @@ std::uint16_t stepsOf(float steps) {
 /// Distances within each column.
 template <class Value>
 std::vector<Value> columnDistances(std::size_t width, std::size_t height,
-                                   const std::vector<char>& marked, Value none) {
+                                   const std::vector<char>& marked, Value none,
+                                   const base::StopFlag& stop) {
   std::vector<Value> distance(marked.size());
-  for (std::size_t i = 0; i < marked.size(); ++i) {
-    distance[i] = marked[i] != 0 ? Value{0} : (i < width ? none : stepFrom(distance[i - width]));
+  for (std::size_t row = 0; row < height; ++row) {
+    stop.check();
+    for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
+      distance[i] = marked[i] != 0 ? Value{0} : (row == 0 ? none : stepFrom(distance[i - width]));
+    }
   }
-  for (std::size_t i = (height - 1) * width; i-- > 0;) {
-    distance[i] = std::min(distance[i], stepFrom(distance[i + width]));
+  for (std::size_t row = height - 1; row-- > 0;) {
+    stop.check();
+    for (std::size_t i = row * width; i < (row + 1) * width; ++i) {
+      distance[i] = std::min(distance[i], stepFrom(distance[i + width]));
+    }
   }
   return distance;
 }
@@ -112,7 +119,7 @@ std::vector<float> distancesToMarked(int width, int height, const std::vector<ch
   const auto columns = static_cast<std::size_t>(width);
   const auto rows = static_cast<std::size_t>(height);
   assert(marked.size() == columns * rows);
-  std::vector<float> distance = columnDistances(columns, rows, marked, kNowhere);
+  std::vector<float> distance = columnDistances(columns, rows, marked, kNowhere, stop);
   RowPass pass(columns);
   for (std::size_t row = 0; row < rows; ++row) {
     stop.check();
@@ -126,7 +133,7 @@ std::vector<std::uint16_t> stepsToMarked(int width, int height, const std::vecto
   assert(width > 0 && height > 0);
   const auto columns = static_cast<std::size_t>(width);
   const auto rows = static_cast<std::size_t>(height);
-  std::vector<std::uint16_t> steps = columnDistances(columns, rows, marked, kMostSteps);
+  std::vector<std::uint16_t> steps = columnDistances(columns, rows, marked, kMostSteps, stop);
   RowPass pass(columns);
   std::vector<float> cells(columns);
   for (std::size_t row = 0; row < rows; ++row) {
@@ -172,7 +179,7 @@ void CellDistances::replaceInfinite(float distance) {
   }
   const auto isNear = [](std::uint16_t value) { return value < kMostSteps; };
   if (std::isinf(beyond_) && std::any_of(steps_.begin(), steps_.end(), isNear)) {
-    beyond_ = distance;
+    beyond_ = std::min(distance, static_cast<float>(kMostSteps) * step_);
   }
 }
 

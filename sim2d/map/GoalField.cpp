@@ -8,6 +8,7 @@ void CellCosts::set(Terrain::Index index, std::uint32_t cost) {
   if (!tile) {
     tile = std::make_unique<Tile>();
     tile->fill(kNone);
+    ++made_;
   }
   (*tile)[cell % kTile] = cost;
 }

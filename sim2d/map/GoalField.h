@@ -27,11 +27,13 @@ class CellCosts {
     return tile ? (*tile)[cell % kTile] : kNone;
   }
   void set(Terrain::Index index, std::uint32_t cost);
+  std::size_t bytes() const { return sizeof(tiles_[0]) * tiles_.size() + sizeof(Tile) * made_; }
 
  private:
   static constexpr std::size_t kTile = 256;
   using Tile = std::array<std::uint32_t, kTile>;
   std::vector<std::unique_ptr<Tile>> tiles_;
+  std::size_t made_ = 0;  // of them
 };
 
 /// Priority queue for keys that never fall below the last one taken (Ahuja et al. 1990), as in
@@ -41,6 +43,13 @@ class RadixHeap {
   using Entry = std::pair<std::uint32_t, std::int32_t>;  // key, value
 
   bool isEmpty() const { return size_ == 0; }
+  std::size_t bytes() const {
+    std::size_t entries = spare_.capacity();
+    for (const std::vector<Entry>& bucket : buckets_) {
+      entries += bucket.capacity();
+    }
+    return sizeof(Entry) * entries;
+  }
 
   void push(std::uint32_t key, std::int32_t value) {
     assert(key >= last_);
@@ -87,8 +96,8 @@ class RadixHeap {
 
 /// Cheapest ways from all places of a ground (cells of a `Terrain`, nodes of a `BlockGraph`) to one
 /// goal, by Dijkstra, searched only as far as somebody has asked for. What is unknown is entered
-/// when all that is known has been searched. `Ground` gives size(), isUnknown(place) and
-/// forEachStep(place, visit(place, cost)), whose steps go both ways.
+/// when all that is known has been searched. `Ground` gives size(), stopFlag(), isUnknown(place)
+/// and forEachStep(place, visit(place, cost)), whose steps go both ways.
 template <class Ground>
 class GoalSearch {
  public:
@@ -100,9 +109,14 @@ class GoalSearch {
   }
 
   Index goal() const { return goal_; }
-  /// Extends the search to the open place `from`; false when no way leads there.
+  std::size_t bytes() const {
+    return cost_.bytes() + heap_.bytes() + sizeof(RadixHeap::Entry) * seeds_.capacity();
+  }
+  /// Extends the search to the open place `from`; false when no way leads there. Stopped, it can be
+  /// gone on with.
   bool reach(Index from) {
     while (cost_.at(from) > frontier_) {
+      ground_.stopFlag().check();
       if (heap_.isEmpty() && (inUnknown_ || !enterUnknown())) {
         return false;
       }

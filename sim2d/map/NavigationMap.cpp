@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace sim2d {
 namespace {
 
-constexpr double kOpen = 1e9;              // [m]
-constexpr double kMostCells = 4e6;         // of all layers that are kept, but for the last used
-constexpr std::size_t kMostLayers = 8;     // idem
+constexpr double kOpen = 1e9;  // [m]
+constexpr std::size_t kMostLayers = 8;
 constexpr double kRadiiPerMetre = 1000.0;  // bodies whose radii round alike share a planner
 
 constexpr double kBlock = 0.5;       // [m]
@@ -88,20 +88,41 @@ bool OpenBlocks::areFree(const Vec2& from, const Vec2& to) const {
 
 NavigationLayer::NavigationLayer(const OccupancyGrid& map, const Obstacles& obstacles,
                                  const std::vector<Vec2>& places, base::StopFlagPtr stop,
-                                 const std::shared_ptr<const CellDistances>& walls)
+                                 const std::shared_ptr<const CellDistances>& walls,
+                                 std::size_t mostBytes)
     : field_(standsAnything(map, obstacles)
                  ? std::make_shared<const DistanceField>(
                        map, obstacles, places, DistanceField::kMostCells, std::move(stop), walls)
                  : nullptr),
-      blocks_(field_ != nullptr ? std::make_unique<const OpenBlocks>(field_) : nullptr) {}
+      blocks_(field_ != nullptr ? std::make_unique<const OpenBlocks>(field_) : nullptr),
+      mostBytes_(mostBytes) {}
 
-PathPlanner& NavigationLayer::plannerFor(double radius) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  std::unique_ptr<PathPlanner>& planner = planners_[radius];
-  if (planner == nullptr) {
-    planner = std::make_unique<PathPlanner>(field_, radius);
+std::size_t NavigationLayer::plannerBytes() const {
+  std::size_t bytes = 0;
+  for (const auto& [radius, kept] : planners_) {
+    bytes += kept.planner->bytes();
   }
-  return *planner;
+  return bytes;
+}
+
+std::size_t NavigationLayer::bytes() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return plannerBytes() + (field_ != nullptr ? field_->bytes() : 0);
+}
+
+std::shared_ptr<PathPlanner> NavigationLayer::plannerFor(double radius) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  auto found = planners_.find(radius);
+  if (found == planners_.end()) {
+    while (!planners_.empty() && plannerBytes() > mostBytes_) {
+      planners_.erase(std::min_element(
+          planners_.begin(), planners_.end(),
+          [](const auto& a, const auto& b) { return a.second.lastUse < b.second.lastUse; }));
+    }
+    found = planners_.emplace(radius, Kept{std::make_shared<PathPlanner>(field_, radius)}).first;
+  }
+  found->second.lastUse = ++uses_;
+  return found->second.planner;
 }
 
 std::shared_ptr<const NavigationLayer> NavigationLayers::of(const OccupancyGrid& map,
@@ -126,13 +147,17 @@ std::shared_ptr<const NavigationLayer> NavigationLayers::of(const OccupancyGrid&
       static_cast<double>(map.cells().size()) <= DistanceField::kMostCells) {
     walls_ = DistanceField::wallsOf(map, false, *stop_);
   }
-  wanted.layer = std::make_shared<const NavigationLayer>(map, obstacles, places, stop_, walls_);
-  const DistanceField* const field = wanted.layer->field();
-  const auto cells = static_cast<double>(field != nullptr ? field->grid().cells().size() : 1);
-  const auto kept = static_cast<std::size_t>(
-      std::clamp(kMostCells / cells, 1.0, static_cast<double>(kMostLayers)));
+  wanted.layer =
+      std::make_shared<const NavigationLayer>(map, obstacles, places, stop_, walls_, mostBytes_);
   entries_.push_front(std::move(wanted));
-  entries_.resize(std::min(entries_.size(), kept));
+  const auto bytes = [this] {
+    return std::accumulate(
+        entries_.begin(), entries_.end(), std::size_t{0},
+        [](std::size_t sum, const Entry& entry) { return sum + entry.layer->bytes(); });
+  };
+  while (entries_.size() > 1 && (entries_.size() > kMostLayers || bytes() > mostBytes_)) {
+    entries_.pop_back();
+  }
   return entries_.front().layer;
 }
 
@@ -152,11 +177,11 @@ void NavigationMap::update(const OccupancyGrid& map, const Obstacles& obstacles)
 }
 
 std::vector<Vec2> NavigationMap::plan(double radius, const Vec2& start, const Vec2& goal) const {
-  return isOpenPlane() ? std::vector<Vec2>{start, goal} : plannerFor(radius).plan(start, goal);
+  return isOpenPlane() ? std::vector<Vec2>{start, goal} : plannerFor(radius)->plan(start, goal);
 }
 
 std::optional<Vec2> NavigationMap::nearestFit(double radius, const Vec2& point) const {
-  return isOpenPlane() ? std::optional<Vec2>(point) : plannerFor(radius).space().nearestFit(point);
+  return isOpenPlane() ? std::optional<Vec2>(point) : plannerFor(radius)->space().nearestFit(point);
 }
 
 double NavigationMap::clearance(const Vec2& point) const {
@@ -167,7 +192,7 @@ double NavigationMap::clearance(const Vec2& point) const {
   return std::max(0.0, layer_->field()->distanceAt(point) - slack);
 }
 
-PathPlanner& NavigationMap::plannerFor(double radius) const {
+std::shared_ptr<PathPlanner> NavigationMap::plannerFor(double radius) const {
   return layer_->plannerFor(static_cast<double>(std::llround(radius * kRadiiPerMetre)) /
                             kRadiiPerMetre);
 }

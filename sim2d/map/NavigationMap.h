@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <list>
 #include <map>
 #include <memory>
@@ -31,35 +32,51 @@ class OpenBlocks {
 };
 
 /// What routes take of a map and all that stands on it, for one state of its doors. Made once and
-/// shared by all who plan there; planners come as radii are asked for. Thread: any.
+/// shared by all who plan there; planners come as radii are asked for, and those that have not been
+/// asked for longest go when all take more than `mostBytes`. Thread: any.
 class NavigationLayer {
  public:
   /// `places`: starts and goals; they bound the plane where there is no map.
   NavigationLayer(const OccupancyGrid& map, const Obstacles& obstacles,
                   const std::vector<Vec2>& places, base::StopFlagPtr stop,
-                  const std::shared_ptr<const CellDistances>& walls);
+                  const std::shared_ptr<const CellDistances>& walls,
+                  std::size_t mostBytes = kMostBytes);
+  static constexpr std::size_t kMostBytes = std::size_t{1} << 30U;
 
   const DistanceField* field() const { return field_.get(); }  // null: nothing stands anywhere
   const OpenBlocks* blocks() const { return blocks_.get(); }   // idem
-  PathPlanner& plannerFor(double radius) const;                // where something stands
+  /// Where something stands.
+  std::shared_ptr<PathPlanner> plannerFor(double radius) const;
+  /// Memory taken, but for the cells of the map.
+  std::size_t bytes() const;
 
  private:
+  struct Kept {
+    std::shared_ptr<PathPlanner> planner;
+    std::int64_t lastUse = 0;
+  };
+  std::size_t plannerBytes() const;
+
   std::shared_ptr<const DistanceField> field_;
   std::unique_ptr<const OpenBlocks> blocks_;
+  const std::size_t mostBytes_;
   mutable std::mutex mutex_;
-  mutable std::map<double, std::unique_ptr<PathPlanner>> planners_;  // by radius [m]
+  mutable std::map<double, Kept> planners_;  // by radius [m]
+  mutable std::int64_t uses_ = 0;
 };
 
-/// The layers of one map and what stands on it, by the state of the doors; the last ones are kept,
-/// and of ordinary maps the distances to walls, which no door alters.
+/// The layers of one map and what stands on it, by the state of the doors; the last ones are kept
+/// within `mostBytes`, and of ordinary maps the distances to walls, which no door alters.
 /// Thread: any.
 class NavigationLayers {
  public:
   /// `stop`: ends the work on layers, by `base::Stopped`.
-  explicit NavigationLayers(base::StopFlagPtr stop = std::make_shared<const base::StopFlag>())
-      : stop_(std::move(stop)) {}
+  explicit NavigationLayers(base::StopFlagPtr stop = std::make_shared<const base::StopFlag>(),
+                            std::size_t mostBytes = NavigationLayer::kMostBytes)
+      : stop_(std::move(stop)), mostBytes_(mostBytes) {}
   std::shared_ptr<const NavigationLayer> of(const OccupancyGrid& map, const Obstacles& obstacles,
                                             const std::vector<Vec2>& places);
+  const base::StopFlagPtr& stopFlag() const { return stop_; }
 
  private:
   struct Entry {
@@ -68,6 +85,7 @@ class NavigationLayers {
     std::shared_ptr<const NavigationLayer> layer;
   };
   const base::StopFlagPtr stop_;
+  const std::size_t mostBytes_;
   std::mutex mutex_;
   std::shared_ptr<const CellDistances> walls_;  // of an ordinary map, for all layers
   std::list<Entry> entries_;                    // last used first
@@ -87,10 +105,10 @@ class NavigationMap {
   /// From start to goal; empty when there is none.
   std::vector<Vec2> plan(double radius, const Vec2& start, const Vec2& goal) const;
   bool isReachable(double radius, const Vec2& start, const Vec2& goal) const {
-    return isOpenPlane() || plannerFor(radius).isReachable(start, goal);
+    return isOpenPlane() || plannerFor(radius)->isReachable(start, goal);
   }
   bool isClear(double radius, const Vec2& from, const Vec2& to) const {
-    return isOpenPlane() || plannerFor(radius).isClear(from, to);
+    return isOpenPlane() || plannerFor(radius)->isClear(from, to);
   }
   std::optional<Vec2> nearestFit(double radius, const Vec2& point) const;
   /// At least this much room to the next wall [m], by the grid; large where nothing stands.
@@ -103,7 +121,7 @@ class NavigationMap {
   }
 
  private:
-  PathPlanner& plannerFor(double radius) const;
+  std::shared_ptr<PathPlanner> plannerFor(double radius) const;
 
   std::vector<Vec2> places_;
   std::shared_ptr<NavigationLayers> layers_;

@@ -25,14 +25,15 @@ bool isBesideWall(const OccupancyGrid& grid, Cell cell) {
 /// Marks cells in the grid's own coordinates.
 class Rasteriser {
  public:
-  explicit Rasteriser(const OccupancyGrid& grid)
-      : grid_(grid), marks_(grid.cells().size(), char{0}) {}
+  Rasteriser(const OccupancyGrid& grid, const base::StopFlag& stop)
+      : grid_(grid), stop_(stop), marks_(grid.cells().size(), char{0}) {}
 
   void add(const std::vector<Outline>& outlines) {
     crossings_.clear();
     background_ = 0;
     double area = 0.0;
     for (const Outline& outline : outlines) {
+      stop_.check();
       area += signedArea(outline.points);
       for (std::size_t i = 0; i < outline.points.size(); ++i) {
         const Vec2 a = grid_.worldToCorner(outline.points[i]);
@@ -107,6 +108,7 @@ class Rasteriser {
     });
     std::size_t at = 0;
     for (int row = 0; row < grid_.height(); ++row) {
+      stop_.check();
       int winding = background_;
       int end = grid_.width();  // columns below are not yet decided
       for (; at < crossings_.size() && crossings_[at].row == row; ++at) {
@@ -126,6 +128,7 @@ class Rasteriser {
   }
 
   const OccupancyGrid& grid_;
+  const base::StopFlag& stop_;
   std::vector<char> marks_;
   std::vector<Crossing> crossings_;
   int background_ = 0;
@@ -133,26 +136,15 @@ class Rasteriser {
 
 }  // namespace
 
-std::vector<char> cellsOfObstacles(const OccupancyGrid& grid, const Obstacles& obstacles) {
-  Rasteriser rasteriser(grid);
+std::vector<char> cellsOfObstacles(const OccupancyGrid& grid, const Obstacles& obstacles,
+                                   bool isLarge, const base::StopFlag& stop) {
+  Rasteriser rasteriser(grid, stop);
   for (int part = 0; part < obstacles.partCount(); ++part) {
-    if (obstacles.isEnabled(part)) {
+    if (obstacles.isEnabled(part) && !(isLarge && obstacles.isOfMap(part))) {
       rasteriser.add(obstacles.outlines(part));
     }
   }
   return rasteriser.takeMarks();
-}
-
-bool coverMoreThanWalls(const OccupancyGrid& grid, const std::vector<char>& marks) {
-  for (int row = 0; row < grid.height(); ++row) {
-    for (int column = 0; column < grid.width(); ++column) {
-      const Cell cell{column, row};
-      if (marks[grid.indexOf(cell)] != 0 && !isBesideWall(grid, cell)) {
-        return true;
-      }
-    }
-  }
-  return false;
 }
 
 std::vector<char> cellsOfWalls(const OccupancyGrid& grid) {

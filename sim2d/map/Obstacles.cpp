@@ -28,27 +28,29 @@ bool isWestOf(const Segment& segment, const Vec2& point) {
 
 }  // namespace
 
-int Obstacles::add(std::vector<Outline> outlines, bool enabled) {
+int Obstacles::add(std::vector<Outline> outlines, bool enabled, bool isOfMap) {
   double area = 0.0;
   for (const Outline& outline : outlines) {
     area += signedArea(outline.points);
   }
   parts_.push_back(std::move(outlines));
   enabled_.push_back(enabled ? 1 : 0);
+  ofMap_.push_back(isOfMap ? 1 : 0);
   background_.push_back(area < 0.0 ? 1 : 0);
   return partCount() - 1;
 }
 
-void Obstacles::build() {
+void Obstacles::build(const base::StopFlag& stop) {
   segments_.clear();
   edges_.clear();
   for (int part = 0; part < partCount(); ++part) {
     for (const Outline& outline : outlines(part)) {
+      stop.check();
       addOutline(outline, part);
     }
   }
   index_.build(segments_, kBucketSize);
-  countWindings();
+  countWindings(stop);
   rays_.clear();
   for (int degrees = 0; degrees < 360; degrees += 4) {
     const double angle = degrees * base::kPi / 180.0;
@@ -83,10 +85,11 @@ bool Obstacles::isOn(int edge) const {
 
 /// Windings round the centres of the buckets, from which those of any point follow by the few
 /// edges in its bucket.
-void Obstacles::countWindings() {
+void Obstacles::countWindings(const base::StopFlag& stop) {
   windings_.clear();
   windingStart_.assign(1, 0);
   for (int row = 0; row < index_.height(); ++row) {
+    stop.check();
     countWindingsOfRow(row);
   }
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim2d/base/Stop.h"
 #include "sim2d/map/SegmentGrid.h"
 
 namespace sim2d {
@@ -12,13 +13,15 @@ namespace sim2d {
 class Obstacles {
  public:
   Obstacles() = default;
-  /// Returns the number of the part; all its outlines are switched together.
-  int add(std::vector<Outline> outlines, bool enabled = true);
-  void build();  // after the last add
+  /// Returns the number of the part; all its outlines are switched together. `isOfMap`: they are
+  /// those of the map's own walls.
+  int add(std::vector<Outline> outlines, bool enabled = true, bool isOfMap = false);
+  void build(const base::StopFlag& stop = {});  // after the last add
   void setEnabled(int part, bool enabled) {
     enabled_.at(static_cast<std::size_t>(part)) = enabled ? 1 : 0;
   }
   bool isEnabled(int part) const { return enabled_.at(static_cast<std::size_t>(part)) != 0; }
+  bool isOfMap(int part) const { return ofMap_.at(static_cast<std::size_t>(part)) != 0; }
   int partCount() const { return static_cast<int>(parts_.size()); }
   const std::vector<Outline>& outlines(int part) const {
     return parts_.at(static_cast<std::size_t>(part));
@@ -75,7 +78,7 @@ class Obstacles {
 
   bool isOn(int edge) const;
   void addOutline(const Outline& outline, int part);
-  void countWindings();
+  void countWindings(const base::StopFlag& stop);
   void countWindingsOfRow(int row);
   std::vector<Crossing> crossingsOfRow(int row) const;
   int windingAt(const Vec2& point, SegmentGrid::Bucket bucket, const Winding& atCentre) const;
@@ -89,7 +92,7 @@ class Obstacles {
   Hit firstHit(const Vec2& from, const Vec2& direction, double range) const;
 
   std::vector<std::vector<Outline>> parts_;
-  std::vector<char> enabled_;
+  std::vector<char> enabled_, ofMap_;
   std::vector<int> background_;  // of each part: winding far away, 1 where all around is solid
   std::vector<Segment> segments_;
   std::vector<Edge> edges_;

@@ -112,7 +112,7 @@ std::vector<Vec2> exactRing(const Ring& ring) {
 /// to the true corners is what has to stay within the tolerance.
 class Simplifier {
  public:
-  explicit Simplifier(const Ring& ring) {
+  Simplifier(const Ring& ring, const base::StopFlag& stop) : stop_(stop) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const bool before = isStep(ring, (i + ring.size() - 1) % ring.size());
       const bool after = isStep(ring, i);
@@ -180,6 +180,7 @@ class Simplifier {
     }
     open.emplace_back(from, last);
     while (!open.empty()) {
+      stop_.check();
       const auto [low, high] = open.back();
       open.pop_back();
       keep_[low] = true;
@@ -210,13 +211,14 @@ class Simplifier {
     return within ? low : worst;
   }
 
+  const base::StopFlag& stop_;
   std::vector<Mark> marks_;
   std::vector<bool> keep_;
 };
 
-std::vector<Vec2> simplifiedRing(const Ring& ring) {
+std::vector<Vec2> simplifiedRing(const Ring& ring, const base::StopFlag& stop) {
   std::vector<Vec2> exact = exactRing(ring);
-  std::vector<Vec2> simple = Simplifier(ring).points();
+  std::vector<Vec2> simple = Simplifier(ring, stop).points();
   const double area = signedArea(exact);
   const bool keepsShape = simple.size() >= 3 && signedArea(simple) / area > 0.5;
   return keepsShape ? simple : exact;
@@ -233,7 +235,8 @@ bool isConflict(const Segment& first, const Segment& second, bool sameRing) {
 }
 
 /// Numbers of the rings that touch or cross themselves or another one.
-std::vector<std::size_t> conflicts(const std::vector<std::vector<Vec2>>& rings) {
+std::vector<std::size_t> conflicts(const std::vector<std::vector<Vec2>>& rings,
+                                   const base::StopFlag& stop) {
   std::vector<Segment> edges;
   std::vector<std::size_t> ringOf;
   for (std::size_t r = 0; r < rings.size(); ++r) {
@@ -246,6 +249,7 @@ std::vector<std::size_t> conflicts(const std::vector<std::vector<Vec2>>& rings) 
   near.build(edges, 8.0);
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < edges.size(); ++i) {
+    stop.check();
     const Segment& edge = edges[i];
     near.visitAlong(edge, [&](int item) {
       const auto j = static_cast<std::size_t>(item);
@@ -266,15 +270,13 @@ std::vector<Outline> traceOutlines(const OccupancyGrid& grid, const base::StopFl
   std::vector<std::vector<Vec2>> shapes;
   shapes.reserve(rings.size());
   for (const Ring& ring : rings) {
-    stop.check();
-    shapes.push_back(simplifiedRing(ring));
+    shapes.push_back(simplifiedRing(ring, stop));
   }
   std::vector<bool> exact(rings.size(), false);
   // Exact rings never touch, so this ends.
   for (bool changed = true; changed;) {
     changed = false;
-    stop.check();
-    for (const std::size_t ring : conflicts(shapes)) {
+    for (const std::size_t ring : conflicts(shapes, stop)) {
       changed = changed || !exact[ring];
       shapes[ring] = exactRing(rings[ring]);
       exact[ring] = true;

@@ -98,27 +98,25 @@ PathPlanner::PathPlanner(std::shared_ptr<const DistanceField> field, double radi
   assert(radius >= 0.0);
 }
 
-/// Made when first asked for: bodies of many radii walk straight. Null: nobody waits any more; the
-/// people of a run ask in threads that nothing may be thrown in.
-WayFinder* PathPlanner::finder() {
+/// Made when first asked for: bodies of many radii walk straight.
+WayFinder& PathPlanner::finder() {
   if (finder_ == nullptr) {
-    try {
-      finder_ = makeWayFinder(space_);
-    } catch (const base::Stopped&) {
-    }
+    finder_ = makeWayFinder(space_);
   }
-  return finder_.get();
+  return *finder_;
+}
+
+std::vector<Cell> PathPlanner::cellsOfWay(Cell from, Cell to) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<Cell> cells = finder().way(from, to);
+  bytes_ = finder_->bytes();
+  return cells;
 }
 
 /// Empty: there is no way.
 std::vector<Vec2> PathPlanner::planRound(const WalkSpace::Anchor& from,
                                          const WalkSpace::Anchor& to) {
-  std::vector<Cell> cells;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    WayFinder* const ways = finder();
-    cells = ways != nullptr ? ways->way(from.cell, to.cell) : cells;
-  }
+  const std::vector<Cell> cells = cellsOfWay(from.cell, to.cell);
   if (cells.empty()) {
     return {};
   }
@@ -160,18 +158,14 @@ bool PathPlanner::isReachable(const Vec2& start, const Vec2& goal) {
     return false;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  WayFinder* const ways = finder();
-  return ways != nullptr && ways->isReachable(from->cell, to->cell);
+  const bool isThere = finder().isReachable(from->cell, to->cell);
+  bytes_ = finder_->bytes();
+  return isThere;
 }
 
 int PathPlanner::searches() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return finder_ == nullptr ? 0 : finder_->searches();
-}
-
-std::size_t PathPlanner::bytes() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return finder_ == nullptr ? 0 : finder_->bytes();
 }
 
 }  // namespace sim2d

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -19,10 +20,10 @@ double lengthOfWay(const Vec2& from, const std::vector<Vec2>& way, std::size_t f
 /// wider clearance is preferred up to 0.3 m more; unknown cells are entered only where there is no
 /// other way. Paths are pulled straight where the line keeps the clearance, which holds to a
 /// centimetre. Beyond a map nothing is open; beyond the grid of an open plane all is. On a large
-/// map
-/// (`DistanceField::isLarge`) the way is chosen among blocks of cells, with lengths rough by about
-/// a block, so that it may be a little longer than the best one; it exists where one does and keeps
-/// its clearance. The result depends on the arguments alone, not on earlier calls. Thread: any.
+/// map (`DistanceField::isLarge`) the way is chosen among blocks of cells, so that it may be longer
+/// than the best one, by up to about 8 %; it exists where one does and keeps its clearance. The
+/// result depends on the arguments alone, not on earlier calls. Thread: any; asking throws
+/// `base::Stopped` when the field's flag says so.
 class PathPlanner {
  public:
   PathPlanner(std::shared_ptr<const DistanceField> field, double radius);
@@ -41,16 +42,18 @@ class PathPlanner {
 
   /// Goals from which has been searched so far, those forgotten included.
   int searches() const;
-  /// Memory taken, but for the field.
-  std::size_t bytes() const;
+  /// Memory taken, but for the field. Does not wait for who asks for a way.
+  std::size_t bytes() const { return bytes_; }
 
  private:
-  WayFinder* finder();
+  WayFinder& finder();
+  std::vector<Cell> cellsOfWay(Cell from, Cell to);
   std::vector<Vec2> planRound(const WalkSpace::Anchor& from, const WalkSpace::Anchor& to);
 
   WalkSpace space_;
   mutable std::mutex mutex_;  // of what follows
   std::unique_ptr<WayFinder> finder_;
+  std::atomic<std::size_t> bytes_{0};
 };
 
 }  // namespace sim2d

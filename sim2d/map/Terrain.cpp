@@ -29,7 +29,8 @@ Terrain::Terrain(const DistanceField& field, double radius)
     : Terrain(field, radius, {0, 0}, {field.grid().width() - 1, field.grid().height() - 1}) {}
 
 Terrain::Terrain(const DistanceField& field, double radius, Cell low, Cell high)
-    : low_(low),
+    : stop_(&field.stopFlag()),
+      low_(low),
       stride_(high.column - low.column + 3),
       price_(static_cast<std::size_t>(stride_) * static_cast<std::size_t>(high.row - low.row + 3),
              0) {
@@ -43,6 +44,7 @@ Terrain::Terrain(const DistanceField& field, double radius, Cell low, Cell high)
                   {-up - 1, kDiagonal, -1, -up},
                   {1 - up, kDiagonal, 1, -up}}};
   for (int row = low.row; row <= high.row; ++row) {
+    stop_->check();
     auto index = static_cast<std::size_t>(indexOf({low.column, row}));
     for (int column = low.column; column <= high.column; ++column, ++index) {
       const std::uint32_t price = priceOf(field, radius, {column, row});

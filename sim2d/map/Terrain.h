@@ -39,6 +39,7 @@ class Terrain {
   }
   Index stride() const { return stride_; }
   std::size_t size() const { return price_.size(); }
+  const base::StopFlag& stopFlag() const { return *stop_; }
 
   /// visit(Index, std::uint32_t cost) for the open neighbours, eight at most.
   template <class Visit>
@@ -64,6 +65,7 @@ class Terrain {
   }
   std::uint32_t stepCost(Index from, const Neighbour& neighbour) const;
 
+  const base::StopFlag* stop_;  // of the field
   Cell low_;
   Index stride_;
   std::array<Neighbour, 8> neighbours_;

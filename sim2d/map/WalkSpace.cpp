@@ -15,6 +15,7 @@ constexpr double kClearanceSlack = 1e-3;  // [m] of the clearance between centre
 bool hasOpenUnknown(const DistanceField& field, double radius) {
   const OccupancyGrid& grid = field.grid();
   for (int row = 0; field.hasUnknown() && row < grid.height(); ++row) {
+    field.stopFlag().check();
     for (int column = 0; column < grid.width(); ++column) {
       const Cell cell{column, row};
       if (grid.isUnknown(cell) && priceOf(field, radius, cell) != 0) {

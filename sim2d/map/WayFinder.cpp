@@ -1,6 +1,7 @@
 #include "sim2d/map/WayFinder.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "sim2d/map/BlockGraph.h"
 #include "sim2d/map/GoalField.h"
@@ -9,36 +10,54 @@ namespace sim2d {
 
 namespace {
 
-constexpr std::size_t kCacheBytes = std::size_t{128} << 20U;
+constexpr std::size_t kCacheBytes = std::size_t{384} << 20U;
 constexpr std::size_t kMostFields = 512;
 
-/// Searches by their goals; the least recently used one makes room.
+/// Searches by their goals; the least recently used ones make room.
 template <class Ground>
 class Searches {
  public:
+  using Index = typename Ground::Index;
+
   explicit Searches(const Ground& ground) : ground_(ground) {}
 
-  GoalSearch<Ground>& to(typename Ground::Index goal) {
-    const auto found = std::find_if(kept_.begin(), kept_.end(),
-                                    [&](const auto& search) { return search->goal() == goal; });
-    if (found != kept_.end()) {
-      std::rotate(kept_.begin(), found, found + 1);
-      return *kept_.front();
-    }
-    const std::size_t bytes = sizeof(std::uint32_t) * std::max<std::size_t>(ground_.size(), 1);
-    if (kept_.size() >= std::clamp<std::size_t>(kCacheBytes / bytes, 2, kMostFields)) {
+  /// That of the goal, which has reached `from`; null: no way leads there.
+  const GoalSearch<Ground>* reached(Index from, Index goal) {
+    GoalSearch<Ground>& search = to(goal);
+    const bool isReached = search.reach(from);
+    kept_.front().bytes = search.bytes();
+    while (kept_.size() > 1 && (kept_.size() > kMostFields || bytes() > kCacheBytes)) {
       kept_.pop_back();
     }
-    ++made_;
-    kept_.insert(kept_.begin(), std::make_unique<GoalSearch<Ground>>(ground_, goal));
-    return *kept_.front();
+    return isReached ? &search : nullptr;
   }
   int made() const { return made_; }
-  std::size_t bytes() const { return kept_.size() * sizeof(std::uint32_t) * ground_.size(); }
+  std::size_t bytes() const {
+    return std::accumulate(kept_.begin(), kept_.end(), std::size_t{0},
+                           [](std::size_t sum, const Kept& kept) { return sum + kept.bytes; });
+  }
 
  private:
+  struct Kept {
+    std::unique_ptr<GoalSearch<Ground>> search;
+    std::size_t bytes = 0;
+  };
+
+  GoalSearch<Ground>& to(Index goal) {
+    const auto found = std::find_if(kept_.begin(), kept_.end(), [goal](const Kept& kept) {
+      return kept.search->goal() == goal;
+    });
+    if (found != kept_.end()) {
+      std::rotate(kept_.begin(), found, found + 1);
+    } else {
+      ++made_;
+      kept_.insert(kept_.begin(), Kept{std::make_unique<GoalSearch<Ground>>(ground_, goal)});
+    }
+    return *kept_.front().search;
+  }
+
   const Ground& ground_;
-  std::vector<std::unique_ptr<GoalSearch<Ground>>> kept_;  // last used first
+  std::vector<Kept> kept_;  // last used first
   int made_ = 0;
 };
 
@@ -60,6 +79,7 @@ std::vector<std::int32_t> openParts(const Terrain& terrain) {
     ++part;
     enter(index);
     while (!waiting.empty()) {  // the closed cells all round a terrain keep the search inside
+      terrain.stopFlag().check();
       const Terrain::Index at = waiting.back();
       waiting.pop_back();
       for (const Terrain::Index side : {-1, 1, -terrain.stride(), terrain.stride()}) {
@@ -70,7 +90,7 @@ std::vector<std::int32_t> openParts(const Terrain& terrain) {
   return parts;
 }
 
-void appendWay(const Terrain& terrain, GoalField& field, Cell from, std::vector<Cell>& way) {
+void appendWay(const Terrain& terrain, const GoalField& field, Cell from, std::vector<Cell>& way) {
   for (Terrain::Index at = terrain.indexOf(from); at != field.goal();) {
     at = field.next(at);
     way.push_back(terrain.cellOf(at));
@@ -90,12 +110,12 @@ class CellWays : public WayFinder {
   }
 
   std::vector<Cell> way(Cell from, Cell to) override {
-    GoalField& field = searches_.to(terrain_.indexOf(to));
-    if (!field.reach(terrain_.indexOf(from))) {
+    const GoalField* const field = searches_.reached(terrain_.indexOf(from), terrain_.indexOf(to));
+    if (field == nullptr) {
       return {};
     }
     std::vector<Cell> way = {from};
-    appendWay(terrain_, field, from, way);
+    appendWay(terrain_, *field, from, way);
     return way;
   }
 
@@ -127,14 +147,14 @@ class BlockWays : public WayFinder {
 
   std::vector<Cell> way(Cell from, Cell to) override {
     BlockGraph::Index node = graph_.nodeOf(from);
-    GoalSearch<BlockGraph>& search = searches_.to(graph_.nodeOf(to));
-    if (!search.reach(node)) {
+    const GoalSearch<BlockGraph>* const search = searches_.reached(node, graph_.nodeOf(to));
+    if (search == nullptr) {
       return {};
     }
     std::vector<Cell> way = {from};
-    while (node != search.goal()) {
-      node = search.next(node);
-      appendLeg(node == search.goal() ? to : graph_.anchor(node), way);
+    while (node != search->goal()) {
+      node = search->next(node);
+      appendLeg(node == search->goal() ? to : graph_.anchor(node), way);
     }
     if (way.back() != to) {  // both in one block
       appendLeg(to, way);

@@ -178,7 +178,7 @@ class PlacesCheck {
 
   /// Where the body will stand; told once per place and radius.
   std::optional<Vec2> fit(const Place& place, double radius) {
-    std::optional<Vec2> taken = layer_->plannerFor(radius).space().nearestFit(place.point);
+    std::optional<Vec2> taken = layer_->plannerFor(radius)->space().nearestFit(place.point);
     if (!told_.insert(std::make_tuple(place.owner.entity, place.what, radius)).second) {
       return taken;
     }
@@ -204,7 +204,7 @@ class PlacesCheck {
     for (const Place& goal : round.goals) {
       const std::optional<Vec2> point = fit(goal, round.radius);
       if (start && point && round.planned &&
-          !layer_->plannerFor(round.radius).isReachable(*start, *point) &&
+          !layer_->plannerFor(round.radius)->isReachable(*start, *point) &&
           unreachable.insert(goal.what).second) {
         tellUnreachable(round, goal);
       }

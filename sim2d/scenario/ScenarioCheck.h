@@ -36,7 +36,7 @@ struct Surroundings {
   int firstObstaclePart = 1;
   int firstDoorPart = 1;
 };
-/// `stop` ends this, and later the work on routes, by `base::Stopped`.
+/// `stop` ends this, and later the work on routes unless a world needs it, by `base::Stopped`.
 Surroundings makeSurroundings(
     const Scenario& scenario, OccupancyGrid grid,
     const base::StopFlagPtr& stop = std::make_shared<const base::StopFlag>());

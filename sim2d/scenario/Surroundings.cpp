@@ -82,7 +82,7 @@ Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid,
                               const base::StopFlagPtr& stop) {
   Surroundings result;
   result.layers = std::make_shared<NavigationLayers>(stop);
-  result.obstacles.add(traceOutlines(grid, *stop));
+  result.obstacles.add(traceOutlines(grid, *stop), true, /*isOfMap=*/true);
   result.grid = std::move(grid);
   const std::vector<Outline> none;
   forEachListed(scenario.obstacles, [&](const Obstacle& obstacle) {
@@ -92,7 +92,7 @@ Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid,
   forEachListed(scenario.doors, [&](const Door& door) {
     result.obstacles.add(door.from == door.to ? none : outlinesOf(door), !door.open.value_or(true));
   });
-  result.obstacles.build();
+  result.obstacles.build(*stop);
   return result;
 }
 

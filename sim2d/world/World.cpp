@@ -33,6 +33,7 @@ Vec2 centreOf(const WorldModel& model, const OccupancyGrid& map) {
 RunningWorld::RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> minds)
     : model_(std::move(parts.model)),
       surroundings_(std::move(parts.surroundings)),
+      ways_(surroundings_.layers->stopFlag()),
       navigation_(std::move(parts.navigation)),
       physics_(centreOf(model_, surroundings_.grid)),
       frozen_{model_, state_, grid_, surroundings_.obstacles, *navigation_},

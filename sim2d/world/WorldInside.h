@@ -129,6 +129,7 @@ class RunningWorld : public World {
 
   WorldModel model_;
   Surroundings surroundings_;
+  const base::NeededWork ways_;  // whatever becomes of the map from here on
   std::unique_ptr<NavigationMap> navigation_;
   WorldState state_;
   NeighborGrid grid_;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "QuietWindow.h"
+#include "app/run/Bundle.h"
 #include "tests/support/WrittenMap.h"
 
 namespace {
@@ -76,10 +77,20 @@ class LargeMapMemoryTest : public QObject {
   void close_whileChecked_endsTheWork() {
     std::unique_ptr<app::MainWindow> window = quiet::shownWindow();
     QVERIFY(window->open(file_));
-    const base::StopFlagPtr work = window->workspace().document().mapWork();
+    const editor::ScenarioDocument& document = window->workspace().document();
+    const std::shared_ptr<app::KnownSurroundings> known = document.surroundings();
+    const sim2d::Scenario scenario = document.scenario();
+    const auto map = document.map();
+    const base::StopFlagPtr work = document.mapWork();
     work->check();
+    QVERIFY(known.use_count() > 2);  // the check has them as well as the document
     quiet::leave(window);
-    QVERIFY_EXCEPTION_THROWN(work->check(), base::Stopped);
+    QCOMPARE(known.use_count(), 1L);
+    const auto askLayer = [&] {
+      const auto around = known->of(scenario, map, work);
+      return around->layers->of(around->grid, around->obstacles, {});
+    };
+    QVERIFY_EXCEPTION_THROWN(askLayer(), base::Stopped);  // it has not been made
   }
 
  private:

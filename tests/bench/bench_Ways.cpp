@@ -11,7 +11,8 @@ class WaysBench : public QObject {
 
  private Q_SLOTS:
   void plan_warehouse();
-  void plan_largeHall_manyGoals();
+  void plan_hall_manyGoals_data();
+  void plan_hall_manyGoals();
 };
 
 namespace {
@@ -54,13 +55,20 @@ void WaysBench::plan_warehouse() {
   QTest::setBenchmarkResult(later, QTest::WalltimeMilliseconds);
 }
 
-/// A hundred people with twenty goals on 4000 x 4000 cells, beside the clearance of all cells,
-/// which is worked out before.
-void WaysBench::plan_largeHall_manyGoals() {
-  constexpr double kSide = 200.0;  // [m]
-  MapSketch sketch(kSide, kSide);
-  for (int row = 0; row < 19; ++row) {
-    for (int shelf = 0; shelf < 7; ++shelf) {
+void WaysBench::plan_hall_manyGoals_data() {
+  QTest::addColumn<double>("side");  // [m]
+  QTest::newRow("2000 x 2000 cells") << 100.0;
+  QTest::newRow("4000 x 4000 cells, a large map") << 200.0;
+}
+
+/// A hundred people with twenty goals, beside the clearance of all cells, which is worked out
+/// before.
+void WaysBench::plan_hall_manyGoals() {
+  QFETCH(double, side);
+  const double scale = side / 200.0;
+  MapSketch sketch(side, side);
+  for (int row = 0; row < 19 * scale; ++row) {
+    for (int shelf = 0; shelf < std::floor(7.0 * scale); ++shelf) {
       const Vec2 low(5.0 + 27.0 * shelf, 6.0 + 10.0 * row);
       sketch.fill(low, low + Vec2(20.0, 0.4));
     }
@@ -73,8 +81,8 @@ void WaysBench::plan_largeHall_manyGoals() {
   timer.restart();
   PathPlanner planner(scene.field, 0.35);
   for (int i = 0; i < 100; ++i) {
-    const Vec2 start(2.0, 1.0 + 1.97 * i);
-    const Vec2 goal(198.0 - 9.0 * (i % 20), 1.0 + 9.9 * (i * 7 % 20));
+    const Vec2 start(2.0, 1.0 + 1.97 * scale * i);
+    const Vec2 goal(side - 2.0 - 9.0 * scale * (i % 20), 1.0 + 9.9 * scale * (i * 7 % 20));
     QVERIFY(!planner.plan(start, goal).empty());
   }
   const double ways = millisecondsOf(timer);

@@ -22,7 +22,7 @@ inline Scene sceneOf(const OccupancyGrid& grid, const std::vector<std::vector<Ou
                      const std::vector<Vec2>& bounds = {},
                      double mostCells = DistanceField::kMostCells) {
   Scene scene;
-  scene.obstacles.add(traceOutlines(grid));
+  scene.obstacles.add(traceOutlines(grid), true, /*isOfMap=*/true);
   for (const auto& part : parts) {
     scene.obstacles.add(part);
   }

@@ -1,7 +1,9 @@
 #include <QtTest>
 
 #include "sim2d/map/BlockGraph.h"
+#include "sim2d/map/GoalField.h"
 #include "sim2d/map/NavigationMap.h"
+#include "sim2d/map/ObstacleCells.h"
 #include "tests/map/MapSketch.h"
 
 using namespace sketch;
@@ -13,7 +15,8 @@ class StoppedWorkTest : public QObject {
   void init() { stop_ = std::make_shared<base::StopFlag>(); }
   void work_stopped_throws();
   void layers_stopped_keepNothing();
-  void plan_stopped_isNoWay();
+  void plan_stopped_throws();
+  void needed_stopped_goesOn();
 
  private:
   OccupancyGrid grid_ = randomMap(1);
@@ -24,7 +27,14 @@ class StoppedWorkTest : public QObject {
 void StoppedWorkTest::work_stopped_throws() {
   const std::vector<char> none(grid_.cells().size(), 0);
   QCOMPARE(traceOutlines(grid_, *stop_).size(), traceOutlines(grid_).size());
-  const DistanceField ordinary(grid_, obstacles_, {}, 1e9, stop_);
+  const auto ordinary =
+      std::make_shared<const DistanceField>(grid_, obstacles_, std::vector<Vec2>(), 1e9, stop_);
+  const Terrain terrain(*ordinary, 0.2);
+  Cell open{100, 100};
+  while (!terrain.isOpen(terrain.indexOf(open))) {
+    ++open.column;
+  }
+  GoalField search(terrain, terrain.indexOf(open));
   const auto large =
       std::make_shared<const DistanceField>(grid_, obstacles_, std::vector<Vec2>(), 0.0, stop_);
   stop_->stop();
@@ -32,6 +42,11 @@ void StoppedWorkTest::work_stopped_throws() {
   QVERIFY_EXCEPTION_THROWN(distancesToMarked(200, 200, none, *stop_), base::Stopped);
   QVERIFY_EXCEPTION_THROWN(stepsToMarked(200, 200, none, *stop_), base::Stopped);
   QVERIFY_EXCEPTION_THROWN(DistanceField(grid_, obstacles_, {}, 1e9, stop_), base::Stopped);
+  QVERIFY_EXCEPTION_THROWN(cellsOfObstacles(grid_, obstacles_, false, *stop_), base::Stopped);
+  QVERIFY_EXCEPTION_THROWN(obstacles_.build(*stop_), base::Stopped);
+  QVERIFY_EXCEPTION_THROWN(WalkSpace(ordinary, 0.2), base::Stopped);  // has unknown ground
+  QVERIFY_EXCEPTION_THROWN(Terrain(*ordinary, 0.2), base::Stopped);
+  QVERIFY_EXCEPTION_THROWN(search.reach(terrain.indexOf({0, 0})), base::Stopped);
   QVERIFY_EXCEPTION_THROWN(OpenBlocks{large}, base::Stopped);
   QVERIFY_EXCEPTION_THROWN(BlockGraph(*large, 0.35), base::Stopped);
 }
@@ -48,19 +63,28 @@ void StoppedWorkTest::layers_stopped_keepNothing() {
   }
 }
 
-/// People ask for ways in threads of which none may throw.
-void StoppedWorkTest::plan_stopped_isNoWay() {
+void StoppedWorkTest::plan_stopped_throws() {
   const auto field =
       std::make_shared<const DistanceField>(grid_, obstacles_, std::vector<Vec2>(), 0.0, stop_);
   PathPlanner before(field, 0.2);
+  PathPlanner after(field, 0.2);
   const Vec2 from(0.3, 0.3);
   const Vec2 to(9.7, 9.7);
   QVERIFY(before.plan(from, to).size() > 2);
   stop_->stop();
-  PathPlanner after(field, 0.2);
-  QVERIFY(after.plan(from, to).empty());
-  QVERIFY(!after.isReachable(from, to));
-  QVERIFY(before.plan(from, to).size() > 2);
+  QVERIFY_EXCEPTION_THROWN(after.plan(from, to), base::Stopped);
+  QVERIFY_EXCEPTION_THROWN(after.isReachable(from, to), base::Stopped);
+}
+
+void StoppedWorkTest::needed_stopped_goesOn() {
+  {
+    const base::NeededWork first(stop_);
+    const base::NeededWork second(stop_);
+    stop_->stop();
+    stop_->check();
+  }
+  QVERIFY_EXCEPTION_THROWN(stop_->check(), base::Stopped);
+  QVERIFY_EXCEPTION_THROWN(base::NeededWork{stop_}, base::Stopped);
 }
 
 QTEST_APPLESS_MAIN(StoppedWorkTest)

@@ -61,6 +61,14 @@ class BundleTest : public QObject {
     QVERIFY(verdict.world->frame().humans.vx[0] > 0.0);
   }
 
+  void check_runIsLeft_makesNoWorld() {
+    app::Bundle bundle = bundleOf();
+    const auto left = std::make_shared<base::StopFlag>();
+    bundle.left = left;
+    left->stop();
+    QVERIFY_EXCEPTION_THROWN(app::check(bundle), base::Stopped);
+  }
+
   void check_treeFromMemory_isRun() {
     app::Bundle bundle = bundleOf();
     bundle.trees["anna"] = {kStands, "", ""};

@@ -22,6 +22,7 @@ class WorldWaysTest : public QObject {
   void create_goalInAWall_isMoved();
   void door_opens_letsThePersonThrough();
   void door_closes_makesThemPlanAnew();
+  void step_workOnTheMapIsStopped_isTheSameRun();
   void door_toggles_areEventsAtTheirTimes();
   void view_nearAndVisible_answerFromTheFrozenState();
   void view_quirk34_seesThroughWalls();
@@ -196,6 +197,33 @@ void WorldWaysTest::door_closes_makesThemPlanAnew() {
   QCOMPARE(ofKind(events, EventKind::Goal).size(), std::size_t{1});
   QVERIFY(ofKind(events, EventKind::Replan).size() >= 1);
   QVERIFY(ofKind(events, EventKind::Goal)[0].step > 160);
+}
+
+/// As when the map is edited beside a run, which takes a door and people of new radii afterwards.
+void WorldWaysTest::step_workOnTheMapIsStopped_isTheSameRun() {
+  std::vector<std::string> events;
+  for (const bool isStopped : {false, true}) {
+    Scenario scenario = withShape("gap");
+    addDoor(scenario, Vec2(4.0, 1.0), Vec2(4.0, 2.1), false, {1.0});
+    const auto stop = std::make_shared<base::StopFlag>();
+    WorldSetup setup;
+    setup.surroundings =
+        std::make_shared<const Surroundings>(makeSurroundings(scenario, OccupancyGrid(), stop));
+    setup.scenario = std::make_shared<const Scenario>(scenario);
+    setup.behavior = std::make_unique<ScriptedBehavior>();
+    base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
+    QVERIFY(bool(world));
+    if (isStopped) {
+      stop->stop();
+    }
+    std::string told;
+    for (const Recorded& event : advance(**world, 200)) {
+      told += std::to_string(event.step) + " ";
+    }
+    events.push_back(told);
+  }
+  QVERIFY(!events[0].empty());
+  QVERIFY(events[0] == events[1]);
 }
 
 void WorldWaysTest::door_toggles_areEventsAtTheirTimes() {
