@@ -1,15 +1,12 @@
-#include "tests/bt/TreeProbe.h"
+#include "tests/bt/TraceRows.h"
 
-/// Control nodes, decorators and leaves: what is called and returned in each step. A step written
-/// as "!text" is one that stops the tree with a fault that holds the text.
+/// Control nodes, leaves and conditions: what is called and returned in each step.
 class ControlsTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
   void tick_control_givesTrace_data();
   void tick_control_givesTrace();
-  void tick_decorator_givesTrace_data();
-  void tick_decorator_givesTrace();
   void tick_leaf_givesTrace_data();
   void tick_leaf_givesTrace();
   void tick_condition_givesTrace_data();
@@ -17,35 +14,11 @@ class ControlsTest : public QObject {
   void tick_faultyTree_staysIdle();
 };
 
+using traces::checkRow;
+using traces::columns;
+using traces::row;
+
 namespace {
-
-void columns() {
-  QTest::addColumn<QString>("xml");
-  QTest::addColumn<QString>("steps");
-}
-
-void row(const char* name, const char* xml, const char* steps) {
-  QTest::newRow(name) << QString::fromUtf8(xml) << QString::fromUtf8(steps);
-}
-
-void checkRow() {
-  QFETCH(QString, xml);
-  QFETCH(QString, steps);
-  probe::Run run(xml.toStdString());
-  QVERIFY2(run.state, run.problems.c_str());
-  for (const QString& step : steps.split(QLatin1Char('|'))) {
-    const QString trace = QString::fromStdString(run.trace());
-    if (step.startsWith(QLatin1Char('!'))) {
-      QVERIFY2(run.state->fault(), qPrintable(trace));
-      const std::string message = run.state->fault()->message;
-      QVERIFY2(QString::fromStdString(message).contains(step.mid(1)), message.c_str());
-      return;
-    }
-    QCOMPARE(trace, step);
-    const bt::TreeFault* const fault = run.state->fault();
-    QVERIFY2(fault == nullptr, fault != nullptr ? fault->message.c_str() : "");
-  }
-}
 
 void rowsOfSequences() {
   row("sequence stops at failure", "<Sequence><S name='a'/><F/><S name='c'/></Sequence>",
@@ -214,137 +187,6 @@ void ControlsTest::tick_control_givesTrace_data() {
 }
 
 void ControlsTest::tick_control_givesTrace() {
-  checkRow();
-}
-
-namespace {
-
-void rowsOfRepetition() {
-  row("inverter", "<Inverter><St result='FAILURE'/></Inverter>",
-      "start -> RUNNING|run1 -> SUCCESS|start -> RUNNING");
-  row("force success", "<ForceSuccess><F/></ForceSuccess>", "F -> SUCCESS");
-  row("force failure", "<ForceFailure><St/></ForceFailure>", "start -> RUNNING|run1 -> FAILURE");
-  row("force, skipped", "<ForceSuccess><AlwaysSuccess _skipIf='1'/></ForceSuccess>", "-> SKIPPED");
-  row("repeat 0", "<Repeat num_cycles='0'><S/></Repeat>", "-> SUCCESS");
-  row("repeat, failure", "<Repeat num_cycles='3'><F/></Repeat>", "F -> FAILURE");
-  row("repeat a stateful child", "<Repeat num_cycles='2'><St/></Repeat>",
-      "start -> RUNNING|run1 start -> RUNNING|run1 -> SUCCESS|start -> RUNNING");
-  row("repeat for ever", "<Repeat num_cycles='-1'><S/></Repeat>", "S -> RUNNING|S -> RUNNING");
-  row("repeat, skipped", "<Repeat num_cycles='2'><RunOnce><S/></RunOnce></Repeat>",
-      "S -> RUNNING|-> SKIPPED|-> SKIPPED");
-  row("repeat, no port", "<Repeat><S/></Repeat>", "!'num_cycles' is missing");
-  row("repeat forgets when halted",
-      "<ReactiveFallback><TD delay='0.1'><F name='t'/></TD><Repeat num_cycles='2'><S/></Repeat>"
-      "</ReactiveFallback>",
-      "S -> RUNNING|t S -> SUCCESS|t S -> RUNNING");
-  row("retry 0", "<RetryUntilSuccessful num_attempts='0'><S/></RetryUntilSuccessful>",
-      "-> FAILURE");
-  row("retry, success", "<RetryUntilSuccessful num_attempts='5'><S/></RetryUntilSuccessful>",
-      "S -> SUCCESS");
-  row("retry, skipped",
-      "<RetryUntilSuccessful num_attempts='5'><AlwaysSuccess _skipIf='1'/></RetryUntilSuccessful>",
-      "-> SKIPPED");
-  row("keep running, failure",
-      "<KeepRunningUntilFailure><St result='FAILURE'/>"
-      "</KeepRunningUntilFailure>",
-      "start -> RUNNING|run1 -> FAILURE|start -> RUNNING");
-  row("keep running, skipped",
-      "<KeepRunningUntilFailure><AlwaysSuccess _skipIf='1'/></KeepRunningUntilFailure>",
-      "-> RUNNING|-> RUNNING");
-}
-
-void rowsOfDelays() {
-  row("delay", "<Delay delay_msec='200'><S/></Delay>",
-      "-> RUNNING|-> RUNNING|S -> SUCCESS|-> RUNNING|-> RUNNING|S -> SUCCESS");
-  row("delay of a stateful child", "<Delay delay_msec='100'><St/></Delay>",
-      "-> RUNNING|start -> RUNNING|run1 -> SUCCESS|-> RUNNING");
-  row("delay 0", "<Delay delay_msec='0'><S/></Delay>", "S -> SUCCESS");
-  row("delay, halted while it waits",
-      "<ReactiveFallback><TD delay='0.1'><S name='t'/></TD><Delay delay_msec='200'><S/></Delay>"
-      "</ReactiveFallback>",
-      "-> RUNNING|t -> SUCCESS|t -> SUCCESS");
-  row("timeout", "<Timeout msec='200'><St runs='9'/></Timeout>",
-      "start -> RUNNING|run1 -> RUNNING|halt -> FAILURE|start -> RUNNING");
-  row("timeout, soon enough", "<Timeout msec='300'><St runs='2'/></Timeout>",
-      "start -> RUNNING|run1 -> RUNNING|run2 -> SUCCESS|start -> RUNNING");
-  row("timeout 0", "<Timeout msec='0'><St runs='2'/></Timeout>",
-      "start -> RUNNING|run1 -> RUNNING|run2 -> SUCCESS");
-  row("run once, halted before it was done",
-      "<ReactiveFallback><TD delay='0.1'><F name='t'/></TD><RunOnce><St runs='2'/></RunOnce>"
-      "<S name='e'/></ReactiveFallback>",
-      "start -> RUNNING|t run1 -> RUNNING|t run2 -> SUCCESS|t e -> SUCCESS");
-  row("run once, interrupted",
-      "<ReactiveSequence><Repeat num_cycles='1'><Script code='n += "
-      "1'/></Repeat></ReactiveSequence>",
-      "!does not exist");
-  row("precondition, true", "<Precondition if='1 == 1'><St/></Precondition>",
-      "start -> RUNNING|run1 -> SUCCESS|start -> RUNNING");
-  row("precondition, false", "<Precondition if='1 == 2'><S/></Precondition>", "-> FAILURE");
-  row("precondition, else", "<Precondition if='1 == 2' else='SKIPPED'><S/></Precondition>",
-      "-> SKIPPED");
-  row("precondition is not asked again",
-      "<Sequence><Script code='n := 1' _onSuccess='n := 1'/><Precondition if='n == 1'>"
-      "<Sequence><Script code='n := 2'/><St/></Sequence></Precondition></Sequence>",
-      "start -> RUNNING|run1 -> SUCCESS|start -> RUNNING");
-}
-
-void rowsOfEntries() {
-  row("loop over a constant", "<LoopInt queue='4;5' value='{v}'><ReadInt value='{v}'/></LoopInt>",
-      "4 -> RUNNING|5 -> RUNNING|-> SUCCESS|4 -> RUNNING|5 -> RUNNING|-> SUCCESS");
-  row("loop, halted",
-      "<Timeout msec='200'><LoopInt queue='4;5;6' value='{v}'><Sequence><ReadInt value='{v}'/>"
-      "<St runs='2'/></Sequence></LoopInt></Timeout>",
-      "4 start -> RUNNING|run1 -> RUNNING|halt -> FAILURE|4 start -> RUNNING");
-  row("loop over an entry, which stays",
-      "<Sequence><RunOnce><Script code=\"q := '1;2'\"/></RunOnce>"
-      "<LoopInt queue='{q}' value='{v}'><ReadInt value='{v}'/></LoopInt>"
-      "<ScriptCondition code=\"q == '1;2'\"/></Sequence>",
-      "1 -> RUNNING|2 -> RUNNING|-> SUCCESS|1 -> RUNNING");
-  row("loop over an entry",
-      "<Sequence><RunOnce><Script code=\"q := '1.5;2'\"/></RunOnce>"
-      "<LoopDouble queue='{q}' value='{v}' if_empty='FAILURE'><ReadDouble "
-      "value='{v}'/></LoopDouble>"
-      "</Sequence>",
-      "1.5 -> RUNNING|2 -> RUNNING|-> FAILURE");
-  row("loop, text, child fails",
-      "<LoopString queue='a;b' value='{v}'><Sequence><ReadText value='{v}'/><F/></Sequence>"
-      "</LoopString>",
-      "a F -> FAILURE|a F -> FAILURE");
-  row("loop, stateful child", "<LoopBool queue='1;0' value='{v}'><St/></LoopBool>",
-      "start -> RUNNING|run1 -> RUNNING|start -> RUNNING|run1 -> RUNNING|-> SUCCESS|start -> "
-      "RUNNING");
-  row("precondition, child is skipped",
-      "<Sequence><Precondition if='1 == 1'><S _skipIf='1 == 1'/></Precondition></Sequence>",
-      "-> SKIPPED|-> SKIPPED");
-  row("run once, port without a value",
-      "<Sequence><RunOnce then_skip='{unset}'><S name='a'/></RunOnce><S name='b'/></Sequence>",
-      "a b -> SUCCESS|b -> SUCCESS");
-  row("skip unless updated",
-      "<Sequence><RunOnce><SetBlackboard value='1' output_key='k'/></RunOnce>"
-      "<SkipUnlessUpdated entry='{k}'><S/></SkipUnlessUpdated></Sequence>",
-      "S -> SUCCESS|-> SKIPPED|-> SKIPPED");
-  row("skip unless updated, never written",
-      "<SkipUnlessUpdated entry='{k}'><S/></SkipUnlessUpdated>", "-> SKIPPED|-> SKIPPED");
-  row("wait for an update",
-      "<Parallel success_count='1' failure_count='-1'><WaitValueUpdate entry='{k}'><St/>"
-      "</WaitValueUpdate><Inverter><TD delay='0.1'><SetBlackboard value='1' output_key='k'/></TD>"
-      "</Inverter></Parallel>",
-      "-> SUCCESS");
-  row("custom decorator forgets when halted",
-      "<Timeout msec='300'><TD delay='0.1'><St runs='9'/></TD></Timeout>",
-      "-> FAILURE|start -> RUNNING|run1 -> RUNNING|run2 -> RUNNING|halt -> FAILURE|-> FAILURE");
-}
-
-}  // namespace
-
-void ControlsTest::tick_decorator_givesTrace_data() {
-  columns();
-  rowsOfRepetition();
-  rowsOfDelays();
-  rowsOfEntries();
-}
-
-void ControlsTest::tick_decorator_givesTrace() {
   checkRow();
 }
 

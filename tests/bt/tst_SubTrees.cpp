@@ -1,4 +1,4 @@
-#include "tests/bt/TreeProbe.h"
+#include "tests/bt/TraceRows.h"
 
 /// Blackboards of nested trees, and the typing of entries.
 class SubTreesTest : public QObject {
@@ -15,6 +15,8 @@ class SubTreesTest : public QObject {
   void interop_reactionTree_runs();
 };
 
+using traces::row;
+
 namespace {
 
 /// Two trees; the first one runs.
@@ -22,10 +24,6 @@ std::string trees(const char* main, const char* sub, const char* model = "") {
   return std::string("<root BTCPP_format='4' main_tree_to_execute='M'>") + model +
          "<BehaviorTree ID='M'>" + main + "</BehaviorTree><BehaviorTree ID='Sub'>" + sub +
          "</BehaviorTree></root>";
-}
-
-void row(const char* name, const std::string& xml, const char* steps) {
-  QTest::newRow(name) << QString::fromStdString(xml) << QString::fromUtf8(steps);
 }
 
 void rowsOfEntries() {
@@ -111,26 +109,13 @@ void rowsOfValuesAndCalls() {
 }  // namespace
 
 void SubTreesTest::tick_subTree_givesTrace_data() {
-  QTest::addColumn<QString>("xml");
-  QTest::addColumn<QString>("steps");
+  traces::columns();
   rowsOfEntries();
   rowsOfValuesAndCalls();
 }
 
 void SubTreesTest::tick_subTree_givesTrace() {
-  QFETCH(QString, xml);
-  QFETCH(QString, steps);
-  probe::Run run(xml.toStdString());
-  QVERIFY2(run.state, run.problems.c_str());
-  for (const QString& step : steps.split(QLatin1Char('|'))) {
-    const QString trace = QString::fromStdString(run.trace());
-    if (step.startsWith(QLatin1Char('!'))) {
-      QVERIFY2(run.state->fault(), qPrintable(trace));
-      QVERIFY(QString::fromStdString(run.state->fault()->message).contains(step.mid(1)));
-      return;
-    }
-    QCOMPARE(trace, step);
-  }
+  traces::checkRow();
 }
 
 void SubTreesTest::compile_types_data() {

@@ -24,18 +24,25 @@ sim2d::Scenario oneRobot() {
   return scenario;
 }
 
+base::ParameterSpec specOf(const char* key, const char* unit, double most, double fallback,
+                           const char* help) {
+  base::ParameterSpec spec;
+  spec.key = key;
+  spec.unit = unit;
+  spec.range = {0.0, most};
+  spec.fallback = fallback;
+  spec.help = help;
+  return spec;
+}
+
 /// The program's, with a planner that nobody knows.
 sim2d::Registries withDogs() {
   sim2d::Registries registries = sim2d::programRegistries();
-  base::ParameterSpec spec;
-  spec.key = "tail_wag";
-  spec.unit = "1/s";
-  spec.range = {0.0, 8.0};
-  spec.fallback = 2.5;
-  spec.help = "How often its `tail` goes";
-  registries.planners.add("dog", {spec}, [](const sim2d::ResolvedRobot&) {
-    return base::Result<std::shared_ptr<sim2d::RobotController>>(base::Diagnostics{});
-  });
+  registries.planners.add(
+      "dog", {specOf("tail_wag", "1/s", 8.0, 2.5, "How often its `tail` goes")},
+      [](const sim2d::ResolvedRobot&) {
+        return base::Result<std::shared_ptr<sim2d::RobotController>>(base::Diagnostics{});
+      });
   return registries;
 }
 
@@ -158,13 +165,7 @@ class ParameterRowsTest : public QObject {
   /// The same for the pedestrian model of the scenario; another model has other rows.
   void parameter_ofTheModel_isARowOfTheSettings() {
     sim2d::Registries registries = sim2d::programRegistries();
-    base::ParameterSpec spec;
-    spec.key = "wing_span";
-    spec.unit = "m";
-    spec.range = {0.0, 3.0};
-    spec.fallback = 1.5;
-    spec.help = "From tip to `tip`";
-    registries.models.add("geese", {spec}, {});
+    registries.models.add("geese", {specOf("wing_span", "m", 3.0, 1.5, "From tip to `tip`")}, {});
     document_.load(oneRobot());
     editor::SettingsPage page(document_, registries);
     page.setTargets({editor::kSettingsId});
