@@ -12,7 +12,7 @@ if(HUNAV_GOLD AND HUNAV_TESTS AND NOT HUNAV_SANITIZE AND CMAKE_CXX_COMPILER_ID S
 endif()
 if(HUNAV_SANITIZE)
   target_compile_options(hunav_flags INTERFACE -fsanitize=${HUNAV_SANITIZE} -fno-sanitize-recover=all
-                         -fno-omit-frame-pointer -O1
+                         -fno-omit-frame-pointer -O1 -g1  # lines of a report; a third of the disk
                          # GCC 12 takes empty optionals for uninitialised ones then
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(hunav_flags INTERFACE -fsanitize=${HUNAV_SANITIZE})

@@ -13,23 +13,13 @@ namespace editor {
 
 namespace {
 
-constexpr double kTrailSeconds = 6.0;
-constexpr double kTrailStep = 0.05;      // [m] between two points
-constexpr double kTrailGap = 0.15;       // [s] between two points of a recording
-constexpr double kFarthestStep = 2.0;    // [m]; beyond: set somewhere else
 constexpr double kStandingSpeed = 0.05;  // [m/s]
 constexpr std::size_t kMostNames = 120;
 constexpr double kStrideMetres = 1.4;  // both feet once
 constexpr double kSpeechSeconds = 4.0;
 constexpr double kSpeechFade = 0.6;  // [s] at its end
-constexpr int kTrailParts = 10;
 constexpr double kBubbleWidthPx = 220.0;
 constexpr int kBubbleText = int{Qt::TextWordWrap} | int{Qt::AlignCenter};
-
-std::size_t strideOf(const sim2d::Recording& recording) {
-  const double gap = recording.size() > 1 ? recording.timeOf(1) - recording.timeOf(0) : kTrailGap;
-  return gap > 0.0 ? std::max<std::size_t>(1, std::lround(kTrailGap / gap)) : 1;
-}
 
 }  // namespace
 
@@ -78,22 +68,13 @@ void FrameLayer::end() {
 
 void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
                       const sim2d::Recording* recording) {
-  const bool goesOn = frame_ != nullptr && frame->time >= frame_->time &&
-                      frame->time <= frame_->time + kTrailSeconds;
-  if (!goesOn) {
-    trails_.clear();
-  }
   rememberPlaces();
   share_ = 1.0;
-  bool isPoint = true;
   if (recording != nullptr && recording->size() > 0) {
     meet(*recording->header(), *frame);
-    addPassed(*recording, *frame);
-    isPoint = recording->indexAt(frame->step) % strideOf(*recording) == 0;
   }
+  trails_.goOn(frame_.get(), *frame, recording);
   frame_ = std::move(frame);
-  lengthenTrails(*frame_, isPoint);
-  cutTrails(frame_->time);
   bodies_.clear();
   places_.clear();
   for (const sim2d::BodyColumns* columns :
@@ -149,48 +130,6 @@ bool FrameLayer::setShare(double share) {
     }
   }
   return true;
-}
-
-/// Points of a recording stand at fixed moments, so that a trail does not depend on which frames
-/// were shown.
-void FrameLayer::addPassed(const sim2d::Recording& recording, const sim2d::Frame& frame) {
-  const std::size_t stride = strideOf(recording);
-  const std::size_t end = recording.indexAt(frame.step);
-  std::size_t index = trails_.empty() ? recording.indexAtTime(frame.time - kTrailSeconds)
-                                      : recording.indexAt(frame_->step) + 1;
-  index = (index + stride - 1) / stride * stride;
-  for (; index < end; index += stride) {
-    lengthenTrails(*recording.frame(index), true);
-  }
-}
-
-void FrameLayer::lengthenTrails(const sim2d::Frame& frame, bool isPoint) {
-  for (const sim2d::BodyColumns* columns :
-       {static_cast<const sim2d::BodyColumns*>(&frame.humans), &frame.robots}) {
-    for (std::size_t i = 0; i < columns->size(); ++i) {
-      Trail& trail = trails_[columns->id[i]];
-      const Vec2 at(columns->x[i], columns->y[i]);
-      const double step = trail.last ? (at - *trail.last).norm() : 0.0;
-      if (step > kFarthestStep) {  // restart, periodic corridor
-        trail.points.clear();
-      }
-      trail.walked += step > kFarthestStep ? 0.0 : step;
-      trail.last = at;
-      const bool isApart =
-          trail.points.empty() || (at - trail.points.back().second).norm() >= kTrailStep;
-      if (isPoint && isApart) {
-        trail.points.emplace_back(frame.time, at);
-      }
-    }
-  }
-}
-
-void FrameLayer::cutTrails(double time) {
-  for (auto& [id, trail] : trails_) {
-    while (!trail.points.empty() && trail.points.front().first < time - kTrailSeconds) {
-      trail.points.pop_front();
-    }
-  }
 }
 
 void FrameLayer::hear(const std::vector<sim2d::Event>& events, double time) {
@@ -323,7 +262,7 @@ PersonFigure FrameLayer::figureOf(const Body& person, double pixelsPerMetre) con
   figure.radiusPx = std::max(person.agent->radius * pixelsPerMetre, kLeastFigurePx);
   figure.headingDeg = degrees(person.pose.heading);
   if (person.isMoving) {
-    figure.stride = std::sin(2.0 * base::kPi * trails_.at(person.id).walked / kStrideMetres);
+    figure.stride = std::sin(2.0 * base::kPi * trails_.walked(person.id) / kStrideMetres);
   }
   return figure;
 }
@@ -391,35 +330,12 @@ std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
           {QStringLiteral("Total"), Role::ForceTotal, total}};
 }
 
-void FrameLayer::paintTrail(QPainter& painter, const Trail& trail, const Vec2& end,
-                            QColor color) const {
-  const bool isAhead =  // the body is still on its way to the newest point
-      frame_ != nullptr && trail.points.size() > 1 && trail.points.back().first >= frame_->time;
-  const std::size_t count = trail.points.size() - (isAhead ? 1 : 0);
-  for (int part = 0; part < kTrailParts; ++part) {
-    const std::size_t from = count * static_cast<std::size_t>(part) / kTrailParts;
-    const std::size_t to =
-        std::min(count - 1, count * static_cast<std::size_t>(part + 1) / kTrailParts);
-    QPolygonF line;
-    for (std::size_t i = from; i <= to; ++i) {
-      line << toScene(trail.points[i].second);
-    }
-    if (part + 1 == kTrailParts) {
-      line << toScene(end);
-    }
-    color.setAlphaF(0.5 * (part + 1) / kTrailParts);
-    QPen pen(color, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
-    makeCosmetic(pen, painter);
-    painter.setPen(pen);
-    painter.drawPolyline(line);
-  }
-}
-
 void FrameLayer::paintTrails(QPainter& painter) const {
-  for (const auto& [id, trail] : trails_) {
+  for (const auto& [id, trail] : trails_.all()) {
     if (!trail.points.empty()) {
       const Body* there = body(id);
       paintTrail(painter, trail, there != nullptr ? there->pose.position : *trail.last,
+                 frame_->time,
                  id < 0 ? theme().color(Role::RobotLine) : theme().line(agent(id).look));
     }
   }

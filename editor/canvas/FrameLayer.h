@@ -1,13 +1,12 @@
 #pragma once
 
-#include <deque>
-#include <map>
 #include <memory>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
 #include "editor/canvas/Layers.h"
+#include "editor/canvas/Trails.h"
 #include "sim2d/trace/Recording.h"
 
 namespace editor {
@@ -64,15 +63,6 @@ class FrameLayer : public FullLayer {
     QString text;
     double since = 0.0;  // [s]
   };
-  struct Trail {
-    std::deque<std::pair<double, Vec2>> points;  // time [s], position
-    std::optional<Vec2> last;                    // the newest place, a point or not
-    double walked = 0.0;                         // [m], moves the feet
-  };
-  void lengthenTrails(const sim2d::Frame& frame, bool isPoint);
-  void addPassed(const sim2d::Recording& recording, const sim2d::Frame& frame);
-  void cutTrails(double time);
-  void paintTrail(QPainter& painter, const Trail& trail, const Vec2& end, QColor color) const;
   void meet(const sim2d::TraceHeader& header, const sim2d::Frame& frame);
   const Body* body(int id) const;
   const Agent& agent(int id) const;
@@ -94,7 +84,7 @@ class FrameLayer : public FullLayer {
   std::unordered_map<int, Agent> agents_;
   Agent stranger_;                               // people from sources of whom nothing is known
   std::unordered_map<int, std::size_t> places_;  // in bodies_
-  std::map<int, Trail> trails_;                  // painted in this order
+  Trails trails_;
   std::vector<Speech> speeches_;
 };
 

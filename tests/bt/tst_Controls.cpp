@@ -190,8 +190,9 @@ void ControlsTest::tick_control_givesTrace() {
   checkRow();
 }
 
-void ControlsTest::tick_leaf_givesTrace_data() {
-  columns();
+namespace {
+
+void rowsOfSetting() {
   row("always", "<Fallback><AlwaysFailure/><AlwaysSuccess/></Fallback>", "-> SUCCESS");
   row("set a constant",
       "<Sequence><SetBlackboard value='5' output_key='k'/><ReadInt value='{k}'/>"
@@ -244,6 +245,9 @@ void ControlsTest::tick_leaf_givesTrace_data() {
       "<Sequence><Script code='n := 2.5'/><ScriptCondition code='n == 2.5'/><ReadInt value='{n}'/>"
       "</Sequence>",
       "!does not fit");
+}
+
+void rowsOfOtherLeaves() {
   row("empty script", "<Script code=''/>", "-> SUCCESS");
   row("empty condition", "<ScriptCondition code=''/>", "!'code' is missing");
   row("condition of text",
@@ -268,6 +272,14 @@ void ControlsTest::tick_leaf_givesTrace_data() {
       "<Sequence><Script code=\"k := 'abc'\"/><ReadInt value='{k}'/></Sequence>", "!does not fit");
   row("trailing characters", "<ReadInt value='5abc'/>", "5 -> SUCCESS");
   row("output without a reference", "<Put value='k'/>", "-> FAILURE");
+}
+
+}  // namespace
+
+void ControlsTest::tick_leaf_givesTrace_data() {
+  columns();
+  rowsOfSetting();
+  rowsOfOtherLeaves();
 }
 
 void ControlsTest::tick_leaf_givesTrace() {

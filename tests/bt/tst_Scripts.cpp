@@ -59,11 +59,7 @@ void row(const char* source, const char* value) {
   QTest::newRow(source) << QString::fromUtf8(source) << QString::fromUtf8(value);
 }
 
-}  // namespace
-
-void ScriptsTest::run_script_givesValue_data() {
-  QTest::addColumn<QString>("source");
-  QTest::addColumn<QString>("value");
+void rowsOfNumbers() {
   row("1 + 2 * 3", "7");
   row("(1 + 2) * 3", "9");
   row("7 - 2 - 1", "4");
@@ -92,6 +88,9 @@ void ScriptsTest::run_script_givesValue_data() {
   row("1 == 1.000001", "0");
   row("1 && 0 || 1", "1");
   row("1 || 0 && 0", "1");
+}
+
+void rowsOfChoicesAndTexts() {
   row("0 ? 1 : 2", "2");
   row("1 ? 2 : 0 ? 3 : 4", "2");
   row("1 ? a : unknown", "2");
@@ -103,6 +102,9 @@ void ScriptsTest::run_script_givesValue_data() {
   row("4 > '3'", "1");
   row("s == 'text'", "1");
   row("a", "2");
+}
+
+void rowsOfAssignments() {
   row("x := 5", "5");
   row("x := 5; x + 1", "6");
   row("x := y := 4; x + y", "8");
@@ -114,7 +116,10 @@ void ScriptsTest::run_script_givesValue_data() {
   row("s += '!'; s", "text!");
   row("x := 1;\n\ny := 2 ;; x + y;", "3");
   row("x := a > 1 ? 'many' : 'few'; x", "many");
-  // As BehaviorTree.CPP 4.10.
+}
+
+/// As BehaviorTree.CPP 4.10.
+void rowsOfTheEngine() {
   row("a = '7'; a + 1", "8");   // text to a number
   row("3 < 2 < unknown", "0");  // a comparison ends with the first that does not hold
   row("s == 'other' == unknown", "0");
@@ -126,6 +131,17 @@ void ScriptsTest::run_script_givesValue_data() {
   row("a > 1 ? b := 4 : 5; b", "4");
   row("x := 1 y := 2", "1");  // a ';' is missing: the rest is not run
   row("1 2", "1");
+}
+
+}  // namespace
+
+void ScriptsTest::run_script_givesValue_data() {
+  QTest::addColumn<QString>("source");
+  QTest::addColumn<QString>("value");
+  rowsOfNumbers();
+  rowsOfChoicesAndTexts();
+  rowsOfAssignments();
+  rowsOfTheEngine();
 }
 
 void ScriptsTest::run_script_givesValue() {

@@ -153,68 +153,82 @@ void ForeignFilesTest::trace_writtenAndRead_isEqual() {
   }
 }
 
+namespace {
+
+void badRow(const char* title, const char* name, const char* text, const char* problem) {
+  QTest::newRow(title) << QByteArray(name) << QByteArray(text) << QByteArray(problem);
+}
+
+void badTables() {
+  badRow("empty csv", "a.csv", "", "a.csv: error: is empty");
+  badRow("header only", "a.csv", "time,id,x,y\n", "a.csv: error: holds no positions");
+  badRow("no id", "a.csv", "time,x,y\n0,0,0\n", "a.csv:1:1: error: no column 'id'");
+  badRow("no time", "a.csv", "id,x,y\n0,0,0\n", "a.csv:1:1: error: no column of times");
+  badRow("nan", "a.csv", "time,id,x,y\n0,1,nan,0\n", "a.csv:2:5: error: x is not a finite");
+  badRow("text", "a.csv", "time,id,x,y\n0,1,0,0\n1,1,b,0\n", "a.csv:3:5: error: x is not a finite");
+  badRow("backwards", "a.csv", "time,id,x,y\n1,1,0,0\n0.5,1,0,0\n",
+         "a.csv:3:1: error: time does not advance for id 1");
+  badRow("twice", "a.csv", "time,id,x,y\n1,1,0,0\n1,1,0,0\n", "a.csv:3:1: error: time does not");
+  badRow("fraction", "a.csv", "time,id,x,y\n0,1.5,0,0\n",
+         "a.csv:2:3: error: the id is not a whole");
+  badRow("negative", "a.csv", "time,id,x,y\n0,-1,0,0\n", "a.csv:2:3: error: a person's id");
+  badRow("fields", "a.csv", "time,id,x,y\n0,1,0\n", "a.csv:2:5: error: the line has 3 fields");
+  badRow("too long", "a.csv", "time,id,x,y\n0,1,0,0\n0.001,1,0,0\n0.002,1,0,0\n1e9,1,0,0\n",
+         "a.csv: error: the times span more than");
+  badRow("wild times", "a.csv", "time,id,x,y\n-1e308,1,0,0\n1e308,1,1,0\n",
+         "a.csv: error: the times span more than");
+}
+
+void badFilesOfOthers() {
+  badRow("thor width", "thor.csv",
+         "Frame,Time,Helmet_1 Centroid_X,Helmet_1 Centroid_Y\n1,0,0,0\n2,1,0\n",
+         "thor.csv:3:5: error: the line has 3 fields");
+  badRow("thor number", "thor.csv", "Frame,Time,Helmet_1 Centroid_X,Helmet_1 Centroid_Y\n1,0,b,0\n",
+         "thor.csv:2:5: error: x is not a finite");
+  badRow("thor twins", "thor.csv",
+         "Frame,Time,Helmet_1 Centroid_X,Helmet_1 Centroid_Y,Helmet_01 Centroid_X,Helmet_01 "
+         "Centroid_Y\n1,0,0,0,5,5\n",
+         "thor.csv:2:9: error: somebody else has the id 1 too");
+  badRow("vadere back", "a.traj", "timeStep pedestrianId x y\n2 7 0 0\n1 7 1 0\n",
+         "a.traj:3:1: error: time does not advance for id 7");
+  badRow("vadere word", "a.traj", "timeStep pedestrianId x y\n1 7 b 0\n",
+         "a.traj:2:5: error: a number is not a finite");
+  badRow("vadere width", "a.traj", "timeStep pedestrianId x y\n1 7 0\n",
+         "a.traj:2:5: error: the line has 3 fields");
+  badRow("vadere columns", "a.traj", "pedestrianId x y\n1 7 0\n", "a.traj:1:1: error: no line of");
+  badRow("jrdb cut", "a.json", R"({"labels": {"0.pcd": [{"label_id": "pedestrian:1", )",
+         "a.json: error: no frames of people");
+  badRow("jrdb frame", "a.json", R"({"labels": {"first": [{"label_id": "pedestrian:1"}]}})",
+         "no number in the frame 'first'");
+  badRow("jrdb label", "a.json", R"({"labels": {"0.pcd": [{"label_id": "pedestrian:4294967297",
+      "box": {"cx": 0, "cy": 0}}]}})",
+         "no number that fits in 'pedestrian:4294967297'");
+  badRow("jrdb places", "a.json", R"({"labels": {"0.pcd": [{"label_id": "pedestrian:1",
+      "box": {"cx": "b", "cy": 0}}]}})",
+         "a.json: error: no frames of people");
+  badRow("atc width", "atc.csv", "1351651345,1,0,0,0,0,0,0\n1351651346,1,0\n",
+         "atc.csv:2:14: error: the line has 3 numbers instead of 8");
+  badRow("atc word", "atc.csv", "1351651345,1,0,0,0,0,0,0\n1351651346,1,b,0,0,0,0,0\n",
+         "atc.csv:2:14: error: x is not a finite");
+  badRow("sdd scale", "annotations.txt", "4 0 0 9 9 0 0 0 0 \"Pedestrian\"\n",
+         "annotations.txt: error: pixels become metres by their size");
+  badRow("hdf5 cut", "a.h5", "\x89HDF\r\n\x1a\n", "a.h5: error: no table 'trajectory'");
+  badRow("obsmat width", "obsmat.txt", "1 1 0 0 0 0 0 0\n2 1 0 0\n",
+         "obsmat.txt:2:7: error: the line has 4 numbers instead of 8");
+  badRow("vsp without matrix", "a.vsp", "0\n", "H.txt");
+  badRow("json", "a.ndjson", "{\"track\": {\"f\": 1,\n", "a.ndjson:1:");
+  badRow("json number", "a.ndjson", "{\"track\": {\"f\": 1, \"p\": 1, \"x\": null, \"y\": 0}}\n",
+         "a.ndjson:1:1: error: a track needs");
+}
+
+}  // namespace
+
 void ForeignFilesTest::badInput_isToldWithItsPlace_data() {
   QTest::addColumn<QByteArray>("name");
   QTest::addColumn<QByteArray>("text");
   QTest::addColumn<QByteArray>("problem");
-  const auto row = [](const char* title, const char* name, const char* text, const char* problem) {
-    QTest::newRow(title) << QByteArray(name) << QByteArray(text) << QByteArray(problem);
-  };
-  row("empty csv", "a.csv", "", "a.csv: error: is empty");
-  row("header only", "a.csv", "time,id,x,y\n", "a.csv: error: holds no positions");
-  row("no id", "a.csv", "time,x,y\n0,0,0\n", "a.csv:1:1: error: no column 'id'");
-  row("no time", "a.csv", "id,x,y\n0,0,0\n", "a.csv:1:1: error: no column of times");
-  row("nan", "a.csv", "time,id,x,y\n0,1,nan,0\n", "a.csv:2:5: error: x is not a finite");
-  row("text", "a.csv", "time,id,x,y\n0,1,0,0\n1,1,b,0\n", "a.csv:3:5: error: x is not a finite");
-  row("backwards", "a.csv", "time,id,x,y\n1,1,0,0\n0.5,1,0,0\n",
-      "a.csv:3:1: error: time does not advance for id 1");
-  row("twice", "a.csv", "time,id,x,y\n1,1,0,0\n1,1,0,0\n", "a.csv:3:1: error: time does not");
-  row("fraction", "a.csv", "time,id,x,y\n0,1.5,0,0\n", "a.csv:2:3: error: the id is not a whole");
-  row("negative", "a.csv", "time,id,x,y\n0,-1,0,0\n", "a.csv:2:3: error: a person's id");
-  row("fields", "a.csv", "time,id,x,y\n0,1,0\n", "a.csv:2:5: error: the line has 3 fields");
-  row("too long", "a.csv", "time,id,x,y\n0,1,0,0\n0.001,1,0,0\n0.002,1,0,0\n1e9,1,0,0\n",
-      "a.csv: error: the times span more than");
-  row("wild times", "a.csv", "time,id,x,y\n-1e308,1,0,0\n1e308,1,1,0\n",
-      "a.csv: error: the times span more than");
-  row("thor width", "thor.csv",
-      "Frame,Time,Helmet_1 Centroid_X,Helmet_1 Centroid_Y\n1,0,0,0\n2,1,0\n",
-      "thor.csv:3:5: error: the line has 3 fields");
-  row("thor number", "thor.csv", "Frame,Time,Helmet_1 Centroid_X,Helmet_1 Centroid_Y\n1,0,b,0\n",
-      "thor.csv:2:5: error: x is not a finite");
-  row("thor twins", "thor.csv",
-      "Frame,Time,Helmet_1 Centroid_X,Helmet_1 Centroid_Y,Helmet_01 Centroid_X,Helmet_01 "
-      "Centroid_Y\n1,0,0,0,5,5\n",
-      "thor.csv:2:9: error: somebody else has the id 1 too");
-  row("vadere back", "a.traj", "timeStep pedestrianId x y\n2 7 0 0\n1 7 1 0\n",
-      "a.traj:3:1: error: time does not advance for id 7");
-  row("vadere word", "a.traj", "timeStep pedestrianId x y\n1 7 b 0\n",
-      "a.traj:2:5: error: a number is not a finite");
-  row("vadere width", "a.traj", "timeStep pedestrianId x y\n1 7 0\n",
-      "a.traj:2:5: error: the line has 3 fields");
-  row("vadere columns", "a.traj", "pedestrianId x y\n1 7 0\n", "a.traj:1:1: error: no line of");
-  row("jrdb cut", "a.json", R"({"labels": {"0.pcd": [{"label_id": "pedestrian:1", )",
-      "a.json: error: no frames of people");
-  row("jrdb frame", "a.json", R"({"labels": {"first": [{"label_id": "pedestrian:1"}]}})",
-      "no number in the frame 'first'");
-  row("jrdb label", "a.json", R"({"labels": {"0.pcd": [{"label_id": "pedestrian:4294967297",
-      "box": {"cx": 0, "cy": 0}}]}})",
-      "no number that fits in 'pedestrian:4294967297'");
-  row("jrdb places", "a.json", R"({"labels": {"0.pcd": [{"label_id": "pedestrian:1",
-      "box": {"cx": "b", "cy": 0}}]}})",
-      "a.json: error: no frames of people");
-  row("atc width", "atc.csv", "1351651345,1,0,0,0,0,0,0\n1351651346,1,0\n",
-      "atc.csv:2:14: error: the line has 3 numbers instead of 8");
-  row("atc word", "atc.csv", "1351651345,1,0,0,0,0,0,0\n1351651346,1,b,0,0,0,0,0\n",
-      "atc.csv:2:14: error: x is not a finite");
-  row("sdd scale", "annotations.txt", "4 0 0 9 9 0 0 0 0 \"Pedestrian\"\n",
-      "annotations.txt: error: pixels become metres by their size");
-  row("hdf5 cut", "a.h5", "\x89HDF\r\n\x1a\n", "a.h5: error: no table 'trajectory'");
-  row("obsmat width", "obsmat.txt", "1 1 0 0 0 0 0 0\n2 1 0 0\n",
-      "obsmat.txt:2:7: error: the line has 4 numbers instead of 8");
-  row("vsp without matrix", "a.vsp", "0\n", "H.txt");
-  row("json", "a.ndjson", "{\"track\": {\"f\": 1,\n", "a.ndjson:1:");
-  row("json number", "a.ndjson", "{\"track\": {\"f\": 1, \"p\": 1, \"x\": null, \"y\": 0}}\n",
-      "a.ndjson:1:1: error: a track needs");
+  badTables();
+  badFilesOfOthers();
 }
 
 void ForeignFilesTest::badInput_isToldWithItsPlace() {

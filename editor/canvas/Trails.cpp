@@ -1,0 +1,108 @@
+#include "editor/canvas/Trails.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/canvas/MapScene.h"
+#include "editor/canvas/PixelFrame.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kTrailSeconds = 6.0;
+constexpr double kTrailStep = 0.05;  // [m] between two points
+constexpr double kTrailGap = 0.15;   // [s] between two points of a recording
+constexpr int kTrailParts = 10;
+
+/// Points of a recording stand at fixed moments, so that a trail does not depend on which frames
+/// were shown: every how many of its frames.
+std::size_t strideOf(const sim2d::Recording& recording) {
+  const double gap = recording.size() > 1 ? recording.timeOf(1) - recording.timeOf(0) : kTrailGap;
+  return gap > 0.0 ? std::max<std::size_t>(1, std::lround(kTrailGap / gap)) : 1;
+}
+
+}  // namespace
+
+void Trails::goOn(const sim2d::Frame* shown, const sim2d::Frame& next,
+                  const sim2d::Recording* recording) {
+  const bool isLater =
+      shown != nullptr && next.time >= shown->time && next.time <= shown->time + kTrailSeconds;
+  if (!isLater) {
+    clear();
+  }
+  bool isPoint = true;
+  if (recording != nullptr && recording->size() > 0) {
+    addPassed(*recording, shown, next);
+    isPoint = recording->indexAt(next.step) % strideOf(*recording) == 0;
+  }
+  lengthen(next, isPoint);
+  cut(next.time);
+}
+
+void Trails::addPassed(const sim2d::Recording& recording, const sim2d::Frame* shown,
+                       const sim2d::Frame& next) {
+  const std::size_t stride = strideOf(recording);
+  const std::size_t end = recording.indexAt(next.step);
+  std::size_t index = trails_.empty() ? recording.indexAtTime(next.time - kTrailSeconds)
+                                      : recording.indexAt(shown->step) + 1;
+  index = (index + stride - 1) / stride * stride;
+  for (; index < end; index += stride) {
+    lengthen(*recording.frame(index), true);
+  }
+}
+
+void Trails::lengthen(const sim2d::Frame& frame, bool isPoint) {
+  for (const sim2d::BodyColumns* columns :
+       {static_cast<const sim2d::BodyColumns*>(&frame.humans), &frame.robots}) {
+    for (std::size_t i = 0; i < columns->size(); ++i) {
+      Trail& trail = trails_[columns->id[i]];
+      const base::Vec2 at(columns->x[i], columns->y[i]);
+      const double step = trail.last ? (at - *trail.last).norm() : 0.0;
+      if (step > kFarthestStep) {  // restart, periodic corridor
+        trail.points.clear();
+      }
+      trail.walked += step > kFarthestStep ? 0.0 : step;
+      trail.last = at;
+      const bool isApart =
+          trail.points.empty() || (at - trail.points.back().second).norm() >= kTrailStep;
+      if (isPoint && isApart) {
+        trail.points.emplace_back(frame.time, at);
+      }
+    }
+  }
+}
+
+void Trails::cut(double time) {
+  for (auto& [id, trail] : trails_) {
+    while (!trail.points.empty() && trail.points.front().first < time - kTrailSeconds) {
+      trail.points.pop_front();
+    }
+  }
+}
+
+void paintTrail(QPainter& painter, const Trail& trail, const base::Vec2& end, double time,
+                QColor color) {
+  const bool isAhead =  // the body is still on its way to the newest point
+      trail.points.size() > 1 && trail.points.back().first >= time;
+  const std::size_t count = trail.points.size() - (isAhead ? 1 : 0);
+  for (int part = 0; part < kTrailParts; ++part) {
+    const std::size_t from = count * static_cast<std::size_t>(part) / kTrailParts;
+    const std::size_t to =
+        std::min(count - 1, count * static_cast<std::size_t>(part + 1) / kTrailParts);
+    QPolygonF line;
+    for (std::size_t i = from; i <= to; ++i) {
+      line << toScene(trail.points[i].second);
+    }
+    if (part + 1 == kTrailParts) {
+      line << toScene(end);
+    }
+    color.setAlphaF(0.5 * (part + 1) / kTrailParts);
+    QPen pen(color, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+    makeCosmetic(pen, painter);
+    painter.setPen(pen);
+    painter.drawPolyline(line);
+  }
+}
+
+}  // namespace editor
