@@ -74,7 +74,7 @@ ExportDialog::ExportDialog(Bundle source, const QString& folder, const editor::T
 }
 
 void ExportDialog::build() {
-  resize(820, heightOnScreen(*this, 620));
+  resize(820, editor::heightOnScreen(*this, 620));
   auto* rows = editor::arranged(new QVBoxLayout(this), {16, 16, 16, 12}, 8);
   auto* columns = editor::arranged(new QHBoxLayout, {}, 16, {targets_});
   targets_->setFixedWidth(kTargetWidth);

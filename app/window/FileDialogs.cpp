@@ -1,14 +1,14 @@
 #include "app/window/FileDialogs.h"
 
-#include <algorithm>
 #include <array>
 
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QHeaderView>
-#include <QScreen>
 #include <QSplitter>
 #include <QTreeView>
+
+#include "editor/look/Form.h"
 
 namespace app {
 
@@ -31,7 +31,7 @@ void dress(QFileDialog& dialog, const Memory& memory) {
   }
   const QSize size = memory.value(kSizeKey).toSize();
   dialog.resize(size.isValid() ? size
-                               : QSize(kSize.width(), heightOnScreen(dialog, kSize.height())));
+                               : QSize(kSize.width(), editor::heightOnScreen(dialog, kSize.height())));
   if (!dialog.restoreState(memory.value(kStateKey).toByteArray())) {
     dialog.setViewMode(QFileDialog::Detail);
     if (auto* sides = dialog.findChild<QSplitter*>(QStringLiteral("splitter"))) {
@@ -45,11 +45,6 @@ void dress(QFileDialog& dialog, const Memory& memory) {
 }
 
 }  // namespace
-
-int heightOnScreen(const QWidget& window, int wanted) {
-  constexpr int kFrame = 38;  // what a window manager puts around it, about
-  return std::min(wanted, window.screen()->availableGeometry().height() - kFrame);
-}
 
 Memory::Memory(bool remembers) {
   if (remembers) {

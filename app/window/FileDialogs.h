@@ -32,8 +32,6 @@ class Memory {
 /// then as it was left.
 QString askFile(QFileDialog& dialog, Memory& memory);
 
-/// The height that a window can have on its screen: this one, or less.
-int heightOnScreen(const QWidget& window, int wanted);
 /// Labels right-aligned beside their fields.
 QFormLayout* formRows();
 /// The button that accepts and one that cancels, below all the rest. Returns the former.

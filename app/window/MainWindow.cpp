@@ -64,7 +64,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   setObjectName(QStringLiteral("window"));
   setMinimumSize(kLeastWindow);
   resize(std::min(usualSize().width(), screen()->availableGeometry().width()),
-         heightOnScreen(*this, usualSize().height()));
+         editor::heightOnScreen(*this, usualSize().height()));
   setContextMenuPolicy(Qt::NoContextMenu);
   setWindowIcon(editor::themedIcon(QStringLiteral("app"), editor::Theme::light()));
   workspace_.document().setShippedMaps(setup.shippedMaps);

@@ -171,7 +171,7 @@ ImageMapDialog::ImageMapDialog(std::shared_ptr<const sim2d::OccupancyGrid> grid,
       place_(editor::headingLabel({}, theme.font(9.5, QFont::DemiBold), this)),
       size_(editor::secondaryLabel(QString(), this)) {
   setWindowTitle(tr("Map from an image"));
-  resize(900, heightOnScreen(*this, 560));
+  resize(900, editor::heightOnScreen(*this, 560));
   resolution_->setDecimals(5);
   resolution_->setSingleStep(0.01);
   resolution_->setSuffix(tr(" m per pixel"));

@@ -1,7 +1,10 @@
 #include "editor/look/Form.h"
 
+#include <algorithm>
+
 #include <QHBoxLayout>
 #include <QPainter>
+#include <QScreen>
 #include <QTextDocument>
 #include <QVBoxLayout>
 
@@ -81,6 +84,11 @@ QWidget* dividerLine(QWidget* parent) {
   line->setAutoFillBackground(true);
   line->setBackgroundRole(QPalette::Dark);
   return line;
+}
+
+int heightOnScreen(const QWidget& window, int wanted) {
+  constexpr int kFrame = 38;  // what a window manager puts around it, about
+  return std::min(wanted, window.screen()->availableGeometry().height() - kFrame);
 }
 
 QString counted(std::size_t count, const QString& one, const QString& many) {

@@ -61,6 +61,8 @@ QToolButton* linkButton(const QString& text, const QString& says, QWidget* paren
 QScrollArea* scrollArea(QWidget* content, QWidget* parent);
 /// A line over the whole width.
 QWidget* dividerLine(QWidget* parent = nullptr);
+/// The height that a window can have on its screen: this one, or less.
+int heightOnScreen(const QWidget& window, int wanted);
 /// "1 person", "3 people".
 QString counted(std::size_t count, const QString& one, const QString& many);
 /// "no tree" -> "No tree"

@@ -7,6 +7,7 @@
 #include "editor/document/Groups.h"
 #include "editor/document/PersonTree.h"
 #include "editor/look/FigurePainter.h"
+#include "editor/look/Form.h"
 
 namespace editor {
 
@@ -32,7 +33,7 @@ BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget
       about_(secondaryLabel({}, this)),
       form_(new ValueForm(this)) {
   setWindowTitle(tr("Add a block of behaviour"));
-  resize(780, 480);
+  resize(780, heightOnScreen(*this, 480));
   kinds_->setSelectionMode(QAbstractItemView::SingleSelection);
   people_->setSelectionMode(QAbstractItemView::SingleSelection);
   people_->setHint(tr("No people yet"));

@@ -40,7 +40,7 @@ GoalAssignment::GoalAssignment(ScenarioDocument& document, const Theme& theme, Q
       whose_(headingLabel({}, theme.font(9.5, QFont::DemiBold), this)),
       repeat_(new QCheckBox(tr("Start again after the last"), this)) {
   setWindowTitle(tr("Assign goals"));
-  resize(780, 480);
+  resize(780, heightOnScreen(*this, 480));
   auto* columns = arranged(new QHBoxLayout, {}, kSpace);
   columns->addLayout(titledColumn(tr("People"), theme, people_), 5);
   columns->addSpacing(kSpace);

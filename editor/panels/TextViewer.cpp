@@ -73,7 +73,7 @@ class NumberedText : public QPlainTextEdit {
 
 TextViewer::TextViewer(const Theme& theme, QWidget* parent)
     : QDialog(parent), theme_(theme), place_(new QLabel(this)), text_(new NumberedText(this)) {
-  resize(720, 520);
+  resize(720, heightOnScreen(*this, 520));
   text_->setReadOnly(true);
   text_->setLineWrapMode(QPlainTextEdit::NoWrap);
   QFont fixed(QStringLiteral("monospace"));

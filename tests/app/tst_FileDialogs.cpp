@@ -1,6 +1,7 @@
 #include <QStandardPaths>
 
 #include "app/window/FileDialogs.h"
+#include "editor/look/Form.h"
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "tests/app/QuietWindow.h"
@@ -97,8 +98,8 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
   }
 
   void heightOnScreen_fitsTheScreen() {
-    QCOMPARE(app::heightOnScreen(*window_, 100), 100);
-    QVERIFY(app::heightOnScreen(*window_, 100000) <
+    QCOMPARE(editor::heightOnScreen(*window_, 100), 100);
+    QVERIFY(editor::heightOnScreen(*window_, 100000) <
             window_->screen()->availableGeometry().height());
   }
 };
