@@ -30,8 +30,8 @@ void dress(QFileDialog& dialog, const Memory& memory) {
     return;
   }
   const QSize size = memory.value(kSizeKey).toSize();
-  dialog.resize(size.isValid() ? size
-                               : QSize(kSize.width(), editor::heightOnScreen(dialog, kSize.height())));
+  dialog.resize(
+      size.isValid() ? size : QSize(kSize.width(), editor::heightOnScreen(dialog, kSize.height())));
   if (!dialog.restoreState(memory.value(kStateKey).toByteArray())) {
     dialog.setViewMode(QFileDialog::Detail);
     if (auto* sides = dialog.findChild<QSplitter*>(QStringLiteral("splitter"))) {
