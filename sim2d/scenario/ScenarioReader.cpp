@@ -170,7 +170,9 @@ class FileReader {
   }
 
   void reportDialect(const YamlNode& parameters) {
-    const std::string stem = std::filesystem::path(report_.file).stem().string();
+    const bool isInput = report_.file == "-";  // standard input has no name
+    const std::string stem = isInput ? scenario().yamlBaseName.value_or("scenario")
+                                     : std::filesystem::path(report_.file).stem().string();
     if (!loader_.scalarBehavior && !loader_.numberedType && !loader_.namedGoals) {
       if (scenario().yamlBaseName && !stem.empty() && *scenario().yamlBaseName != stem) {
         report_.add(*parameters.find("yaml_base_name"),
