@@ -35,7 +35,7 @@ class PlanMaker {
 
   ExportPlan run() {
     const sim2d::TargetInfo& target = *sim2d::exportTarget(request_.target);
-    base_ = baseName();
+    base_ = sim2d::baseName(*source_.scenario, source_.path);
     checkSource();
     if (base::hasErrors(plan_.report)) {
       return std::move(plan_);
@@ -62,11 +62,6 @@ class PlanMaker {
   void warn(const sim2d::Human& human, base::Diagnostic said) {
     said.entity = human.key;
     plan_.report.push_back(base::within(human.name, std::move(said)));
-  }
-
-  std::string baseName() const {
-    const std::string stem = fs::path(source_.path).stem().string();
-    return source_.scenario->yamlBaseName.value_or(stem.empty() ? "scenario" : stem);
   }
 
   std::string mapName() const {

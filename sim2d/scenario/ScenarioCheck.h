@@ -21,6 +21,9 @@ struct FilePlaces {
   std::string shippedMaps;   // folder of the program's own maps
 };
 
+/// Names its files: as the scenario says, else as its own file is called; "scenario" for standard
+/// input.
+std::string baseName(const Scenario& scenario, const std::string& path);
 /// The map that belongs to the scenario, or the places tried. An empty path = open plane.
 base::Result<std::string> findMap(const Scenario& scenario, const FilePlaces& places);
 /// Tree file of a person; an empty path = none found: the generated tree is used (with a warning

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
@@ -170,11 +171,10 @@ class FileReader {
   }
 
   void reportDialect(const YamlNode& parameters) {
-    const bool isInput = report_.file == "-";  // standard input has no name
-    const std::string stem = isInput ? scenario().yamlBaseName.value_or("scenario")
-                                     : std::filesystem::path(report_.file).stem().string();
+    const std::string stem = std::filesystem::path(report_.file).stem().string();
+    const bool isNamed = !stem.empty() && stem != "-";  // standard input is not
     if (!loader_.scalarBehavior && !loader_.numberedType && !loader_.namedGoals) {
-      if (scenario().yamlBaseName && !stem.empty() && *scenario().yamlBaseName != stem) {
+      if (scenario().yamlBaseName && isNamed && *scenario().yamlBaseName != stem) {
         report_.add(*parameters.find("yaml_base_name"),
                     base::warning("scenario.base-name", {*scenario().yamlBaseName}));
       }
@@ -185,9 +185,7 @@ class FileReader {
     report_.add(parameters,
                 base::problem(base::Severity::Info,
                               first ? "scenario.format-of-first" : "scenario.format-of-second"));
-    if (!scenario().yamlBaseName) {
-      scenario().yamlBaseName = stem;
-    }
+    scenario().yamlBaseName = baseName(scenario(), report_.file);
     if (!scenario().simulator) {
       report_.add(parameters, base::problem(base::Severity::Info, "scenario.no-simulator",
                                             {suggestedSimulator(scenario())}));

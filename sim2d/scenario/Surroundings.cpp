@@ -54,11 +54,16 @@ base::Result<std::string> onlyPlace(const FilePlaces& places, const char* key,
 }
 
 std::string treeName(const Scenario& scenario, const Human& human, const FilePlaces& places) {
-  const std::string stem = fs::path(places.scenarioPath).stem().string();
-  return scenario.yamlBaseName.value_or(stem) + "__agent_" + std::to_string(human.id) + "_bt.xml";
+  return baseName(scenario, places.scenarioPath) + "__agent_" + std::to_string(human.id) +
+         "_bt.xml";
 }
 
 }  // namespace
+
+std::string baseName(const Scenario& scenario, const std::string& path) {
+  const std::string stem = fs::path(path).stem().string();
+  return scenario.yamlBaseName.value_or(stem.empty() || stem == "-" ? "scenario" : stem);
+}
 
 std::vector<Outline> outlinesOf(const Obstacle& obstacle) {
   switch (obstacle.kind) {

@@ -16,6 +16,7 @@
 #include "bt/human/Templates.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {
@@ -123,8 +124,7 @@ int writeFiles(const std::vector<MadeFile>& files, const std::string& folder,
 int generate(const TreesOptions& options, const Invocation& given) {
   const sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
   requireFine(reading.diagnostics, ExitBadInput, base::Severity::Warning);
-  const std::string base =
-      reading.scenario.yamlBaseName.value_or(fs::path(options.scenario).stem().string());
+  const std::string base = sim2d::baseName(reading.scenario, options.scenario);
   const bt::TreeStyle style =
       options.style == "hunav2" ? bt::TreeStyle::Hunav2 : bt::TreeStyle::Corrected;
   const std::vector<MadeFile> files = makeFiles(reading.scenario, base, style);
