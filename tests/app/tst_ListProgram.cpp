@@ -57,13 +57,17 @@ class ListProgramTest : public QObject {
   }
 
   void mistypedScenario_namesTheNearest() {
-    for (const QStringList& words : {QStringList{QStringLiteral("run")}, QStringList()}) {
+    for (const QStringList& words :
+         {QStringList{QStringLiteral("run")}, QStringList{QStringLiteral("check")}, QStringList()}) {
       const outside::Finished one =
           outside::runProgram(words + QStringList{QStringLiteral("corner_cafe_agent")});
       QCOMPARE(one.exitCode, 2);
       QVERIFY2(one.err.contains(QStringLiteral("(did you mean 'corner_cafe_agents'?)")),
                qPrintable(one.err));
     }
+    const outside::Finished shipped =
+        outside::runProgram({QStringLiteral("check"), QStringLiteral("corner_cafe_agents")});
+    QVERIFY2(shipped.exitCode == 0, qPrintable(shipped.err));
     const outside::Finished command = outside::runProgram({QStringLiteral("chekc")});
     QCOMPARE(command.exitCode, 2);
     QVERIFY2(command.err.contains(QStringLiteral("(did you mean 'check'?)")),

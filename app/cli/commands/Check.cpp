@@ -3,6 +3,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/run/Bundle.h"
+#include "app/run/DataPaths.h"
 #include "app/run/Experiment.h"
 #include "bt/engine/Program.h"
 #include "bt/human/HumanNodes.h"
@@ -57,7 +58,11 @@ base::Diagnostics checkTree(const std::string& path) {
   return found;
 }
 
-base::Diagnostics checkFile(const std::string& path, const CheckOptions& options) {
+base::Diagnostics checkFile(const std::string& fileOrName, const CheckOptions& options) {
+  const std::string path = scenarioFile(fileOrName);
+  if (const std::optional<base::Diagnostic> unknown = unknownScenario(path)) {
+    return {*unknown};
+  }
   const base::Result<std::string> text = base::readTextFile(path);
   if (!text) {
     return text.diagnostics();
@@ -109,7 +114,7 @@ int checkCommand(const CheckOptions& options, const Invocation& given) {
 void addCheck(CommandRegistry& commands) {
   const auto [command, options] =
       commands.add("check", "Validate scenarios, trees, maps, experiments", checkCommand);
-  command.add_option("files", options.files, "Files")->required();
+  command.add_option("files", options.files, "Files, or names of shipped scenarios")->required();
   command.add_option("--map", options.scenario.map, "Map of the scenarios");
   command.add_option("--trees", options.scenario.trees, "Folder with their trees");
 }
