@@ -57,8 +57,8 @@ class ListProgramTest : public QObject {
   }
 
   void mistypedScenario_namesTheNearest() {
-    for (const QStringList& words :
-         {QStringList{QStringLiteral("run")}, QStringList{QStringLiteral("check")}, QStringList()}) {
+    for (const QStringList& words : {QStringList{QStringLiteral("run")},
+                                     QStringList{QStringLiteral("check")}, QStringList()}) {
       const outside::Finished one =
           outside::runProgram(words + QStringList{QStringLiteral("corner_cafe_agent")});
       QCOMPARE(one.exitCode, 2);
