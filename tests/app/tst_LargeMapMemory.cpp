@@ -4,6 +4,7 @@
 
 #include "QuietWindow.h"
 #include "app/run/Bundle.h"
+#include "editor/canvas/RouteModel.h"
 #include "tests/support/WrittenMap.h"
 
 namespace {
