@@ -113,8 +113,9 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
   if (widget == nullptr || !isInWindow(*widget)) {
     return false;
   }
-  if (event->type() == QEvent::Polish && isOnlyClicked(*widget) &&
-      widget->focusPolicy() != Qt::NoFocus) {
+  // Who was asked for its size before it came into the window was polished there.
+  const bool isNew = event->type() == QEvent::Polish || event->type() == QEvent::Show;
+  if (isNew && isOnlyClicked(*widget) && widget->focusPolicy() != Qt::NoFocus) {
     widget->setFocusPolicy(Qt::TabFocus);
   }
   if (event->type() == QEvent::FocusIn) {

@@ -1,9 +1,14 @@
 #include "editor/panels/RouteEditor.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
+#include <QApplication>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QPainter>
+#include <QPointer>
 #include <QToolButton>
 
 #include "editor/document/EntityModel.h"
@@ -22,9 +27,10 @@ constexpr int kLineHeight = 28;
 /// One goal; drawn as a pill, an arrow before all but the first.
 class RouteEditor::Chip : public QToolButton {
  public:
-  Chip(const QString& text, bool first, QWidget* parent) : QToolButton(parent), first_(first) {
+  /// What Delete is to do.
+  Chip(const QString& text, bool first, std::function<void()> remove, QWidget* parent)
+      : QToolButton(parent), first_(first), remove_(std::move(remove)) {
     setText(text);
-    setFocusPolicy(Qt::StrongFocus);
   }
   QSize sizeHint() const override {
     const int text = fontMetrics().horizontalAdvance(this->text());
@@ -32,6 +38,16 @@ class RouteEditor::Chip : public QToolButton {
   }
 
  protected:
+  bool event(QEvent* event) override {
+    if (event->type() == QEvent::ShortcutOverride && isRemoving(*event)) {
+      event->accept();  // the command of the window removes what is selected on the map
+      return true;
+    }
+    return QToolButton::event(event);
+  }
+  void keyPressEvent(QKeyEvent* event) override {
+    isRemoving(*event) ? remove_() : QToolButton::keyPressEvent(event);
+  }
   void paintEvent(QPaintEvent*) override {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -51,7 +67,12 @@ class RouteEditor::Chip : public QToolButton {
 
  private:
   static constexpr int kArrow = 12;
+  static bool isRemoving(const QEvent& event) {
+    const int key = static_cast<const QKeyEvent&>(event).key();
+    return key == Qt::Key_Delete || key == Qt::Key_Backspace;
+  }
   bool first_;
+  std::function<void()> remove_;
 };
 
 RouteEditor::RouteEditor(ScenarioDocument& document, QWidget* parent)
@@ -77,8 +98,9 @@ void RouteEditor::rebuild() {
   parts_.clear();
   for (int i = 0; i < static_cast<int>(goals_.size()); ++i) {
     const int id = goals_[static_cast<std::size_t>(i)];
-    auto* chip = new Chip(QString::number(id), i == 0, this);
-    chip->setToolTip(goalName(id) + tr("\nClick for its choices"));
+    auto* chip = new Chip(
+        QString::number(id), i == 0, [this, i] { removeGoal(i); }, this);
+    chip->setToolTip(goalName(id) + tr("\nClick for its choices, Delete removes it"));
     chip->setAccessibleName(goalName(id));
     connect(chip, &QToolButton::clicked, this, [this, chip, i] { offerMoves(chip, i); });
     parts_.push_back(chip);
@@ -154,12 +176,20 @@ void RouteEditor::offerMoves(QWidget* chip, int index) {
       ->setEnabled(index > 0);
   menu->addAction(tr("Later"), this, [this, index] { moveGoal(index, index + 1); })
       ->setEnabled(index < last);
-  menu->addAction(tr("Remove from the route"), this, [this, index] {
-    std::vector<int> route = goals_;
-    route.erase(route.begin() + index);
-    Q_EMIT edited(route);
-  });
+  menu->addAction(tr("Remove from the route"), this, [this, index] { removeGoal(index); });
   menu->popup(chip->mapToGlobal(QPoint(0, chip->height())));
+}
+
+/// The keyboard stays in the row.
+void RouteEditor::removeGoal(int index) {
+  const bool hasKeyboard = isAncestorOf(QApplication::focusWidget());
+  std::vector<int> route = goals_;
+  route.erase(route.begin() + index);
+  const QPointer<RouteEditor> alive(this);
+  Q_EMIT edited(route);
+  if (alive && hasKeyboard) {
+    parts_[std::min(static_cast<std::size_t>(index), parts_.size() - 1)]->setFocus();
+  }
 }
 
 void RouteEditor::moveGoal(int from, int to) {

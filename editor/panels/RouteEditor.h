@@ -8,8 +8,8 @@
 
 namespace editor {
 
-/// The goals of a person or robot as chips in visiting order: a click selects the goal, the menu of
-/// a chip removes it or moves it, "+ Add" offers all goals.
+/// The goals of a person or robot as chips in visiting order: the menu of a chip selects its goal,
+/// moves it or, as Delete does, removes it; "+ Add" offers all goals.
 class RouteEditor : public QWidget {
   Q_OBJECT
  public:
@@ -33,6 +33,7 @@ class RouteEditor : public QWidget {
   int place(int width, bool apply) const;
   void offerGoals(QWidget* button);
   void offerMoves(QWidget* chip, int index);
+  void removeGoal(int index);
   void moveGoal(int from, int to);
 
   ScenarioDocument& document_;

@@ -131,6 +131,7 @@ void OptionsRow::add(const QString& label, QWidget* field) {
       layout_->addSpacing(8);
     }
     layout_->addWidget(secondaryLabel(label, this));
+    field->setAccessibleName(label);
   }
   layout_->addWidget(field);
 }
@@ -141,7 +142,6 @@ NumberField* addNumber(OptionsRow& row, const QString& label, const NumberField:
   auto* field = new NumberField(range, unit, &row);
   field->setFixedWidth(unit.isEmpty() ? kFieldWidth : kNarrowWidth);
   field->show(value, false);
-  field->setAccessibleName(label);
   QObject::connect(field, &NumberField::edited, &row, changed);
   row.add(label, field);
   return field;

@@ -11,6 +11,11 @@ using Vec2 = Eigen::Vector2d;  // [m] or [m/s]; start values with Vec2::Zero(), 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kFarthest = 1e6;  // [m]; places lie no farther out
 
+/// Whether a place is finite and lies within that.
+inline bool isInReach(const Vec2& place) {
+  return place.allFinite() && place.cwiseAbs().maxCoeff() <= kFarthest;
+}
+
 /// The angle in (-pi, pi] that differs from `angle` by whole turns. Not finite in, NaN out.
 double wrapToPi(double angle);
 

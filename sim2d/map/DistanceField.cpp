@@ -21,7 +21,7 @@ OccupancyGrid gridOver(const Obstacles& obstacles, const std::vector<Vec2>& poin
   Vec2 low = Vec2::Constant(kFar);
   Vec2 high = Vec2::Constant(-kFar);
   const auto include = [&](const Vec2& point) {
-    if (point.allFinite()) {
+    if (base::isInReach(point)) {
       low = low.cwiseMin(point);
       high = high.cwiseMax(point);
     }

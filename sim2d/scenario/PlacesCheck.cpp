@@ -23,7 +23,7 @@ void checkPolygon(const std::vector<Vec2>& points, const Subject& subject, Check
 bool checkPoints(const std::vector<Vec2>& points, const Subject& subject, CheckReport& report) {
   bool isGood = true;
   for (const Vec2& point : points) {
-    if (!(std::fabs(point.x()) <= base::kFarthest && std::fabs(point.y()) <= base::kFarthest)) {
+    if (!base::isInReach(point)) {
       report.error(subject, "shape.too-far", {point.x(), point.y()});
       isGood = false;
     }

@@ -83,6 +83,18 @@ std::vector<Outline> outlinesOf(const Door& door) {
   return wallOutlines({door.from, door.to}, door.thickness.value_or(0.05));
 }
 
+namespace {
+
+/// Shapes that are partly out of reach are no surroundings: the check tells of them.
+std::vector<Outline> inReach(std::vector<Outline> outlines) {
+  const bool isGood = std::all_of(outlines.begin(), outlines.end(), [](const Outline& outline) {
+    return std::all_of(outline.points.begin(), outline.points.end(), base::isInReach);
+  });
+  return isGood ? std::move(outlines) : std::vector<Outline>();
+}
+
+}  // namespace
+
 Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid,
                               const base::StopFlagPtr& stop) {
   Surroundings result;
@@ -91,11 +103,12 @@ Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid,
   result.grid = std::move(grid);
   const std::vector<Outline> none;
   forEachListed(scenario.obstacles, [&](const Obstacle& obstacle) {
-    result.obstacles.add(hasEnoughPoints(obstacle) ? outlinesOf(obstacle) : none);
+    result.obstacles.add(hasEnoughPoints(obstacle) ? inReach(outlinesOf(obstacle)) : none);
   });
   result.firstDoorPart = result.obstacles.partCount();
   forEachListed(scenario.doors, [&](const Door& door) {
-    result.obstacles.add(door.from == door.to ? none : outlinesOf(door), !door.open.value_or(true));
+    result.obstacles.add(door.from == door.to ? none : inReach(outlinesOf(door)),
+                         !door.open.value_or(true));
   });
   result.obstacles.build(*stop);
   return result;

@@ -19,10 +19,6 @@ constexpr double kReach = 1.0;      // [m] that a start may be moved
 constexpr double kRing = 0.05;      // [m] between the places tried
 constexpr int kPlacesOnRing = 24;
 
-bool isNearEnough(const Vec2& point) {
-  return point.allFinite() && point.cwiseAbs().maxCoeff() <= base::kFarthest;
-}
-
 /// Moves the point where a body of this radius fits; `what` names it in messages.
 void fit(Vec2& point, double radius, const std::string& what, EntityId entity,
          const NavigationMap& navigation, base::Diagnostics& problems) {
@@ -198,7 +194,8 @@ void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
   for (const Person& person : model.people) {
     const Pose2& start = person.constants.start;
     ProblemsOf found(person.key, "person '" + person.constants.name + "'", problems);
-    found.need(isNearEnough(start.position) && std::isfinite(start.heading), "world.pose-too-far");
+    found.need(base::isInReach(start.position) && std::isfinite(start.heading),
+               "world.pose-too-far");
     for (const int goal : person.plan->written) {
       found.need(model.globalGoals.count(goal) != 0, "world.goal-unknown", {goal});
     }
@@ -206,13 +203,13 @@ void checkPlaces(const WorldModel& model, base::Diagnostics& problems) {
   for (std::size_t i = 0; i < model.robots.size(); ++i) {
     const ResolvedRobot& robot = model.robots[i];
     ProblemsOf(model.robotKeys[i], "robot '" + robot.name + "'", problems)
-        .need(isNearEnough(robot.start.position) && std::isfinite(robot.start.heading) &&
-                  std::all_of(robot.goals.begin(), robot.goals.end(), isNearEnough),
+        .need(base::isInReach(robot.start.position) && std::isfinite(robot.start.heading) &&
+                  std::all_of(robot.goals.begin(), robot.goals.end(), base::isInReach),
               "world.robot-too-far");
   }
   for (const GlobalGoal& goal : model.environment->goals) {
     ProblemsOf(goal.key, {}, problems)
-        .need(isNearEnough(goal.position), "world.goal-too-far", {goal.id});
+        .need(base::isInReach(goal.position), "world.goal-too-far", {goal.id});
   }
 }
 

@@ -264,7 +264,8 @@ class MonkeyTest : public QObject {
 int main(int argc, char** argv) {
   QTemporaryDir home(QStringLiteral("/tmp/monkey-XXXXXX"));
   qputenv("HOME", home.path().toLocal8Bit());
-  for (const char* place : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"}) {
+  for (const char* place :
+       {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR", "TMPDIR"}) {
     qputenv(place, home.path().toLocal8Bit());
   }
   constexpr uid_t kNobody = 65534;
