@@ -163,7 +163,7 @@ QWidget* ExportDialog::makeStart() {
   command_->setAccessibleName(tr("Command that starts it there"));
   const int line = command_->fontMetrics().lineSpacing();
   const int margin = static_cast<int>(command_->document()->documentMargin());
-  command_->setFixedHeight(3 * line + 2 * (margin + command_->frameWidth()));
+  command_->setFixedHeight(4 * line + 2 * (margin + command_->frameWidth()));
   rows->addWidget(command_);
   return start;
 }

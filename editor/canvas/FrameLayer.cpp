@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "editor/canvas/PixelFrame.h"
 #include "editor/canvas/SpriteAtlas.h"
@@ -26,6 +27,7 @@ constexpr int kBubbleText = int{Qt::TextWordWrap} | int{Qt::AlignCenter};
 void FrameLayer::begin() {
   agents_.clear();
   trails_.clear();
+  hasMet_ = false;
   const sim2d::Scenario& scenario = document().scenario();
   const long long seed = scenario.desktop.seed.value_or(1);
   for (const sim2d::Human& human : scenario.humans) {
@@ -89,8 +91,16 @@ void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
   }
 }
 
-/// Whoever has come in since.
+/// Bodies are as large as in the run, which the model of the crowd decides, and whoever has come in
+/// since is known.
 void FrameLayer::meet(const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
+  if (!std::exchange(hasMet_, true)) {
+    for (const sim2d::TraceHuman& human : header.humans) {
+      if (const auto known = agents_.find(human.id); known != agents_.end()) {
+        known->second.radius = human.radius;
+      }
+    }
+  }
   const auto isNew = [this](int id) { return agents_.count(id) == 0; };
   if (std::none_of(frame.humans.id.begin(), frame.humans.id.end(), isNew)) {
     return;

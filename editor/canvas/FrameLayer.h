@@ -84,6 +84,7 @@ class FrameLayer : public FullLayer {
   std::unordered_map<int, Agent> agents_;
   Agent stranger_;                               // people from sources of whom nothing is known
   std::unordered_map<int, std::size_t> places_;  // in bodies_
+  bool hasMet_ = false;
   Trails trails_;
   std::vector<Speech> speeches_;
 };

@@ -183,12 +183,15 @@ void FormSection::addRow(const QString& label, QWidget* field) {
   words->setBuddy(field);
   field->setAccessibleName(label);
   QSizePolicy policy = field->sizePolicy();
+  Qt::Alignment alignment = Qt::AlignVCenter;
   if ((policy.horizontalPolicy() & QSizePolicy::GrowFlag) != 0) {
     policy.setHorizontalPolicy(QSizePolicy::Ignored);  // a wide one would widen the page, which
     field->setSizePolicy(policy);                      // does not scroll sideways, and cut all
+  } else {
+    alignment |= Qt::AlignLeft;  // else the column is no wider than this one
   }
   grid_->addWidget(words, row, 0);
-  grid_->addWidget(field, row, 1, Qt::AlignVCenter);
+  grid_->addWidget(field, row, 1, alignment);
 }
 
 void FormSection::addRow(const QString& label, QWidget* left, QWidget* right) {

@@ -292,7 +292,7 @@ class EvaluateProgramTest : public QObject {
     const Finished converted = through(scenario, {text("convert"), text("-"), text("-o"),
                                                   path("conv"), text("--target"), text("native")});
     QVERIFY2(converted.exitCode == 0, qPrintable(converted.err));
-    QVERIFY(QFile::exists(path("conv/scenario.yaml")));
+    QVERIFY(QFile::exists(path("conv/scenarios/scenario.yaml")));
   }
 
   void evaluate_reference_isTheRecordedWay() {

@@ -203,10 +203,11 @@ class Monkey : public QObject {
       const int letter = draw(36);
       key.key = static_cast<Qt::Key>(letter < 26 ? Qt::Key_A + letter : Qt::Key_0 + letter - 26);
     }
-    QWindow* window = topmost()->windowHandle();
-    if (window != nullptr) {
-      QTest::simulateEvent(window, true, key.key, key.modifiers, {}, false, -1);
-      QTest::simulateEvent(window, false, key.key, key.modifiers, {}, false, -1);
+    const QPointer<QWindow> window = topmost()->windowHandle();
+    for (const bool isPress : {true, false}) {
+      if (window) {  // it may close at the press
+        QTest::simulateEvent(window, isPress, key.key, key.modifiers, {}, false, -1);
+      }
     }
   }
 
@@ -244,6 +245,9 @@ class MonkeyTest : public QObject {
     QVERIFY(window->open(file));
     std::vector<std::unique_ptr<QAbstractItemModelTester>> testers;
     for (QAbstractItemModel* model : window->findChildren<QAbstractItemModel*>()) {
+      if (model->inherits("QTreeModel")) {
+        continue;  // Qt's own gives the children of a row to each of its columns
+      }
       testers.push_back(std::make_unique<QAbstractItemModelTester>(
           model, QAbstractItemModelTester::FailureReportingMode::Warning));
     }

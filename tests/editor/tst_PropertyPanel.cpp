@@ -126,13 +126,14 @@ class PropertyPanelTest : public QObject {
 
   /// The panel does not scroll sideways: what is wider than it would be cut at the right.
   void pages_atTheUsualWidth_areNotCut() {
-    QApplication::setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
+    editor::dressApplication(editor::Theme::light());
     for (const base::EntityKind kind : {base::EntityKind::Scenario, base::EntityKind::Human}) {
       document_->setSelection(kind == base::EntityKind::Human ? std::vector<EntityId>{key(0)}
                                                               : std::vector<EntityId>());
       QCoreApplication::processEvents();
       const editor::PropertyPage& page = *panel_->currentPage();
       QVERIFY2(page.minimumSizeHint().width() <= 300, page.metaObject()->className());
+      QTRY_COMPARE(page.width(), page.parentWidget()->width());  // beside the bar that scrolls
       for (const QCheckBox* box : page.findChildren<QCheckBox*>()) {
         QVERIFY2(!box->isVisible() || box->width() >= box->sizeHint().width(),
                  qPrintable(box->text()));
