@@ -59,17 +59,19 @@ inline QString text(const char* words) {
 
 /// A file of the original, or a recording; it need not be there.
 inline QString interop(const QString& file) {
-  const QString folder =
-      qEnvironmentVariable("HUNAV_INTEROP_DIR", QStringLiteral(SOURCE_DIR "/../shared/interop"));
+  const QString given = qEnvironmentVariable("HUNAV_INTEROP_DIR");
+  const QString folder = given.isEmpty() ? text(SOURCE_DIR "/../shared/interop") : given;
   return QDir(folder).absoluteFilePath(file);
+}
+
+/// The object that a JSON file holds; empty when there is none.
+inline QJsonObject readJson(const QString& path) {
+  return QJsonDocument::fromJson(bytesOf(path)).object();
 }
 
 /// "metrics" of metrics.json in the folder of a run.
 inline QJsonObject metricsOf(const QString& folder) {
-  return QJsonDocument::fromJson(bytesOf(folder + text("/metrics.json")))
-      .object()
-      .value(text("metrics"))
-      .toObject();
+  return readJson(folder + text("/metrics.json")).value(text("metrics")).toObject();
 }
 
 /// -1e300 when there is none.

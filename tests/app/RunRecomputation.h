@@ -5,19 +5,15 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 #include "tests/app/RunFiles.h"
 
 /// Metrics worked out from the files of a run by formulas that are written here once more.
 namespace outside {
-
-inline QJsonObject readJson(const QString& path) {
-  return QJsonDocument::fromJson(bytesOf(path)).object();
-}
 
 inline double hypot2(double x, double y) {
   return std::sqrt(x * x + y * y);
@@ -26,17 +22,13 @@ inline double hypot2(double x, double y) {
 /// Everything of a run folder that the recomputation needs, read by code of the tests.
 struct Run {
   std::vector<Sample> samples;
-  std::map<int, double> radius;
-  std::map<int, int> group;
+  std::map<int, double> radius;  // of people, by id [m]
   double robotRadius = 0, goalX = 0, goalY = 0, goalRadius = 0;
-  bool hasGoal = false;
   QJsonObject metrics;
 
   explicit Run(const QString& folder) {
     samples = readTrajectory(folder + QStringLiteral("/trajectory.csv"));
-    metrics = readJson(folder + QStringLiteral("/metrics.json"))
-                  .value(QStringLiteral("metrics"))
-                  .toObject();
+    metrics = metricsOf(folder);
     const QJsonObject header = readJson(folder + QStringLiteral("/trace.json"));
     for (const auto& value : header[QStringLiteral("humans")].toArray()) {
       const QJsonObject human = value.toObject();
@@ -51,7 +43,6 @@ struct Run {
     const QJsonArray goals = robot[QStringLiteral("goals")].toArray();
     if (!goals.isEmpty()) {
       const QJsonObject goal = goals[0].toObject();
-      hasGoal = true;
       goalX = goal[QStringLiteral("x")].toDouble();
       goalY = goal[QStringLiteral("y")].toDouble();
       goalRadius = goal[QStringLiteral("radius")].toDouble();

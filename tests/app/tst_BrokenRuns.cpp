@@ -58,10 +58,7 @@ QStringList runWords(const char* duration, const QString& folder) {
 }
 
 QString statusOf(const QString& folder) {
-  return QJsonDocument::fromJson(bytesOf(folder + text("/manifest.json")))
-      .object()
-      .value(text("status"))
-      .toString();
+  return outside::readJson(folder + text("/manifest.json")).value(text("status")).toString();
 }
 
 }  // namespace

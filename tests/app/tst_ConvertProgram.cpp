@@ -62,12 +62,6 @@ QString shipped(const char* name) {
   return utf8(SOURCE_DIR "/maps/") + utf8(name);
 }
 
-QString interop() {
-  const QByteArray given = qgetenv("HUNAV_INTEROP_DIR");
-  return (given.isEmpty() ? utf8(SOURCE_DIR "/../shared/interop") : QString::fromLocal8Bit(given)) +
-         QStringLiteral("/hunavsim2/");
-}
-
 QStringList attributesIn(const QString& path, const char* attribute) {
   QXmlStreamReader xml(bytesOf(path));
   QStringList values;
@@ -170,7 +164,7 @@ void ConvertProgramTest::convert_interopScenario_keepsPeopleAndGoals_data() {
 void ConvertProgramTest::convert_interopScenario_keepsPeopleAndGoals() {
   QFETCH(QByteArray, file);
   QFETCH(QByteArray, target);
-  const QString path = interop() + QString::fromUtf8(file);
+  const QString path = outside::interop(QStringLiteral("hunavsim2/") + QString::fromUtf8(file));
   if (!QFile::exists(path)) {
     QSKIP("the stored scenarios of HuNavSim are not here");
   }
@@ -418,8 +412,7 @@ void ConvertProgramTest::run_convertedScenario_manifestListsIncludedTrees() {
        QStringLiteral("0.2")});
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
   const QJsonObject manifest =
-      QJsonDocument::fromJson(bytesOf(folder.filePath(QStringLiteral("run/manifest.json"))))
-          .object();
+      outside::readJson(folder.filePath(QStringLiteral("run/manifest.json")));
   int included = 0;
   int trees = 0;
   for (const auto& input : manifest[QStringLiteral("inputs")].toArray()) {

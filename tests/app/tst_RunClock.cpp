@@ -17,8 +17,7 @@ class RunClockTest : public QObject {
  private:
   Finished run(const char* scenario, const char* to);
   QJsonValue ofManifest(const char* run, const char* key) const {
-    const QByteArray manifest = outside::bytesOf(path(run) + text("/manifest.json"));
-    return QJsonDocument::fromJson(manifest).object().value(text(key));
+    return outside::readJson(path(run) + text("/manifest.json")).value(text(key));
   }
   QString path(const char* name) const { return folder_.filePath(text(name)); }
 

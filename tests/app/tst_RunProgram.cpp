@@ -2,8 +2,6 @@
 #include <map>
 
 #include <QImage>
-#include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -13,20 +11,10 @@
 
 using outside::Body;
 using outside::hypot2;
-using outside::readJson;
+using outside::interop;
 using outside::recompute;
 using outside::Run;
 using outside::Sample;
-
-namespace {
-
-QString interop() {
-  const QString folder =
-      qEnvironmentVariable("HUNAV_INTEROP_DIR", QStringLiteral(SOURCE_DIR "/../shared/interop"));
-  return QDir(folder).absoluteFilePath(QStringLiteral("hunavsim2"));
-}
-
-}  // namespace
 
 /// `hunavsim run` from outside: files, numbers, invariants.
 class RunProgramTest : public QObject {
@@ -159,7 +147,7 @@ class RunProgramTest : public QObject {
     QTest::newRow("demo") << QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml")
                           << QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe.yaml")
                           << false;
-    const QString root = interop() + QLatin1Char('/');
+    const QString root = interop(QStringLiteral("hunavsim2/"));
     const auto row = [&root](const char* scenario, const char* map, bool goals) {
       QTest::newRow(scenario) << root + QString::fromLatin1(scenario)
                               << root + QString::fromLatin1(map) << goals;
@@ -219,11 +207,11 @@ class RunProgramTest : public QObject {
 
   void run_personInsideWall_saysWhatTheFormatDemands() {
     const QString scenario =
-        interop() + QStringLiteral("/third_party_fork/config/custom_agents.yaml");
+        interop(QStringLiteral("hunavsim2/third_party_fork/config/custom_agents.yaml"));
     if (!QFile::exists(scenario)) {
       QSKIP("the files of the original are not here (HUNAV_INTEROP_DIR)");
     }
-    const QString map = interop() + QStringLiteral("/hunav_sim_v1/maps/small_warehouse.yaml");
+    const QString map = interop(QStringLiteral("hunavsim2/hunav_sim_v1/maps/small_warehouse.yaml"));
     const outside::Finished found =
         outside::runProgram({QStringLiteral("run"), scenario, QStringLiteral("--map"), map});
     QVERIFY2(found.err.contains(QStringLiteral("-1.207")), qPrintable(found.err));
@@ -238,9 +226,7 @@ class RunProgramTest : public QObject {
         outside::runProgram({QStringLiteral("run"), scenario, QStringLiteral("--map"),
                              QStringLiteral("none"), QStringLiteral("-o"), out});
     QVERIFY2(found.exitCode == 0, qPrintable(found.err));
-    const QJsonObject metrics = readJson(out + QStringLiteral("/metrics.json"));
-    const QJsonObject length =
-        metrics[QStringLiteral("metrics")].toObject()[QStringLiteral("path_length")].toObject();
+    const QJsonObject length = outside::metricsOf(out)[QStringLiteral("path_length")].toObject();
     QVERIFY(length[QStringLiteral("value")].isNull());
     QVERIFY(!length[QStringLiteral("why")].toString().isEmpty());
   }

@@ -31,10 +31,8 @@ QString utf8(const char* text) {
   return QString::fromUtf8(text);
 }
 
-QString interopFolder() {
-  const QByteArray given = qgetenv("HUNAV_INTEROP_DIR");
-  return (given.isEmpty() ? utf8(SOURCE_DIR "/../shared/interop") : QString::fromLocal8Bit(given)) +
-         QStringLiteral("/hunavsim2/");
+QString ofTheOriginal(const QString& file) {
+  return outside::interop(QStringLiteral("hunavsim2/") + file);
 }
 
 /// Goal ids of the SetGoal nodes of a tree file, in order, by a reader of the tests' own.
@@ -194,7 +192,7 @@ void TreesProgramTest::make_hunav2_hasTheGoalsOfTheShippedTrees_data() {
 void TreesProgramTest::make_hunav2_hasTheGoalsOfTheShippedTrees() {
   QFETCH(QString, place);
   QFETCH(QString, base);
-  const QString root = interopFolder() + place;
+  const QString root = ofTheOriginal(place);
   if (!QFile::exists(root)) {
     QSKIP("the interoperability files are not here");
   }
@@ -278,7 +276,7 @@ void TreesProgramTest::make_hunav2_bodyIsTheFilledTemplate() {
   QFETCH(QString, file);
   QFETCH(QString, goals);
   QFETCH(QString, values);
-  const QString path = interopFolder() + utf8("hunav_sim_v2/behavior_trees/") + file;
+  const QString path = ofTheOriginal(utf8("hunav_sim_v2/behavior_trees/") + file);
   if (!QFile::exists(path)) {
     QSKIP("the interoperability files are not here");
   }
