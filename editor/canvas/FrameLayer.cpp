@@ -341,11 +341,12 @@ std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
 }
 
 void FrameLayer::paintTrails(QPainter& painter) const {
+  const double seconds = trailSeconds(bodies_.size());
   for (const auto& [id, trail] : trails_.all()) {
     if (!trail.points.empty()) {
       const Body* there = body(id);
       paintTrail(painter, trail, there != nullptr ? there->pose.position : *trail.last,
-                 frame_->time,
+                 frame_->time, seconds,
                  id < 0 ? theme().color(Role::RobotLine) : theme().line(agent(id).look));
     }
   }

@@ -13,7 +13,9 @@ namespace {
 constexpr double kTrailSeconds = 6.0;
 constexpr double kTrailStep = 0.05;  // [m] between two points
 constexpr double kTrailGap = 0.15;   // [s] between two points of a recording
-constexpr int kTrailParts = 10;
+constexpr double kTrailPart = 0.6;   // [s] of one shade
+constexpr double kTrailDetailPx = 5.0;
+constexpr double kLongTrails = 100;  // bodies; trails of more are together as long as theirs
 
 /// Points of a recording stand at fixed moments, so that a trail does not depend on which frames
 /// were shown: every how many of its frames.
@@ -81,23 +83,34 @@ void Trails::cut(double time) {
   }
 }
 
+double trailSeconds(std::size_t bodies) {
+  return kTrailSeconds * std::min(1.0, kLongTrails / std::max(1.0, double(bodies)));
+}
+
 void paintTrail(QPainter& painter, const Trail& trail, const base::Vec2& end, double time,
-                QColor color) {
+                double seconds, QColor color) {
+  const auto isOld = [=](const auto& point) { return point.first < time - seconds; };
   const bool isAhead =  // the body is still on its way to the newest point
       trail.points.size() > 1 && trail.points.back().first >= time;
-  const std::size_t count = trail.points.size() - (isAhead ? 1 : 0);
-  for (int part = 0; part < kTrailParts; ++part) {
-    const std::size_t from = count * static_cast<std::size_t>(part) / kTrailParts;
-    const std::size_t to =
-        std::min(count - 1, count * static_cast<std::size_t>(part + 1) / kTrailParts);
+  const auto last = trail.points.end() - (isAhead ? 1 : 0);
+  const auto first = std::partition_point(trail.points.begin(), last - 1, isOld);
+  const auto count = last - first;
+  const double apart = kTrailDetailPx / pixelsPerMetreOf(painter);
+  const auto parts = static_cast<std::ptrdiff_t>(std::ceil(seconds / kTrailPart));
+  for (std::ptrdiff_t part = 0; part < parts; ++part) {
+    const std::ptrdiff_t from = count * part / parts;
+    const std::ptrdiff_t to = std::min(count - 1, count * (part + 1) / parts);
     QPolygonF line;
-    for (std::size_t i = from; i <= to; ++i) {
-      line << toScene(trail.points[i].second);
+    for (std::ptrdiff_t i = from; i <= to; ++i) {
+      const QPointF point = toScene(first[i].second);
+      if (i == from || i == to || QLineF(line.last(), point).length() >= apart) {
+        line << point;
+      }
     }
-    if (part + 1 == kTrailParts) {
+    if (part + 1 == parts) {
       line << toScene(end);
     }
-    color.setAlphaF(0.5 * (part + 1) / kTrailParts);
+    color.setAlphaF(0.5 * double(part + 1) / double(parts));
     QPen pen(color, 4.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
     makeCosmetic(pen, painter);
     painter.setPen(pen);

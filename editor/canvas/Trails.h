@@ -40,8 +40,10 @@ class Trails {
   std::map<int, Trail> trails_;
 };
 
-/// Paler with age, up to where the body is shown at this time [s].
+/// [s] of every trail that is painted: in a crowd less, so that one sees the people.
+double trailSeconds(std::size_t bodies);
+/// The last seconds of a trail, paler with age, up to where the body is shown at this time [s].
 void paintTrail(QPainter& painter, const Trail& trail, const base::Vec2& end, double time,
-                QColor color);
+                double seconds, QColor color);
 
 }  // namespace editor
