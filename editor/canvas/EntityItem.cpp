@@ -24,15 +24,16 @@ class PersonItem : public EntityItem {
   }
 
   std::vector<Label> labels() const override {
-    const double radiusPx = radius_ * mapScene().pixelsPerMetre();
     const bool isChosen = isSelectedEntity();
     const bool isOneOfFew = isChosen && document().selection().size() <= kMostNamed;
-    const bool isAlways = isOneOfFew || (2.0 * radiusPx >= kNameZoomPx && options().names);
+    const bool isAlways =
+        isOneOfFew || (mapScene().pixelsPerMetre() >= kNameZoom && options().names);
     if (!isAlways && !isHovered()) {
       return {};
     }
     const bool isNeeded = !isAlways || (isChosen && document().selection().size() == 1);
-    const double clearance = std::max(radiusPx, kLeastFigurePx) + (isChosen ? 12.0 : 4.0);
+    const double radiusPx = reach() * mapScene().pixelsPerMetre();
+    const double clearance = radiusPx + (isChosen ? 12.0 : 4.0);
     return {{QString::fromStdString(human_.name), look_, place(), clearance, isChosen ? 3 : 1,
              isChosen, !isAlways, isNeeded}};
   }
@@ -46,7 +47,7 @@ class PersonItem : public EntityItem {
     PersonFigure figure;
     figure.look = look_;
     figure.kind = human_.ours.kind.value_or(sim2d::PersonKind::Adult);
-    figure.radiusPx = std::max(radius_ * pixelsPerMetreOf(*painter), kLeastFigurePx);
+    figure.radiusPx = std::max(radius_ * pixelsPerMetreOf(*painter), mapScene().leastPersonPx());
     figure.headingDeg = degrees(human_.initPose.heading);
     const PixelFrame frame(*painter, place());
     if (isSelectedEntity()) {
@@ -71,12 +72,12 @@ class PersonItem : public EntityItem {
   QRectF bounds(double pixelsPerMetre) const override {
     const double spaces = options().proxemics ? 3.7 : 0.0;
     return around(place(),
-                  std::max({1.5 * radius_, (kLeastFigurePx + 5.0) / pixelsPerMetre, spaces}));
+                  std::max({1.5 * radius_, (1.5 * kFewFigurePx) / pixelsPerMetre, spaces}));
   }
 
  private:
   QPointF place() const { return toScene(human_.initPose.position); }
-  double reach() const { return std::max(radius_, metres(kLeastFigurePx)); }
+  double reach() const { return std::max(radius_, metres(mapScene().leastPersonPx())); }
 
   sim2d::Human human_;
   double radius_ = 0.35;  // [m]

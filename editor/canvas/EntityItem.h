@@ -80,7 +80,8 @@ RobotFigure robotFigure(double radius, const std::vector<Vec2>& footprint, doubl
 void paintSpaces(QPainter& painter, const Vec2& at, QColor color);
 constexpr double kRobotGoalPx = 10.0;   // its radius
 constexpr double kLeastFigurePx = 5.0;  // radius of the smallest figure
-constexpr double kNameZoomPx = 12.0;    // width of a figure from which names are shown
+constexpr double kFewFigurePx = 9.0;    // and where there are few people
+constexpr double kNameZoom = 17.0;      // [px/m], from which names are shown
 QRectF around(const QPointF& centre, double reach);
 inline double degrees(double radians) {
   return radians * 180.0 / base::kPi;

@@ -32,12 +32,9 @@ void FrameLayer::begin() {
   const long long seed = scenario.desktop.seed.value_or(1);
   for (const sim2d::Human& human : scenario.humans) {
     const sim2d::ResolvedHuman resolved = sim2d::resolveHuman(scenario, human, seed);
-    agents_[human.id] = {QString::fromStdString(human.name),
-                         human.key,
-                         lookOfPerson(document(), human),
-                         resolved.kind,
-                         resolved.radius,
-                         {}};
+    agents_[human.id] = {QString::fromStdString(human.name), human.key,
+                         lookOfPerson(document(), human),    resolved.kind,
+                         mapScene().bodyRadius(human),       {}};
   }
   int id = 0;
   for (const sim2d::Robot& robot : scenario.robots) {
@@ -205,8 +202,8 @@ std::vector<Label> FrameLayer::labels() const {
   std::vector<Label> labels;
   const bool showAll = options().names && frame_->humans.size() <= kMostNames;
   for (const Body& body : bodies_) {
-    const double radiusPx =
-        std::max(body.agent->radius * mapScene().pixelsPerMetre(), kLeastFigurePx);
+    const double leastPx = body.isRobot() ? kLeastFigurePx : mapScene().leastPersonPx();
+    const double radiusPx = std::max(body.agent->radius * mapScene().pixelsPerMetre(), leastPx);
     Label label;
     label.text = body.agent->name;
     label.centre = toScene(body.pose.position);
@@ -223,7 +220,7 @@ std::vector<Label> FrameLayer::labels() const {
     label.clearancePx = radiusPx + (chosen ? 9.0 : 4.0);
     label.priority = chosen ? 3 : 1;
     const bool isKnown = showAll && body.agent->entity;  // those who come and go only when chosen
-    const bool isShown = chosen || (isKnown && 2.0 * radiusPx >= kNameZoomPx);
+    const bool isShown = chosen || (isKnown && mapScene().pixelsPerMetre() >= kNameZoom);
     if (options().people && !label.text.isEmpty() && isShown) {
       labels.push_back(label);
     }
@@ -269,7 +266,7 @@ PersonFigure FrameLayer::figureOf(const Body& person, double pixelsPerMetre) con
   PersonFigure figure;
   figure.look = person.agent->look;
   figure.kind = person.agent->kind;
-  figure.radiusPx = std::max(person.agent->radius * pixelsPerMetre, kLeastFigurePx);
+  figure.radiusPx = std::max(person.agent->radius * pixelsPerMetre, mapScene().leastPersonPx());
   figure.headingDeg = degrees(person.pose.heading);
   if (person.isMoving) {
     figure.stride = std::sin(2.0 * base::kPi * trails_.walked(person.id) / kStrideMetres);

@@ -150,7 +150,8 @@ std::vector<Handle> SelectionLayer::handlesFor(const Entity& entity) const {
   }
   std::vector<Handle> handles = handlesOf(entity, sizes);
   const bool isSmall = sizes.bodyRadius * pixelsPerMetre < 12.0;
-  if (isSmall && kindOf(entity) == EntityKind::Human) {  // handles would hide the figure
+  if ((isSmall && kindOf(entity) == EntityKind::Human) ||  // handles would hide the figure
+      !mapScene().isSizable(entity)) {
     handles.erase(
         std::remove_if(handles.begin(), handles.end(),
                        [](const Handle& handle) { return handle.kind == Handle::Kind::Size; }),
@@ -207,8 +208,10 @@ void SelectionLayer::paintFrame(QPainter& painter, const Entity& entity,
     painter.drawPolygon(frame);
   } else if (kindOf(entity) == EntityKind::Human || kindOf(entity) == EntityKind::Robot) {
     const double pixelsPerMetre = pixelsPerMetreOf(painter);
+    const double leastPx =
+        kindOf(entity) == EntityKind::Human ? mapScene().leastPersonPx() : kLeastFigurePx;
     const double radius =
-        std::max(mapScene().bodyRadius(entity), 5.0 / pixelsPerMetre) + 4.0 / pixelsPerMetre;
+        std::max(mapScene().bodyRadius(entity), leastPx / pixelsPerMetre) + 4.0 / pixelsPerMetre;
     painter.drawEllipse(toScene(*positionOf(entity)), radius, radius);
   }
 }

@@ -127,6 +127,9 @@ class MapScene : public QGraphicsScene {
   SpriteAtlas& sprites() const { return *sprites_; }  // of people, at this zoom
   bool isDoorOpen(EntityId id, const sim2d::Door& door) const;  // in the frame shown, else at start
   double bodyRadius(const Entity& entity) const;                // people and robots [m]
+  bool isSizable(const Entity& entity) const;  // not a person whose model has its own radius
+  /// Radius of the smallest figure of a person: where there are few, they catch the eye.
+  double leastPersonPx() const;
   std::vector<Label> labels() const;
   std::vector<QRectF> solidParts() const;  // what labels keep off, scene
 

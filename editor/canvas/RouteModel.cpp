@@ -1,5 +1,6 @@
 #include "editor/canvas/RouteModel.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iterator>
@@ -55,6 +56,9 @@ Legs legsOf(const sim2d::Scenario& scenario) {
   Legs legs;
   const auto add = [&legs](EntityId id, Vec2 at, const std::vector<Vec2>& goals, int radiusCm) {
     std::vector<LegKey>& own = legs[id];
+    if (!base::isInReach(at) || !std::all_of(goals.begin(), goals.end(), base::isInReach)) {
+      return;  // the issues say so
+    }
     for (const Vec2& goal : goals) {
       own.push_back({radiusCm, goal.x(), goal.y(), at.x(), at.y()});
       at = goal;

@@ -7,6 +7,7 @@
 
 #include "editor/canvas/FrameLayer.h"
 #include "sim2d/scenario/Defaults.h"
+#include "sim2d/world/Registries.h"
 
 // The part of MapScene that answers tools, layers and painters.
 namespace editor {
@@ -14,7 +15,18 @@ namespace editor {
 namespace {
 
 constexpr std::size_t kCrowd = 200;            // things
+constexpr double kFewPeople = 60.0;            // more are painted smaller
 constexpr std::size_t kMostMovingRoutes = 20;  // drawn while they change
+
+sim2d::ResolvedHuman resolvedPerson(const sim2d::Scenario& scenario, const sim2d::Human& human) {
+  return sim2d::resolveHuman(scenario, human, scenario.desktop.seed.value_or(1));
+}
+
+/// That of the person's model, which counts instead of the scenario's.
+std::optional<double> ownRadius(const sim2d::ResolvedHuman& person) {
+  static const sim2d::Registries registries = sim2d::programRegistries();
+  return sim2d::ownBodyRadius(registries, person);
+}
 
 void paintItem(QPainter& painter, QGraphicsItem& item, const QRectF& exposed) {
   const QRectF seen = item.boundingRect() & exposed;
@@ -124,12 +136,25 @@ bool MapScene::isDoorOpen(EntityId id, const sim2d::Door& door) const {
 double MapScene::bodyRadius(const Entity& entity) const {
   const sim2d::Scenario& scenario = document_.scenario();
   if (const auto* human = std::get_if<sim2d::Human>(&entity)) {
-    return sim2d::resolveHuman(scenario, *human, scenario.desktop.seed.value_or(1)).radius;
+    const sim2d::ResolvedHuman person = resolvedPerson(scenario, *human);
+    return ownRadius(person).value_or(person.radius);
   }
   if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
     return sim2d::resolveRobot(scenario, *robot, -1).radius;
   }
   return 0.0;
+}
+
+bool MapScene::isSizable(const Entity& entity) const {
+  const auto* human = std::get_if<sim2d::Human>(&entity);
+  return human == nullptr || !ownRadius(resolvedPerson(document_.scenario(), *human));
+}
+
+double MapScene::leastPersonPx() const {
+  const sim2d::Frame* frame = frameLayer_->frame();
+  const std::size_t people =
+      frame != nullptr ? frame->humans.size() : document_.scenario().humans.size();
+  return std::clamp(kFewFigurePx * kFewPeople / double(people + 1), kLeastFigurePx, kFewFigurePx);
 }
 
 std::vector<Label> MapScene::labels() const {

@@ -66,26 +66,29 @@ FieldOf<Behavior> factor(std::string key, std::optional<double> Behavior::*membe
 
 Fields<Human> humanFields() {
   using Resolved = ResolvedHuman;
-  return {field("id", &Human::id, "Number of the person; names the tree file", {"Number", 0, 1.0},
-                {}, {0.0, 2147483647.0})
-              .noneAt(-1),
-          field("group_id", &Human::groupId, "People of one group keep together; -1 is alone",
-                {"Walks with", 0, 1.0})
-              .resolvedTo(&Resolved::groupId),
-          field("skin", &Human::skin, "How the simulator dresses the person", {"Figure", 0, 1.0}),
-          field("max_vel", &Human::maxVel, "The speed the person wants to walk at",
-                {"Top speed", 2, 0.05, 2.0}, "m/s", kSpeed)
-              .resolvedTo(&Resolved::desiredSpeed),
-          field("radius", &Human::radius, "Of the disc that the body is", {"Radius", 2, 0.01, 0.8},
-                "m", kBodyRadius)
-              .resolvedTo(&Resolved::radius),
-          field("goal_radius", &Human::goalRadius,
-                "A goal is reached when the person is this near; 0 counts as 0.1",
-                {"Arrival radius", 2, 0.05}, "m", kNotNegative)
-              .countsAs(&Resolved::goalRadius)
-              .orElse(0.1),
-          field("cyclic_goals", &Human::cyclicGoals, "Start again after the last goal", {"Repeat"})
-              .resolvedTo(&Resolved::cyclicGoals)};
+  return {
+      field("id", &Human::id, "Number of the person; names the tree file", {"Number", 0, 1.0}, {},
+            {0.0, 2147483647.0})
+          .noneAt(-1),
+      field("group_id", &Human::groupId, "People of one group keep together; -1 is alone",
+            {"Walks with", 0, 1.0})
+          .resolvedTo(&Resolved::groupId),
+      field("skin", &Human::skin, "How the simulator dresses the person", {"Figure", 0, 1.0}),
+      field("max_vel", &Human::maxVel, "The speed the person wants to walk at",
+            {"Top speed", 2, 0.05, 2.0}, "m/s", kSpeed)
+          .resolvedTo(&Resolved::desiredSpeed),
+      field(
+          "radius", &Human::radius,
+          "Of the disc that the body is; people of the model das, but for wheelchairs, have 0.20 m",
+          {"Radius", 2, 0.01, 0.8}, "m", kBodyRadius)
+          .resolvedTo(&Resolved::radius),
+      field("goal_radius", &Human::goalRadius,
+            "A goal is reached when the person is this near; 0 counts as 0.1",
+            {"Arrival radius", 2, 0.05}, "m", kNotNegative)
+          .countsAs(&Resolved::goalRadius)
+          .orElse(0.1),
+      field("cyclic_goals", &Human::cyclicGoals, "Start again after the last goal", {"Repeat"})
+          .resolvedTo(&Resolved::cyclicGoals)};
 }
 
 Fields<Behavior> behaviorFields() {

@@ -28,4 +28,9 @@ KnownNames knownNames(const Registries& registries) {
   return names;
 }
 
+std::optional<double> ownBodyRadius(const Registries& registries, const ResolvedHuman& person) {
+  const auto* const model = registries.models.find(person.model);
+  return model != nullptr ? model->make(person)->ownBodyRadius(person) : std::nullopt;
+}
+
 }  // namespace sim2d

@@ -17,5 +17,7 @@ struct Registries {
 /// All of this program.
 Registries programRegistries();
 KnownNames knownNames(const Registries& registries);
+/// The radius that counts in a run instead of the scenario's, where the person's model has one [m].
+std::optional<double> ownBodyRadius(const Registries& registries, const ResolvedHuman& person);
 
 }  // namespace sim2d

@@ -41,9 +41,7 @@ ResolvedHuman resolvePerson(const WorldModel& world, const Human& human) {
   if (isOriginal && !scenario.desktop.route && !human.ours.route) {
     person.route = Route::Direct;
   }
-  if (const auto* const model = world.registries->models.find(person.model)) {
-    person.radius = model->make(person)->bodyRadius(person);
-  }
+  person.radius = ownBodyRadius(*world.registries, person).value_or(person.radius);
   return person;
 }
 

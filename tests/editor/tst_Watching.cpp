@@ -115,6 +115,22 @@ class WatchingTest : public QObject, protected CanvasTester {
     QVERIFY(color(true) == color(false));
   }
 
+  /// The model `das` has a body radius of its own (density-based model, b = 0.2 m).
+  void body_beforeTheRun_isAsLargeAsInIt_data() {
+    QTest::addColumn<QString>("model");
+    QTest::addColumn<double>("radius");
+    QTest::newRow("own") << "das" << 0.2;
+    QTest::newRow("the scenario's") << "sfm" << 0.31;
+    QTest::newRow("unknown model") << "no_such_model" << 0.31;
+  }
+  void body_beforeTheRun_isAsLargeAsInIt() {
+    QFETCH(QString, model);
+    auto ana = std::get<sim2d::Human>(*document_.entity(person(1)));
+    ana.radius = 0.31;
+    ana.ours.model = model.toStdString();
+    QTEST(scene_.bodyRadius(ana), "radius");
+  }
+
   /// As the pin on the map and the list of the scenario have it.
   void goal_ofAPerson_hasTheNumberOfItsPin() {
     PropertyPanel panel(document_, editor::Theme::light());

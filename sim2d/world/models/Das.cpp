@@ -55,8 +55,8 @@ class Das : public PedestrianModel {
   bool looksAtDesires() const override { return true; }
   bool spreadsAtCorners() const override { return true; }
 
-  double bodyRadius(const ResolvedHuman& person) const override {
-    return person.kind == PersonKind::Wheelchair ? person.radius : kBodyRadius;
+  std::optional<double> ownBodyRadius(const ResolvedHuman& person) const override {
+    return person.kind == PersonKind::Wheelchair ? std::nullopt : std::optional(kBodyRadius);
   }
 
   double range(double /*fastest*/, double /*ownSpeed*/) const override { return kDensityRange; }

@@ -70,8 +70,8 @@ class PedestrianModel {
   virtual bool looksAtDesires() const { return false; }
   /// In a crowd such people use the whole width of a way round a corner.
   virtual bool spreadsAtCorners() const { return false; }
-  /// Radius that counts for this person instead of the one of the scenario [m].
-  virtual double bodyRadius(const ResolvedHuman& person) const { return person.radius; }
+  /// Radius that counts for this person instead of the one of the scenario [m]; none: that counts.
+  virtual std::optional<double> ownBodyRadius(const ResolvedHuman& /*person*/) const { return {}; }
   /// Others farther away than this never count [m].
   virtual double range(double fastest, double ownSpeed) const = 0;
 };
