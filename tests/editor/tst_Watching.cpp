@@ -129,6 +129,7 @@ class WatchingTest : public QObject, protected CanvasTester {
     ana.radius = 0.31;
     ana.ours.model = model.toStdString();
     QTEST(scene_.bodyRadius(ana), "radius");
+    QCOMPARE(scene_.isSizable(ana), model != QLatin1String("das"));
   }
 
   /// As the pin on the map and the list of the scenario have it.
