@@ -1,5 +1,6 @@
 #include "app/cli/CommandRegistry.h"
 
+#include <algorithm>
 #include <clocale>
 #include <cstdio>
 #include <exception>
@@ -29,18 +30,25 @@ int within(Invocation& given, const CommandRegistry::Action& action) {
   return action(given);
 }
 
-/// Words that no option takes; the library tells them last first.
-int tellExtras(const CommandRegistry& commands, const std::string& firstWord) {
-  const CLI::App& root = commands.root();
-  const std::vector<CLI::App*> given = root.get_subcommands();
-  std::string text = "not expected: " + base::join(root.remaining(true), " ");
-  const std::optional<std::string> meant = base::nearestName(firstWord, commands.names());
-  if (given.empty() && meant) {
-    text += " (did you mean the command '" + *meant + "'?)";
+/// A command line that cannot be followed is told as every error is.
+int tellWrongWords(const CommandRegistry& commands, const std::string& said) {
+  if (commands.wantsJson()) {
+    printJson({base::error("option.wrong", {said})});
   }
-  printError(text);
+  const std::vector<CLI::App*> given = commands.root().get_subcommands();
+  printError(said);
   printError("see hunavsim" + (given.empty() ? "" : " " + given.front()->get_name()) + " --help");
   return ExitWrongCommandLine;
+}
+
+/// Words that no option takes.
+std::string extrasText(const CommandRegistry& commands, const std::string& firstWord) {
+  const CLI::App& root = commands.root();
+  const std::optional<std::string> meant = base::nearestName(firstWord, commands.names());
+  if (root.get_subcommands().empty() && meant) {
+    return "there is no command '" + firstWord + "' (did you mean '" + *meant + "'?)";
+  }
+  return "not expected: " + base::join(root.remaining(true), " ");
 }
 
 /// What image libraries grumble is told by our own messages, with the file's name.
@@ -73,6 +81,7 @@ std::vector<std::string> CommandRegistry::names() const {
 }
 
 void CommandRegistry::addOutputOptions() {
+  root_.add_flag("-q,--quiet", quiet_, "No progress and no table");
   for (CLI::App* command : root_.get_subcommands(nullptr)) {
     command->add_flag("-q,--quiet", quiet_, "No progress and no table");
     command->add_flag("--json", json_, "Machine-readable standard output");
@@ -102,6 +111,21 @@ int CommandRegistry::start(Invocation given) const {
   return within<QCoreApplication>(given, command.action);
 }
 
+void CommandRegistry::noteJson(const std::vector<std::string>& words) {
+  json_ = std::find(words.begin(), words.end(), "--json") != words.end();
+}
+
+CLI::Validator oneOf(const std::vector<std::string>& names) {
+  const auto problem = [names](const std::string& word) {
+    const std::optional<std::string> meant = base::nearestName(word, names);
+    return std::find(names.begin(), names.end(), word) != names.end()
+               ? std::string()
+               : "'" + word + "' is none of " + base::join(names, ", ") +
+                     (meant ? " (did you mean '" + *meant + "'?)" : std::string());
+  };
+  return {problem, "{" + base::join(names, ",") + "}"};
+}
+
 CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::string& help) {
   return *command.add_option("-o,--output", folder, help)->check([](const std::string& word) {
     return word == "-" ? std::string("a folder is wanted (./- for one of the name -)")
@@ -112,7 +136,7 @@ CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::
 void addMetricsOptions(CLI::App& command, MetricsWords& words) {
   command.add_option("--metrics", words.metrics, "Selection: a metrics.yaml, or keys with commas");
   command.add_option("--metrics-profile", words.profile, "corrected or hunav2")
-      ->check(CLI::IsMember({"corrected", "hunav2"}));
+      ->check(oneOf({"corrected", "hunav2"}));
 }
 
 void addRunOptions(CLI::App& command, RunOptions& options) {
@@ -148,6 +172,7 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
                         "hunavsim " + programVersion() + " (" + programCommit() + ")");
   root.set_help_flag("-h,--help", "Show this text");
   CommandRegistry commands(root);
+  commands.noteJson({argv, argv + argc});
   addWindow(commands);
   addAllCommands(commands);
   commands.addOutputOptions();
@@ -160,10 +185,15 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
     }
     return end.code;
   } catch (const CLI::ExtrasError&) {
-    return tellExtras(commands, argv[1]);
+    return tellWrongWords(commands, extrasText(commands, argv[1]));
+  } catch (const CLI::Success& asked) {  // for the help, for the version
+    return root.exit(asked);
   } catch (const CLI::ParseError& problem) {
-    return root.exit(problem) == 0 ? ExitFine : ExitWrongCommandLine;
+    return tellWrongWords(commands, problem.what());
   } catch (const std::exception& problem) {  // no memory, a file that nobody foresaw
+    if (commands.wantsJson()) {
+      printJson({base::error("option.wrong", {problem.what()})});
+    }
     printError(std::string("error: ") + problem.what());
     return ExitBadInput;
   }

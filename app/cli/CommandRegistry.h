@@ -12,6 +12,7 @@
 namespace CLI {  // NOLINT(readability-identifier-naming): as the library is called
 class App;
 class Option;
+class Validator;
 }  // namespace CLI
 
 namespace app {
@@ -72,6 +73,8 @@ class CommandRegistry {
 
   /// --quiet and --json behind the options of each command.
   void addOutputOptions();
+  /// Whether --json is given: also known where the words cannot be followed.
+  void noteJson(const std::vector<std::string>& words);
   bool wantsJson() const { return json_; }
   /// Does what was given: returns its exit code or throws CommandEnd.
   int start(Invocation given) const;
@@ -88,6 +91,8 @@ class CommandRegistry {
 };
 
 /// -o, --output for a folder. "-" is none: it means the standard output, which takes one file.
+/// For check(): a word that is one of these; else the nearest is named.
+CLI::Validator oneOf(const std::vector<std::string>& names);
 CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::string& help);
 /// The options of `run`, which the window has too.
 void addRunOptions(CLI::App& command, RunOptions& options);

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <iostream>
-#include <iterator>
+#include <string_view>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
@@ -26,6 +27,27 @@ void onInterrupt(int signal) {
   }
   hasCtrlC = signal == SIGINT ? 1 : hasCtrlC;
   interruptFlag = 1;
+}
+
+/// The word of its severity stands out where somebody looks at it (no-color.org).
+std::string inColor(const base::Diagnostic& diagnostic) {
+  constexpr const char* kColors[] = {"36", "33", "31"};  // of Severity: cyan, yellow, red
+  std::string text = diagnostic.text();
+  const std::string word = std::string(base::severityName(diagnostic.severity)) + ":";
+  const std::size_t at = text.find(word);
+  if (at != std::string::npos) {
+    const char* color = kColors[static_cast<int>(diagnostic.severity)];
+    text.replace(at, word.size(), "\033[1;" + std::string(color) + "m" + word + "\033[0m");
+  }
+  return text;
+}
+
+bool isColorful() {
+  const char* const none = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  const bool isPlain = (none != nullptr && *none != '\0') ||
+                       (terminal != nullptr && std::string_view(terminal) == "dumb");
+  return !isPlain && isatty(STDERR_FILENO) != 0;
 }
 
 }  // namespace
@@ -64,7 +86,7 @@ void printTable(const std::vector<std::vector<std::string>>& rows) {
 bool printDiagnostics(const base::Diagnostics& diagnostics, base::Severity least) {
   for (const base::Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.severity >= least) {
-      printError(diagnostic.text());
+      printError(isColorful() ? inColor(diagnostic) : diagnostic.text());
     }
   }
   return !base::hasErrors(diagnostics);
@@ -84,15 +106,6 @@ void printJson(const base::Diagnostics& diagnostics) {
                    {"message", diagnostic.message}});
   }
   printLine(base::jsonText(all));
-}
-
-base::Diagnostics notYetTold(const base::Diagnostics& told, const base::Diagnostics& more) {
-  base::Diagnostics rest;
-  std::copy_if(more.begin(), more.end(), std::back_inserter(rest), [&](const auto& problem) {
-    return std::none_of(told.begin(), told.end(),
-                        [&](const auto& other) { return other.text() == problem.text(); });
-  });
-  return rest;
 }
 
 void catchInterrupts() {

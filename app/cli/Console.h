@@ -23,9 +23,6 @@ bool printDiagnostics(const base::Diagnostics& diagnostics,
 /// The same as an array of objects, all of it to standard output.
 void printJson(const base::Diagnostics& diagnostics);
 
-/// Those of `more` whose lines are not among the `told`.
-base::Diagnostics notYetTold(const base::Diagnostics& told, const base::Diagnostics& more);
-
 /// From now on Ctrl-C, SIGTERM and the end of the terminal only set a flag; a second Ctrl-C ends
 /// the program at once. Under nohup the end of the terminal stays without effect.
 void catchInterrupts();

@@ -311,15 +311,32 @@ base::Diagnostics checkExperiment(const Experiment& experiment, const sim2d::Ima
   return problems;
 }
 
+/// How many runs a batch of before had in this folder; none where its manifest is of no batch.
+std::optional<std::size_t> runsOfBatchIn(const fs::path& folder) {
+  const Json manifest = readJson(folder / "manifest.json");
+  const auto runs = manifest.is_object() ? manifest.find("runs") : manifest.end();
+  return runs != manifest.end() && runs->is_number_unsigned()
+             ? std::optional(runs->get<std::size_t>())
+             : std::nullopt;
+}
+
 base::Diagnostics checkRunFolders(const Experiment& experiment, const std::string& runsFolder) {
   constexpr std::size_t kMostTold = 5;
   std::error_code ignored;
+  const fs::path folder = fs::path(runsFolder).parent_path();
+  const std::optional<std::size_t> known = runsOfBatchIn(folder);
+  for (const char* name : {"manifest.json", "results.csv"}) {
+    if (!known && fs::exists(fs::symlink_status(folder / name, ignored))) {
+      return {base::error("batch.stranger", {}, (folder / name).string())};
+    }
+  }
   if (fs::is_symlink(fs::symlink_status(runsFolder, ignored))) {
     return {base::error("batch.stranger", {}, runsFolder)};
   }
   base::Diagnostics problems;
   for (std::size_t run = 0; run < experiment.runCount() && problems.size() < kMostTold; ++run) {
-    if (const auto stranger = strangerIn((fs::path(runsFolder) / std::to_string(run)).string())) {
+    const std::string place = (fs::path(runsFolder) / std::to_string(run)).string();
+    if (const auto stranger = strangerIn(place, run < known.value_or(0))) {
       problems.push_back(base::error("batch.stranger", {}, *stranger));
     }
   }

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "app/run/DataPaths.h"
+#include "app/run/Echoes.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -190,6 +191,7 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   setup.behavior = bt::makeTreeBehavior(*bundle.scenario, bundle.trees, verdict.problems,
                                         bundle.settings.compatibility);
   checkMetrics(bundle, verdict);
+  verdict.problems = withoutEchoes(verdict.problems, verdict.problems);
   if (depth == CheckDepth::Meaning || !verdict.ok()) {
     return verdict;
   }
@@ -202,7 +204,9 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   base::Diagnostics ofWorld = world.diagnostics();
   sim2d::addPlaces(ofWorld, bundle.lines, bundle.path);
   bundle.stop->check();
-  base::append(world ? verdict.worldRemarks : verdict.problems, ofWorld);
+  base::Diagnostics all = verdict.problems;
+  base::append(all, ofWorld);
+  base::append(world ? verdict.worldRemarks : verdict.problems, withoutEchoes(ofWorld, all));
   if (world) {
     verdict.world = *std::move(world);
   }

@@ -69,7 +69,8 @@ std::optional<base::Diagnostic> unknownScenario(const std::string& word,
     names.push_back(shipped.name);
   }
   const std::string stem = fs::path(word).stem().string();
-  return base::error("file.unknown-scenario", {base::nearestName(stem, names)}, word);
+  return base::error(others.empty() ? "file.unknown-scenario" : "file.unknown-word",
+                     {base::nearestName(stem, names)}, word);
 }
 
 std::string programVersion() {

@@ -126,15 +126,15 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
 }
 
 /// A file that a run writes, or the beginning of one that was cut short.
-bool isOfRun(const fs::directory_entry& entry) {
+bool isOfRun(const fs::directory_entry& entry, bool isOurs = true) {
   constexpr const char* kFiles[] = {"trajectory.csv",     "events.csv",   "trees.csv", "inputs.csv",
                                     "metrics.json",       "metrics.csv",  "steps.csv", "trace.json",
                                     "counterfactual.csv", "manifest.json"};
   std::error_code error;
   const std::string name = entry.path().filename().string();
   return fs::is_regular_file(entry.symlink_status(error)) &&
-         std::any_of(std::begin(kFiles), std::end(kFiles), [&name](const std::string& file) {
-           return name == file || name.rfind(file + ".new-", 0) == 0;
+         std::any_of(std::begin(kFiles), std::end(kFiles), [&](const std::string& file) {
+           return (isOurs && name == file) || name.rfind(file + ".new-", 0) == 0;
          });
 }
 
@@ -190,7 +190,7 @@ void writeParts(Folder& folder, const FinishedRun& run, RunWriter& writer) {
 
 }  // namespace
 
-std::optional<std::string> strangerIn(const std::string& runFolder) {
+std::optional<std::string> strangerIn(const std::string& runFolder, bool isOurs) {
   std::error_code error;
   const fs::file_status status = fs::symlink_status(runFolder, error);
   if (!fs::exists(status)) {
@@ -200,7 +200,7 @@ std::optional<std::string> strangerIn(const std::string& runFolder) {
     return runFolder;
   }
   for (fs::directory_iterator at(runFolder, error), end; !error && at != end; at.increment(error)) {
-    if (!isOfRun(*at)) {
+    if (!isOfRun(*at, isOurs)) {
       return at->path().string();
     }
   }

@@ -80,9 +80,10 @@ base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run
 /// manifest.json of a batch; nothing of it depends on the number of jobs or the clock.
 std::string batchManifest(const Experiment& experiment, const BatchRows& rows);
 
-/// Whether all that is in the folder of a run is of a run: nothing else would be lost with it. What
-/// is not, by its name; a link is of somebody else.
-std::optional<std::string> strangerIn(const std::string& runFolder);
+/// Whether all that is in the folder of a run is of a run (`isOurs`: its files are of an earlier
+/// batch; else only those that were cut short count): nothing else would be lost with it. What is
+/// not, by its name; a link is of somebody else.
+std::optional<std::string> strangerIn(const std::string& runFolder, bool isOurs);
 /// Removes the files of a run, and the folder when nothing else is in it.
 void removeRun(const std::string& runFolder);
 

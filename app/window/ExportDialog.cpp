@@ -12,6 +12,7 @@
 
 #include "app/window/FileDialogs.h"
 #include "editor/document/FreeNames.h"
+#include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "sim2d/base/Text.h"
@@ -120,10 +121,12 @@ QLayout* ExportDialog::makeForm() {
   auto* choose = new QPushButton(tr("C&hoose…"), this);
   choose->setAutoDefault(false);
   connect(choose, &QPushButton::clicked, this, [this] {
-    const QString chosen =
-        QFileDialog::getExistingDirectory(this, tr("Folder for the export"), folder_->text());
-    if (!chosen.isEmpty()) {
-      folder_->setText(chosen);
+    QFileDialog dialog(this, tr("Folder for the export"), folder_->text());
+    dialog.setFileMode(QFileDialog::Directory);
+    dialog.setOption(QFileDialog::ShowDirsOnly);
+    editor::keepFiles(dialog, true);
+    if (dialog.exec() == QDialog::Accepted) {
+      folder_->setText(dialog.selectedFiles().value(0));
     }
   });
   place->addWidget(choose);

@@ -8,6 +8,7 @@
 #include <QSplitter>
 #include <QTreeView>
 
+#include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
 
 namespace app {
@@ -90,9 +91,7 @@ QDateTime Memory::noted(const QString& path) const {
 QString askFile(QFileDialog& dialog, Memory& memory) {
   const QString folder = dialog.directory().absolutePath();
   dress(dialog, memory);
-  if (dialog.acceptMode() == QFileDialog::AcceptOpen) {  // saving may take a new folder
-    dialog.setOption(QFileDialog::ReadOnly);  // files are chosen here, not deleted or renamed
-  }
+  editor::keepFiles(dialog, dialog.acceptMode() == QFileDialog::AcceptSave);
   dialog.setDirectory(folder);  // that of the last time would come back with the state
   const bool isAccepted = dialog.exec() == QDialog::Accepted;
   memory.setValue(kStateKey, dialog.saveState());

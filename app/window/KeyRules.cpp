@@ -62,9 +62,14 @@ bool isTickable(const QWidget& widget) {
   return row.flags().testFlag(Qt::ItemIsUserCheckable) && row.data(Qt::CheckStateRole).isValid();
 }
 
-/// The text would take it and do nothing.
-bool isInVain(const QLineEdit& line, const QKeyEvent& event) {
-  return (event.matches(QKeySequence::Undo) && !line.isModified()) ||
+bool isPlainSpace(const QKeyEvent& event) {
+  return event.key() == Qt::Key_Space && event.modifiers() == Qt::NoModifier;
+}
+
+/// The text, that of a number field it may be, would take it and do nothing.
+bool isInVain(const QWidget& widget, const QLineEdit& line, const QKeyEvent& event) {
+  return (isPlainSpace(event) && qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr) ||
+         (event.matches(QKeySequence::Undo) && !line.isModified()) ||
          (event.matches(QKeySequence::Redo) && !line.isRedoAvailable());
 }
 
@@ -81,8 +86,9 @@ KeyRules::KeyRules(QMainWindow& window, Workspace& workspace)
 
 QStringList KeyRules::rules() {
   return {
-      tr("A text that is being typed has all keys that it uses. Enter finishes it and gives the "
-         "keyboard back to the map; Ctrl+Z is the text's own only while something is typed."),
+      tr("A text that is being typed has all keys that it uses; a number does not use Space. Enter "
+         "finishes it and gives the keyboard back to the map, Esc does so without what was typed; "
+         "Ctrl+Z is the text's own only while something is typed."),
       tr("A list has the keys that move in it, Space in rows with a box to tick, and Delete if it "
          "has rows to remove. Only from the list of the scenario does Delete reach what is "
          "selected on the map."),
@@ -94,8 +100,7 @@ QStringList KeyRules::rules() {
 
 /// Whether the widget has a key although it does not say so, and a command waits for it.
 bool KeyRules::isOfWidget(QWidget& focus, const QKeyEvent& event) const {
-  const bool isSpace = event.key() == Qt::Key_Space && event.modifiers() == Qt::NoModifier;
-  if (isSpace) {
+  if (isPlainSpace(event)) {
     return isOnlyClicked(focus) || isTickable(focus) || &focus == &workspace_.view();
   }
   return isRemoving(event) && isList(focus) && !isInScenarioPanel(focus);
@@ -128,7 +133,7 @@ bool KeyRules::eventFilter(QObject* watched, QEvent* event) {
   }
   auto& key = static_cast<QKeyEvent&>(*event);
   const QLineEdit* line = lineOf(*widget);
-  if (line != nullptr && isInVain(*line, key)) {
+  if (line != nullptr && isInVain(*widget, *line, key)) {
     key.ignore();
     return true;
   }
@@ -145,8 +150,12 @@ void KeyRules::takeLeft(QKeyEvent& event) {
   if (!view.isVisible() || focus == nullptr || focus == &view) {
     return;  // the tool has seen it
   }
-  if (lineOf(*focus) != nullptr) {
-    if (isEnter(event)) {
+  if (QLineEdit* line = lineOf(*focus)) {
+    const bool isLeft = event.key() == Qt::Key_Escape;
+    while (isLeft && line->isUndoAvailable()) {
+      line->undo();
+    }
+    if (isEnter(event) || isLeft) {
       view.setFocus();
       event.accept();
     }

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "app/window/KeyRules.h"
+#include "app/window/WindowActions.h"
 #include "editor/look/Form.h"
 #include "editor/panels/RowDelegate.h"
 
@@ -15,9 +16,10 @@ constexpr QSize kUsual(640, 560);
 constexpr int kNameWidth = 200;
 constexpr int kKeyWidth = 150;
 
-/// Without the marks of menus, and without the key that a tool hears.
+/// Without the marks of menus, what would be undone, and the key that a tool hears.
 QString nameOf(const QAction& action) {
-  return action.text()
+  const QString lasting = action.property(WindowActions::kName).toString();
+  return (lasting.isEmpty() ? action.text() : lasting)
       .section(QLatin1Char('\t'), 0, 0)
       .remove(QLatin1Char('&'))
       .remove(QChar(0x2026));

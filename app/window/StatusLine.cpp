@@ -30,15 +30,28 @@ QPixmap dotPixmap(const QColor& color) {
   return pixmap;
 }
 
+/// When the last robot arrived [s]; runs go on for a second then.
+double arrivalIn(const sim2d::Recording& recording) {
+  const auto& events = recording.events();
+  for (std::size_t i = events.size(); i-- > 0;) {
+    const auto& [step, event] = events[i];
+    if (event.kind == sim2d::EventKind::Arrived && event.hasId && event.id < 0) {
+      return double(step) * recording.header()->dt;
+    }
+  }
+  return recording.timeOf(recording.size() - 1);
+}
+
 /// Why the run is over, before what can be done now.
 QString endOf(const SimulationRunner& runner) {
   if (!runner.result() || runner.newestFrame() == nullptr) {
     return {};
   }
-  const QString time = StatusLine::tr("%1 s").arg(runner.newestFrame()->time, 0, 'f', 1);
   if (runner.result()->reason == "arrived") {
-    return StatusLine::tr("The robot has arrived, %1 · ").arg(time);
+    return StatusLine::tr("The robot has arrived, %1 s · ")
+        .arg(arrivalIn(*runner.recording()), 0, 'f', 1);
   }
+  const QString time = StatusLine::tr("%1 s").arg(runner.newestFrame()->time, 0, 'f', 1);
   return runner.result()->reason == "duration"
              ? StatusLine::tr("The duration is over, %1 · ").arg(time)
              : QString();
@@ -123,12 +136,14 @@ void StatusLine::setIdle(bool idle) {
   showState();
 }
 
-/// Whom a run is watched for: the only one that is selected, or somebody from a source.
+/// Whom a run is watched for: the only person or robot that is selected, or somebody from a source.
 QString StatusLine::watched() const {
   const editor::MapScene& scene = workspace_.scene();
   const std::vector<editor::EntityId>& selection = workspace_.document().selection();
+  const bool isBody = selection.size() == 1 && (selection.front().kind == base::EntityKind::Human ||
+                                                selection.front().kind == base::EntityKind::Robot);
   const std::optional<editor::Entity> one =
-      selection.size() == 1 ? workspace_.document().entity(selection.front()) : std::nullopt;
+      isBody ? workspace_.document().entity(selection.front()) : std::nullopt;
   const QString name = scene.guest() ? scene.frameLayer().nameOf(*scene.guest())
                        : one         ? editor::displayName(*one)
                                      : QString();

@@ -73,8 +73,10 @@ void WindowActions::makeFileActions() {
 void WindowActions::makeEditActions() {
   QUndoStack& stack = workspace_.document().undoStack();
   undo = stack.createUndoAction(this, tr("&Undo"));
+  undo->setProperty(kName, tr("&Undo"));
   undo->setShortcut(QKeySequence::Undo);
   redo = stack.createRedoAction(this, tr("&Redo"));
+  redo->setProperty(kName, tr("&Redo"));
   redo->setShortcut(kCtrl | kShift | Qt::Key_Z);
   const auto tell = [this] {  // the names say what would be taken back
     editor::describe(*undo, tr("Take the last change back"));

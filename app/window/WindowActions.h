@@ -15,6 +15,7 @@ namespace app {
 class WindowActions : public QObject {
   Q_OBJECT
  public:
+  static constexpr const char* kName = "name";  // property: of a command whose text changes
   explicit WindowActions(Workspace& workspace, QObject* parent = nullptr);
   void setTheme(const editor::Theme& theme);
 

@@ -223,6 +223,9 @@ int windowCommand(const Invocation& given, const RunOptions& run, const WindowOp
   base::append(wrongWords, settings.diagnostics());
   requireFine(wrongWords, ExitWrongCommandLine, base::Severity::Warning);
   const QString scenario = QString::fromStdString(run.scenario);
+  if (run.scenario == "-") {
+    requireFine({base::error("option.window-input")}, ExitWrongCommandLine);
+  }
   if (!scenario.isEmpty() && !QFileInfo::exists(scenario)) {
     requireFine({unknownScenario(run.scenario, commands)
                      .value_or(base::error("file.not-there", {}, run.scenario))});
@@ -313,8 +316,7 @@ void addWindow(CommandRegistry& commands) {
   root.add_option("--at", window->at, "Simulated time of the picture [s]");
   root.add_option("--size", window->size, "Size of the window, WxH");
   root.add_option("--scale", window->scale, "Pixels per point");
-  root.add_option("--theme", window->theme, "light or dark")
-      ->check(CLI::IsMember({"light", "dark"}));
+  root.add_option("--theme", window->theme, "light or dark")->check(oneOf({"light", "dark"}));
   root.add_option("--dock", window->docks, "Docks to show, by their names in the View menu");
 }
 

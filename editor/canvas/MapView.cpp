@@ -81,7 +81,7 @@ MapView::MapView(MapScene& scene, QWidget* parent) : QGraphicsView(&scene, paren
   setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
   setMouseTracking(true);
   viewport()->setMouseTracking(true);
-  setMinimumSize(320, 240);
+  setMinimumSize(320, 120);
   setAccessibleName(tr("Map"));
   fitAnimation_.setDuration(kFitMs);
   fitAnimation_.setEasingCurve(QEasingCurve::OutCubic);

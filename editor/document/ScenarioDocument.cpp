@@ -7,6 +7,7 @@
 #include <QFileInfo>
 
 #include "app/run/Bundle.h"
+#include "app/run/Echoes.h"
 #include "editor/document/DocumentDisk.h"
 #include "editor/document/EntityLists.h"
 #include "editor/document/LatestTask.h"
@@ -257,11 +258,8 @@ void ScenarioDocument::checkSoon() {
 /// As every run would check it, beside the GUI thread: walls of a large map take long to trace.
 /// What was said while it was read is not told again.
 void ScenarioDocument::startCheck() {
-  liveCheck_->start([bundle = bundle()] {
-    base::Diagnostics found = app::check(bundle).problems;
-    found.erase(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(bundle.remarks.size()));
-    return found;
-  });
+  liveCheck_->start(
+      [bundle = bundle()] { return app::notYetTold(bundle.remarks, app::check(bundle).problems); });
 }
 
 void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {

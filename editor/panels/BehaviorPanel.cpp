@@ -16,6 +16,7 @@
 #include "editor/document/Groups.h"
 #include "editor/document/TreeFiles.h"
 #include "editor/look/FigurePainter.h"
+#include "editor/look/FileDialog.h"
 #include "editor/panels/BlockDialog.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
@@ -303,11 +304,14 @@ void BehaviorPanel::askForFile() {
   const sim2d::Human* human = document_.human(person_);
   const QString name = QString::fromStdString(
       bt::treeFileName(document_.scenario().yamlBaseName.value_or("scenario"), human->id));
-  const QString path =
-      QFileDialog::getSaveFileName(window(), tr("Save the behaviour tree"),
-                                   QDir(folder_()).filePath(name), tr("Behaviour trees (*.xml)"));
-  if (!path.isEmpty()) {
-    Q_EMIT told(saveTreeTo(path));
+  QFileDialog dialog(window(), tr("Save the behaviour tree"), folder_(),
+                     tr("Behaviour trees (*.xml)"));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(QStringLiteral("xml"));
+  dialog.selectFile(name);
+  keepFiles(dialog, true);
+  if (dialog.exec() == QDialog::Accepted) {
+    Q_EMIT told(saveTreeTo(dialog.selectedFiles().value(0)));
   }
 }
 

@@ -1,9 +1,7 @@
 #include "editor/panels/IssuesPanel.h"
 
 #include <algorithm>
-#include <iterator>
 #include <set>
-#include <tuple>
 
 #include <QClipboard>
 #include <QFileInfo>
@@ -11,6 +9,7 @@
 #include <QHeaderView>
 #include <QMenu>
 
+#include "app/run/Echoes.h"
 #include "editor/document/Fixes.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
@@ -39,43 +38,11 @@ QString placeOf(const base::Diagnostic& issue, const QString& ownFile) {
   return issue.line > 0 ? file + QStringLiteral(":%1").arg(issue.line) : file;
 }
 
-/// What reading, trees and the beginning of a run say in their words of what the check tells too.
-struct Echo {
-  std::string_view code, of;
-};
-constexpr Echo kEchoes[] = {{"scenario.nobody-listed", "scenario.nobody"},
-                            {"tree.no-goal", "scenario.goal-undefined"},
-                            {"world.body-moved", "places.moved"},
-                            {"world.body-does-not-fit", "places.no-place"},
-                            {"world.goal-out-of-reach", "places.no-way"},
-                            {"world.point-out-of-reach", "places.no-way"},
-                            {"world.point-out-of-reach", "places.no-way-to-point"}};
-
-/// Some of all problems, without those that another of all tells too.
-base::Diagnostics withoutEchoes(const base::Diagnostics& some, const base::Diagnostics& all) {
-  using About = std::tuple<EntityId, std::string_view, std::string>;  // thing, code, goal
-  std::set<About> told;
-  for (const base::Diagnostic& issue : all) {
-    for (const EntityId thing : {issue.entity, EntityId()}) {
-      told.insert({thing, issue.code, issue.value("goal")});
-      told.insert({thing, issue.code, std::string()});
-    }
-  }
-  base::Diagnostics left;
-  std::copy_if(some.begin(), some.end(), std::back_inserter(left), [&](const auto& issue) {
-    return std::none_of(std::begin(kEchoes), std::end(kEchoes), [&](const Echo& echo) {
-      return echo.code == issue.code &&
-             told.count({issue.entity, echo.of, issue.value("goal")}) > 0;
-    });
-  });
-  return left;
-}
-
 /// Every problem once: without those that say the same of the same thing, wherever it was found.
 base::Diagnostics toldOnce(const base::Diagnostics& all) {
   std::set<std::pair<EntityId, std::string>> said;
   base::Diagnostics once;
-  for (const base::Diagnostic& issue : withoutEchoes(all, all)) {
+  for (const base::Diagnostic& issue : app::withoutEchoes(all, all)) {
     const std::string place =
         issue.file + ':' + std::to_string(issue.line) + ':' + std::to_string(issue.column) + ':';
     if (said.insert({issue.entity, place + issue.message}).second) {
@@ -219,7 +186,7 @@ void IssuesPanel::rebuild() {
   base::append(all, adviceFor(document_.scenario()));
   base::Diagnostics known = action_;
   base::append(known, all);
-  action_ = withoutEchoes(action_, known);  // what is mended does not come back as its echo
+  action_ = app::withoutEchoes(action_, known);  // what is mended does not come back as its echo
   all.insert(all.begin(), action_.begin(), action_.end());
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return static_cast<int>(a.severity) > static_cast<int>(b.severity);

@@ -28,6 +28,8 @@ namespace {
 
 constexpr int kLeastMargin = 12;  // of a plot, at the right [px]
 constexpr int kCellPadding = 20;
+constexpr int kPlotFrom = 520;  // width of the dock [px]
+constexpr int kCourseFrom = 340;
 constexpr int kPointsShown = 120;
 
 /// Of the live table.
@@ -251,6 +253,13 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
     }
   });
   setTheme(theme);
+}
+
+/// In a narrow dock the names have the room: first the plot goes, then the courses.
+void MetricsDock::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  plot_->setHidden(width() < kPlotFrom);
+  table_->setColumnHidden(CourseColumn, width() < kCourseFrom);
 }
 
 void MetricsDock::makeTable() {

@@ -45,6 +45,9 @@ class MetricsDock : public QWidget {
   void setTheme(const Theme& theme);
   QTableView& table() const { return *table_; }
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void makeTable();
   void takeSnapshot();

@@ -228,9 +228,12 @@ constexpr ProblemText kTexts[] = {
     {"file.cannot-remove", "cannot remove the file: {reason}"},
     {"file.no-permission", "cannot write into the folder (no permission)"},
     {"file.is-read", "this file is read: results would take its place, write elsewhere"},
+    {"file.is-in-the-way", "this file is of something else and would be lost: write elsewhere"},
     {"file.other-run", "holds a run or a batch: results would take the place of its files"},
     {"file.not-there", "there is no such file"},
     {"file.unknown-scenario",
+     "there is no such file, and no shipped scenario of this name{nearest? (did you mean '%'?)}"},
+    {"file.unknown-word",
      "there is no such file, and no command or shipped scenario of this name{nearest? (did you "
      "mean '%'?)}"},
 
@@ -462,6 +465,8 @@ constexpr ProblemText kTexts[] = {
     {"export.over-source", "the scenario itself would be replaced (give another folder)"},
 
     // Command line.
+    {"option.wrong", "{said}"},
+    {"option.window-input", "the window opens files, not the standard input"},
     {"option.size", "--size takes WIDTHxHEIGHT, such as 1280x800"},
     {"option.scale", "--scale takes a number from 0.5 to 8"},
     {"option.at", "--at takes a time in seconds"},

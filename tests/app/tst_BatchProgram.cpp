@@ -155,8 +155,22 @@ class BatchProgramTest : public QObject {
     QVERIFY2(finished.err.contains(QStringLiteral("notes.txt: error: this is of no batch")),
              qPrintable(finished.err));
     QCOMPARE(outside::bytesOf(out + QStringLiteral("/runs/0/notes.txt")), QByteArray("mine"));
-    // Leftovers of a run are no strangers: they are removed.
+    // Nor is a run that somebody else made, whatever its files are called.
     QVERIFY(QFile::remove(out + QStringLiteral("/runs/0/notes.txt")));
+    outside::writeText(out + QStringLiteral("/runs/0/trajectory.csv"), "mine");
+    finished = tried();
+    QCOMPARE(finished.exitCode, 2);
+    QVERIFY2(finished.err.contains(QStringLiteral("trajectory.csv: error: this is of no batch")),
+             qPrintable(finished.err));
+    QCOMPARE(outside::bytesOf(out + QStringLiteral("/runs/0/trajectory.csv")), QByteArray("mine"));
+    QVERIFY(QFile::remove(out + QStringLiteral("/runs/0/trajectory.csv")));
+    for (const char* file : {"/results.csv", "/manifest.json"}) {
+      outside::writeText(out + QLatin1String(file), "{}");
+      QCOMPARE(tried().exitCode, 2);
+      QCOMPARE(outside::bytesOf(out + QLatin1String(file)), QByteArray("{}"));
+      QVERIFY(QFile::remove(out + QLatin1String(file)));
+    }
+    // Leftovers of a run are no strangers: they are removed.
     outside::writeText(out + QStringLiteral("/runs/0/trajectory.csv.new-1"), "cut");
     finished = tried();
     QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));

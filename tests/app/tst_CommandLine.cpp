@@ -83,6 +83,26 @@ class CommandLineTest : public QObject {
     QVERIFY(!first[text("message")].toString().isEmpty());
   }
 
+  /// A command line that cannot be followed is an error as well.
+  void json_wrongWords_areListedOnStandardOutput_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::newRow("value") << QStringList{text("run"), demo(), text("--seed"), text("x")};
+    QTest::newRow("missing") << QStringList{text("run")};
+    QTest::newRow("unknown option") << QStringList{text("bench"), text("--foo")};
+    QTest::newRow("name") << QStringList{text("list"), text("keyz")};
+    QTest::newRow("command") << QStringList{text("chekc"), demo()};
+    QTest::newRow("realism test") << QStringList{text("validate"), text("nope")};
+  }
+  void json_wrongWords_areListedOnStandardOutput() {
+    QFETCH(QStringList, words);
+    const Finished finished = runProgram(words + QStringList{text("--json")});
+    QCOMPARE(finished.exitCode, 64);
+    const QJsonArray all = QJsonDocument::fromJson(finished.out.toUtf8()).array();
+    QCOMPARE(all.size(), 1);
+    QCOMPARE(all[0].toObject()[text("severity")].toString(), text("error"));
+    QVERIFY(!all[0].toObject()[text("message")].toString().isEmpty());
+  }
+
   void fullStandardOutput_everyCommand_isAnError_data() {
     QTest::addColumn<QStringList>("words");
     const auto row = [](const char* command, const QStringList& more) {
@@ -101,13 +121,65 @@ class CommandLineTest : public QObject {
     program.start(QStringLiteral(HUNAVSIM_PROGRAM), words);
     QVERIFY(program.waitForFinished(55000));
     const QString said = QString::fromUtf8(program.readAllStandardError());
-    QVERIFY2(program.exitCode() != 0, qPrintable(said));
+    QCOMPARE(program.exitCode(), 2);
+    QVERIFY2(said.contains(text("cannot write to the standard output")), qPrintable(said));
   }
 
-  void mistypedCommand_namesTheNearest() {
-    const Finished finished = runProgram({text("evalute"), path("walk.csv"), text("x")});
+  void mistypedWords_nameTheNearest_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<int>("code");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("command") << QStringList{text("evalute"), path("walk.csv"), text("x")} << 64
+                             << text("there is no command 'evalute' (did you mean 'evaluate'?)");
+    QTest::newRow("list") << QStringList{text("list"), text("modles")} << 64
+                          << text("(did you mean 'models'?)");
+    QTest::newRow("scenario of a command")
+        << QStringList{text("run"), text("corner_cafe_agent")} << 2
+        << text("no shipped scenario of this name (did you mean 'corner_cafe_agents'?)");
+    QTest::newRow("scenario of the window")
+        << QStringList{text("corner_cafe_agent")} << 2
+        << text("no command or shipped scenario of this name (did you mean 'corner_cafe_agents'?)");
+  }
+  void mistypedWords_nameTheNearest() {
+    QFETCH(QStringList, words);
+    QFETCH(QString, says);
+    const Finished finished = runProgram(words);
+    QTEST(finished.exitCode, "code");
+    QVERIFY2(finished.err.contains(says), qPrintable(finished.err));
+  }
+
+  /// On a terminal, which `script` is, unless NO_COLOR is set.
+  void errors_onATerminal_haveColors_data() {
+    QTest::addColumn<bool>("isPlain");
+    QTest::newRow("terminal") << false;
+    QTest::newRow("NO_COLOR") << true;
+  }
+  void errors_onATerminal_haveColors() {
+    QFETCH(bool, isPlain);
+    QProcess terminal;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.remove(text("NO_COLOR"));
+    environment.insert(text("TERM"), text("xterm"));
+    if (isPlain) {
+      environment.insert(text("NO_COLOR"), text("1"));
+    }
+    terminal.setProcessEnvironment(environment);
+    terminal.start(text("script"), {text("-qec"), text(HUNAVSIM_PROGRAM " check nowhere/a.yaml"),
+                                    text("/dev/null")});
+    if (!terminal.waitForStarted()) {
+      QSKIP("the program 'script' is not here");
+    }
+    QVERIFY(terminal.waitForFinished(30000));
+    const QByteArray said = terminal.readAllStandardOutput();
+    QVERIFY2(said.contains("error:"), said.constData());
+    QCOMPARE(said.contains("\033[1;31merror:\033[0m"), !isPlain);
+    QCOMPARE(said.contains('\033'), !isPlain);
+  }
+
+  void window_standardInput_isRefused() {
+    const Finished finished = runProgram({text("-"), text("-q")});
     QCOMPARE(finished.exitCode, 64);
-    QVERIFY2(finished.err.contains(text("'evaluate'")), qPrintable(finished.err));
+    QVERIFY2(finished.err.contains(text("not the standard input")), qPrintable(finished.err));
   }
 };
 

@@ -260,6 +260,22 @@ class EvaluateProgramTest : public QObject {
     QVERIFY(bytesOf(path("same/steps.csv")).startsWith("time,id,x,y"));
   }
 
+  /// Not only what is read: the output folder has a way of somebody else.
+  void evaluate_resultOverAnotherWay_isRefused() {
+    const QByteArray mine = "time,id,x,y\n0,1,0,0\n1,1,1,0\n";
+    outside::writeText(path("others/trajectory.csv"), mine);
+    outside::writeText(path("way.csv"), mine);
+    const QStringList words = {text("evaluate"), path("way.csv"), text("-o"), path("others")};
+    const Finished finished = runProgram(words);
+    QCOMPARE(finished.exitCode, 2);
+    QVERIFY2(finished.err.contains(text("trajectory.csv: error: this file is of something else")),
+             qPrintable(finished.err));
+    QCOMPARE(bytesOf(path("others/trajectory.csv")), mine);
+    QVERIFY(QFile::remove(path("others/trajectory.csv")));
+    QCOMPARE(runProgram(words).exitCode, 0);
+    QCOMPARE(runProgram(words).exitCode, 0);  // what it wrote itself it writes again
+  }
+
   void standardInput_isRead() {
     const auto through = [](const QByteArray& input, const QStringList& words) {
       QProcess process;

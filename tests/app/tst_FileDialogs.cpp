@@ -5,6 +5,7 @@
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "tests/app/QuietWindow.h"
+#include "tests/app/RunFiles.h"
 
 /// Where dialogs for files begin, and what can be done in them.
 class FileDialogsTest : public QObject, protected quiet::InFolder {
@@ -73,6 +74,49 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
     }
     QCOMPARE(seen.count, 1);
     QVERIFY(!seen.isReadOnly);
+  }
+
+  void dialogs_forWriting_deleteNothing_data() {
+    QTest::addColumn<QString>("view");
+    QTest::newRow("list") << QStringLiteral("listView");
+    QTest::newRow("details") << QStringLiteral("treeView");
+  }
+  void dialogs_forWriting_deleteNothing() {
+    QFETCH(QString, view);
+    const QString precious = folder_->filePath(QStringLiteral("precious.yaml"));
+    outside::writeText(precious, "mine");
+    QTimer yes;  // to the question that must not come
+    connect(&yes, &QTimer::timeout, &yes, [] {
+      if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+        box->button(QMessageBox::Yes)->click();
+      }
+    });
+    yes.start(20);
+    bool isEdited = true;
+    bool isDeleteOffered = true;
+    quiet::answerDialog<QFileDialog>([&](QFileDialog& dialog) {
+      dialog.setViewMode(view == QLatin1String("listView") ? QFileDialog::List
+                                                           : QFileDialog::Detail);
+      auto& files = *dialog.findChild<QAbstractItemView*>(view);
+      QTRY_VERIFY(files.model()->rowCount(files.rootIndex()) > 0);
+      const QModelIndex row =
+          files.model()
+              ->match(files.model()->index(0, 0, files.rootIndex()), Qt::DisplayRole,
+                      QFileInfo(precious).fileName(), 1, Qt::MatchExactly)
+              .value(0);
+      files.setFocus();
+      files.setCurrentIndex(row);
+      QTest::keyClick(&files, Qt::Key_F2);
+      isEdited = files.indexWidget(row) != nullptr;
+      QTest::keyClick(&files, Qt::Key_Delete);
+      isDeleteOffered = dialog.findChild<QAction*>(QStringLiteral("qt_delete_action"))->isVisible();
+      QCOMPARE(row.data().toString(), QFileInfo(precious).fileName());
+      dialog.reject();
+    });
+    QVERIFY(window_->open(copyOfDemo()));
+    window_->actions().saveAs->trigger();
+    QCOMPARE(outside::bytesOf(precious), QByteArray("mine"));
+    QVERIFY(!isEdited && !isDeleteOffered);
   }
 
   void treeDialogs_beginWithTheUsersFiles_data() {

@@ -35,7 +35,10 @@ class KeyRulesTest : public QObject {
   }
   void cleanup() { quiet::leave(window_); }
 
-  void space_fromEveryList_runsAndPauses_data() { everyFocus(); }
+  void space_fromEveryList_runsAndPauses_data() {
+    everyFocus();
+    QTest::newRow("number") << "number" << false;
+  }
   void space_fromEveryList_runsAndPauses() {
     QFETCH(QString, where);
     focus(where);
@@ -95,6 +98,19 @@ class KeyRulesTest : public QObject {
     key(Qt::Key_Space);
     QVERIFY(row->checkState(0) != before);
     QCOMPARE(window_->workspace().runner().state(), SimulationRunner::State::Editing);
+  }
+
+  void escape_inANumber_leavesItAsItWas() {
+    document().setSelection({person_});
+    QDoubleSpinBox* number = someNumber();
+    const double before = number->value();
+    number->setFocus();
+    number->selectAll();
+    QTest::keyClicks(number, QStringLiteral("7"));
+    key(Qt::Key_Escape);
+    QVERIFY(window_->workspace().view().hasFocus());
+    QCOMPARE(number->value(), before);
+    QVERIFY(!document().undoStack().canUndo());
   }
 
   void startPage_hasNothingToRun() {
@@ -232,6 +248,7 @@ class KeyRulesTest : public QObject {
     QTest::newRow("issues") << "issues" << false;
     QTest::newRow("time line") << "time line" << true;
     QTest::newRow("metrics") << "metrics" << false;
+    QTest::newRow("values of metrics") << "values" << false;
   }
   void focus(const QString& where) {
     QWidget* wanted = &window_->workspace().view();
@@ -247,6 +264,11 @@ class KeyRulesTest : public QObject {
     } else if (where == QLatin1String("metrics")) {
       raise(QStringLiteral("measure"));
       wanted = &metrics();
+    } else if (where == QLatin1String("values")) {
+      raise(QStringLiteral("metrics"));
+      wanted = window_->docks().dock(QStringLiteral("metrics"))->findChild<QAbstractItemView*>();
+    } else if (where == QLatin1String("number")) {
+      wanted = someNumber();
     } else if (where == QLatin1String("time line")) {
       wanted = window_->findChild<editor::TimelineBar*>();
     } else {

@@ -31,6 +31,28 @@ int numberIn(const char* variable, int otherwise) {
   return isNumber ? number : otherwise;
 }
 
+/// Puts every list and tree that is there under Qt's model tester, once; returns how many are. Not
+/// three of Qt's own: QTreeModel gives the children of a row to each of its columns, and those of
+/// the file dialogs fill themselves while they are looked at.
+int testModels() {
+  int tested = 0;
+  for (const QWidget* top : QApplication::topLevelWidgets()) {
+    for (QAbstractItemModel* model : top->findChildren<QAbstractItemModel*>()) {
+      if (model->inherits("QTreeModel") || model->inherits("QFileSystemModel") ||
+          model->inherits("QFSCompleter")) {
+        continue;
+      }
+      ++tested;
+      if (!model->property("isTested").toBool()) {
+        model->setProperty("isTested", true);
+        new QAbstractItemModelTester(  // NOLINT(cppcoreguidelines-owning-memory): the model's
+            model, QAbstractItemModelTester::FailureReportingMode::Warning, model);
+      }
+    }
+  }
+  return tested;
+}
+
 /// Presses what it finds: mouse, wheel and keys, in the window and in whatever it opens.
 class Monkey : public QObject {
  public:
@@ -45,6 +67,8 @@ class Monkey : public QObject {
   }
 
  private:
+  static constexpr int kBetweenLooks = 10;  // events
+
   int draw(int below) {
     const double share = rng_.uniform01(base::Draw::Test, draws_++);
     return std::min(static_cast<int>(share * below), below - 1);
@@ -54,6 +78,9 @@ class Monkey : public QObject {
     if (left_-- <= 0) {
       leave();
       return;
+    }
+    if (left_ % kBetweenLooks == 0) {
+      testModels();  // of dialogs that have been opened
     }
     // What opens a dialog does not come back before it is closed: later, so that the timer goes on.
     const int what = draw(10);
@@ -243,22 +270,13 @@ class MonkeyTest : public QObject {
     QStringList complaints;
     auto window = quiet::shownWindow();
     QVERIFY(window->open(file));
-    std::vector<std::unique_ptr<QAbstractItemModelTester>> testers;
-    for (QAbstractItemModel* model : window->findChildren<QAbstractItemModel*>()) {
-      if (model->inherits("QTreeModel")) {
-        continue;  // Qt's own gives the children of a row to each of its columns
-      }
-      testers.push_back(std::make_unique<QAbstractItemModelTester>(
-          model, QAbstractItemModelTester::FailureReportingMode::Warning));
-    }
-    QVERIFY(testers.size() >= 3);
+    QVERIFY(testModels() >= 3);
     heard = &complaints;
     const QtMessageHandler before = qInstallMessageHandler(listen);
     Monkey(*window, seed, numberIn("HUNAV_MONKEY_EVENTS", 600)).play();
     window->workspace().runner().reset();
     qInstallMessageHandler(before);
     heard = nullptr;
-    testers.clear();
     quiet::leave(window);
     QVERIFY2(complaints.isEmpty(), qPrintable(complaints.join(QLatin1Char('\n'))));
   }

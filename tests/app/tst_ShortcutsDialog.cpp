@@ -1,5 +1,6 @@
 #include "app/window/KeyRules.h"
 #include "app/window/ShortcutsDialog.h"
+#include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
 #include "editor/look/HouseStyle.h"
 #include "tests/app/QuietWindow.h"
@@ -32,6 +33,21 @@ class ShortcutsDialogTest : public QObject, protected quiet::InFolder {
     QVERIFY(dialog_ != nullptr && dialog_->isVisible());
   }
   void cleanup() { end(); }
+
+  void list_namesOfUndoAndRedo_stay() {
+    dialog_->reject();
+    editor::pushChange<editor::ScenarioSettings>(
+        document(), editor::kSettingsId, QStringLiteral("Change duration"),
+        [](editor::ScenarioSettings& settings) { settings.desktop.duration = 7.0; });
+    QVERIFY(window_->actions().undo->text().contains(QLatin1String("Change duration")));
+    window_->actions().shortcuts->trigger();
+    dialog_ = window_->findChildren<app::ShortcutsDialog*>().last();
+    for (const char* name : {"Undo", "Redo"}) {
+      const std::vector<const QTreeWidgetItem*> rows = seenRows();
+      QVERIFY(std::any_of(rows.begin(), rows.end(),
+                          [name](const auto* row) { return row->text(0) == QLatin1String(name); }));
+    }
+  }
 
   void list_everyCommandWithAKey_isThereOnce() {
     const std::vector<const QTreeWidgetItem*> rows = seenRows();

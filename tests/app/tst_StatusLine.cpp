@@ -52,6 +52,30 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     QVERIFY(!isHinted("The duration is over"));
   }
 
+  /// A run goes on for a second after the arrival (stop rule of a scenario without a duration).
+  void run_thatArrived_saysWhen() {
+    setDuration(std::nullopt);
+    runner().setSpeed(std::numeric_limits<double>::infinity());
+    runner().play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner().isFinished(), 30000);
+    QCOMPARE(runner().result()->reason, std::string("arrived"));
+    const QString said = QStringLiteral("The robot has arrived, %1 s")
+                             .arg(runner().newestFrame()->time - 1.0, 0, 'f', 1);
+    QVERIFY2(isHinted(said.toUtf8().constData()), qPrintable(said));
+  }
+
+  void run_isWatchedForPeopleAndRobots() {
+    runner().play();
+    const auto select = [this](base::EntityKind kind) {
+      document().setSelection({document().entities(kind).front()});
+      return editor::displayName(*document().entity(document().selection().front())) +
+             QStringLiteral(" · ");
+    };
+    QVERIFY(isHinted(select(base::EntityKind::Human).toUtf8().constData()));
+    QVERIFY(isHinted(select(base::EntityKind::Robot).toUtf8().constData()));
+    QVERIFY(!isHinted(select(base::EntityKind::Obstacle).toUtf8().constData()));
+  }
+
   void run_whoseScenarioIsEdited_keepsItsWords() {
     setDuration(std::nullopt);
     runner().play();

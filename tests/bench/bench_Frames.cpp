@@ -95,10 +95,12 @@ class FramesBench : public QObject {
     }
     const double seconds = 1e-9 * double(clock.nsecsElapsed());
     const double work = workedSeconds() - before - grabbing;
-    qInfo("%d people: %.1f different pictures/s, %.1f paints/s, %.2f ms of the window each", people,
-          differing / seconds, paints_ / seconds, 1e3 * work / std::max(paints_, 1));
+    qInfo(
+        "%d people: %.1f different pictures/s (wanted: 50), %.1f paints/s, %.2f ms of the window "
+        "each",
+        people, differing / seconds, paints_ / seconds, 1e3 * work / std::max(paints_, 1));
     QTest::setBenchmarkResult(differing / seconds, QTest::FramesPerSecond);
-    QVERIFY(differing > 10);
+    QVERIFY(differing > 10);  // it moves; how fast is a figure, not a verdict: machines are shared
     workspace.runner().reset();
     quiet::leave(window);
   }

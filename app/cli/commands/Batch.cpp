@@ -68,6 +68,10 @@ int batchCommand(const BatchOptions& options, const Invocation& given) {
   const std::string runs = (fs::path(options.output) / "runs").string();
   base::append(problems, checkRunFolders(*experiment, runs));
   requireFine(problems);
+  // From here on the folder is that of a batch, also when this one is cut short.
+  requireFine(
+      base::writeFileAtomically((fs::path(options.output) / "manifest.json").string(),
+                                batchManifest(*experiment, BatchRows(experiment->runCount()))));
   catchInterrupts();
   const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   const auto start = std::chrono::steady_clock::now();

@@ -316,8 +316,7 @@ void addBench(CommandRegistry& commands) {
       commands.add("bench", "How fast this machine steps crowds", benchCommand, drawingOf);
   command.add_flag("--quick", options.quick, "Up to 1000 people, in a few seconds");
   command.add_option("--threads", options.threads, "Number of threads")->check(CLI::Range(1, 256));
-  command.add_option("--format", options.format, "text or csv")
-      ->check(CLI::IsMember({"text", "csv"}));
+  command.add_option("--format", options.format, "text or csv")->check(oneOf({"text", "csv"}));
   command.add_option("--picture", options.picture, "Draws the table: FILE.png, .svg or .pdf")
       ->check(isPictureFile);
 }

@@ -4,6 +4,7 @@
 #include "app/cli/Console.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
+#include "app/run/Echoes.h"
 #include "app/run/Experiment.h"
 #include "bt/engine/Program.h"
 #include "bt/human/HumanNodes.h"

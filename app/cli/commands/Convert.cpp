@@ -4,6 +4,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/run/DataPaths.h"
+#include "app/run/Echoes.h"
 #include "app/run/Export.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/JsonText.h"
@@ -96,11 +97,11 @@ void addConvert(CommandRegistry& commands) {
   addOutputFolder(command, options.output, "Folder for scenarios, behavior_trees, maps").required();
   command.add_option("--target", options.target, "Simulator that is to read it")
       ->required()
-      ->check(CLI::IsMember(targets));
+      ->check(oneOf(targets));
   command.add_option("--dialect", options.dialect, "B or C instead of what the target reads")
-      ->check(CLI::IsMember({"B", "C"}));
+      ->check(oneOf({"B", "C"}));
   command.add_option("--style", options.style, "Of trees that are missing: corrected or hunav2")
-      ->check(CLI::IsMember({"corrected", "hunav2"}));
+      ->check(oneOf({"corrected", "hunav2"}));
   command.add_option("--map", options.source.map, "Map to use instead of the scenario's");
   command.add_option("--trees", options.source.trees, "Folder with the behaviour trees");
 }

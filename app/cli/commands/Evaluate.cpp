@@ -253,8 +253,8 @@ base::Diagnostics lostInputs(const EvaluateOptions& options) {
   }
   base::Diagnostics problems;
   std::error_code none;  // what is not there is not lost
-  const fs::path run = fs::path(options.output) / "manifest.json";
-  if (fs::exists(run, none) && !fs::equivalent(options.source, options.output, none)) {
+  const fs::path folder = options.output;
+  if (fs::exists(folder / "manifest.json", none) && !fs::equivalent(options.source, folder, none)) {
     problems.push_back(base::error("file.other-run", {}, options.output));
   }
   for (const std::string& read :
@@ -265,6 +265,12 @@ base::Diagnostics lostInputs(const EvaluateOptions& options) {
       if (fs::is_regular_file(read, ignored) && fs::equivalent(read, place, ignored)) {
         problems.push_back(base::error("file.is-read", {}, read));
       }
+    }
+  }
+  const bool isOurs = isRunFolder(options.source) || fs::exists(folder / "trace.json", none);
+  for (const char* way : {"trajectory.csv", "events.csv"}) {  // which would be written anew
+    if (problems.empty() && !isOurs && fs::exists(folder / way, none)) {
+      problems.push_back(base::error("file.is-in-the-way", {}, (folder / way).string()));
     }
   }
   return problems;
@@ -313,12 +319,12 @@ int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
 
 void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
   command.add_option("--format", options.format, "Of a file of another program (by its name)")
-      ->check(CLI::IsMember(sim2d::trackFormatNames()));
+      ->check(oneOf(sim2d::trackFormatNames()));
   command.add_option("--columns", options.columns, "Names of its columns: time=t,id=ped,x=px");
   command.add_option("--fps", options.framesPerSecond, "Frames per second of its frame numbers");
   command.add_option("--unit", options.unit, "Of its lengths: mm, cm, m, or metres per pixel");
   command.add_option("--time-unit", options.timeUnit, "Of its times: s, ms, us, ns")
-      ->check(CLI::IsMember({"s", "ms", "us", "ns"}));
+      ->check(oneOf({"s", "ms", "us", "ns"}));
   command.add_flag("--degrees", options.degrees, "Its headings are in degrees");
   command.add_option("--radius", options.radius, "Of everybody in it [m]");
   command.add_option("--dt", options.step, "Step of the samples made of it [s]");
@@ -343,7 +349,7 @@ void addEvaluate(CommandRegistry& commands) {
   command.add_option("--tag", options.tag, "Tag in the result files");
   command.add_option("--run-id", options.runId, "Number of the run in the result files");
   command.add_option("--layout", options.layout, "Also the files of HuNavSim's evaluator")
-      ->check(CLI::IsMember({"hunav2", "hunav1"}));
+      ->check(oneOf({"hunav2", "hunav1"}));
   command.add_option("--reference", options.reference,
                      "Run to compare the robot's way with: a folder, or a file with one body");
   addForeignOptions(command, options);

@@ -208,11 +208,11 @@ void addList(CommandRegistry& commands) {
   }
   command.add_option("what", options.what, base::join(names, ", "))
       ->required()
-      ->check(CLI::IsMember(names));
+      ->check(oneOf(names));
   command
       .add_option("--format", options.format,
                   "text or json; xml for nodes, markdown for metrics and keys")
-      ->check(CLI::IsMember({"text", "json", "xml", "markdown"}));
+      ->check(oneOf({"text", "json", "xml", "markdown"}));
 }
 
 }  // namespace app

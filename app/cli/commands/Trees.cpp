@@ -237,7 +237,7 @@ void addTrees(CommandRegistry& commands) {
   CLI::Option* output =
       &addOutputFolder(command, options.output, "Folder for the trees; none: print them");
   CLI::Option* style = command.add_option("--style", options.style, "corrected or hunav2");
-  style->check(CLI::IsMember({"corrected", "hunav2"}));
+  style->check(oneOf({"corrected", "hunav2"}));
   CLI::Option* play = command.add_option("--play", options.play, "Tree file to tick by itself");
   play->excludes(scenario)->excludes(output)->excludes(style);
   command.add_option("--script", options.script, "YAML: leaf -> statuses of its calls")

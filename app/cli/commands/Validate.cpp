@@ -110,11 +110,11 @@ void printRows(const std::vector<Row>& rows) {
 /// The tests that are meant; with unknown names of tests or models the command ends.
 std::vector<const RealismTest*> chosenTests(const ValidateOptions& options) {
   const std::vector<std::string> known = sim2d::programRegistries().models.names();
-  bool isFine = true;
+  base::Diagnostics wrong;
   for (const std::string& model : options.models) {
     if (std::find(known.begin(), known.end(), model) == known.end()) {
-      printError("no model '" + model + "' (see hunavsim list models)");
-      isFine = false;
+      wrong.push_back(
+          base::error("option.unknown-name", {"--model", model, base::join(known, ", ")}));
     }
   }
   std::vector<std::string> names;
@@ -127,15 +127,13 @@ std::vector<const RealismTest*> chosenTests(const ValidateOptions& options) {
   for (const std::string& name : options.names.empty() ? names : options.names) {
     const auto found = byName.find(name);
     if (found == byName.end()) {
-      printError("no realism test '" + name + "' (there are " + base::join(names, ", ") + ")");
-      isFine = false;
+      wrong.push_back(
+          base::error("option.unknown-name", {"realism tests", name, base::join(names, ", ")}));
     } else {
       tests.push_back(found->second);
     }
   }
-  if (!isFine) {
-    throw CommandEnd{ExitWrongCommandLine};
-  }
+  requireFine(wrong, ExitWrongCommandLine);
   return tests;
 }
 
