@@ -360,6 +360,8 @@ constexpr ProblemText kTexts[] = {
     {"tracks.no-frames", "its times are no frames: --fps means nothing here"},
     {"tracks.fixed-angles",
      "the format '{format}' has its angles in radians, if any: --degrees means nothing here"},
+    {"tracks.fixed-columns",
+     "the format '{format}' has fixed columns: --columns means nothing here"},
     {"tracks.around-robot",
      "places are seen from the robot: when it moves, its own motion is in all speeds"},
     {"tracks.not-people", "{count} other things were left out ({names})"},

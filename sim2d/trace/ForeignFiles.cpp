@@ -190,6 +190,9 @@ base::Result<TrackFile> readForeign(const std::string& path, const ForeignOption
   if (options.degrees && !format->takesDegrees) {
     return base::error("tracks.fixed-angles", {format->name}, path);
   }
+  if (!options.columns.empty() && !format->takesColumns) {
+    return base::error("tracks.fixed-columns", {format->name}, path);
+  }
   if (options.framesPerSecond > 0.0 && !file.isByFrames) {
     problems.push_back(base::warning("tracks.no-frames", {}, path));
   }

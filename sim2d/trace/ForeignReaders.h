@@ -82,6 +82,7 @@ struct TrackFormat {
   Claim (*claim)(const FirstLook& look) = nullptr;
   TrackFile (*read)(const ForeignInput& input) = nullptr;
   bool takesDegrees = false;  // its angles may be in degrees, if the user says so
+  bool takesColumns = false;  // the user may say which column is what
 };
 
 /// The formats that can be read. A file Foo.cpp in formats/ defines addFoo(TrackFormats&).

@@ -126,6 +126,10 @@ class ForeignUnitsTest : public QObject {
     options.degrees = true;
     QVERIFY(tells(read(path, options).diagnostics(), "tracks.fixed-angles"));
   }
+  void columns_thatAreFixed_areNotNamed() {
+    const std::string path = files_.add("atc.csv", kDay);
+    QVERIFY(tells(read(path, withColumns("x=y")).diagnostics(), "tracks.fixed-columns"));
+  }
   /// Both of a person's directions by the same rule: motion along x, body at 0.5 rad.
   void unit_ofADay_scalesPlacesAndSpeeds() {
     ForeignOptions options;

@@ -269,8 +269,8 @@ Claim claim(const FirstLook& look) {
 }  // namespace
 
 void addCsv(TrackFormats& to) {
-  to.add(
-      {"csv", 0, claim, [](const ForeignInput& input) { return CsvTracks(input).read(); }, true});
+  to.add({"csv", 0, claim, [](const ForeignInput& input) { return CsvTracks(input).read(); }, true,
+          true});
 }
 
 }  // namespace sim2d
