@@ -149,8 +149,8 @@ void PropertyPanel::follow() {
   ids.erase(std::remove_if(ids.begin(), ids.end(), [kind](EntityId id) { return id.kind != kind; }),
             ids.end());
   current_ = pages_.at(kind);
+  current_->setTargets(ids);  // first: what is being typed on the page before is taken now
   stack_->setCurrentIndex(static_cast<int>(std::distance(pages_.begin(), pages_.find(kind))));
-  current_->setTargets(ids);
   showHeading(ids);
   showNow();
 }

@@ -8,18 +8,10 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/TrackCheck.h"
 
 namespace sim2d {
 namespace {
-
-bool isBlank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == ',';
-}
-
-bool beginsNumber(std::string_view text, std::size_t minus) {
-  const char next = minus + 1 < text.size() ? text[minus + 1] : ' ';
-  return (next >= '0' && next <= '9') || next == '.';
-}
 
 constexpr std::array<const char*, 12> kColumns = {
     "time", "frame", "id", "x", "y", "heading", "vx", "vy", "omega", "group", "radius", "kind"};
@@ -36,63 +28,6 @@ std::string withoutMark(const std::string& text) {
 }
 
 }  // namespace
-
-std::string_view TextRows::withoutComment(std::string_view line) const {
-  for (std::size_t k = line.find(comment_); k != std::string_view::npos;
-       k = line.find(comment_, k + 1)) {
-    const bool inWord =
-        comment_ == '-' && (beginsNumber(line, k) || (k > 0 && !isBlank(line[k - 1])));
-    if (!inWord) {
-      return line.substr(0, k);
-    }
-  }
-  return line;
-}
-
-bool TextRows::next(std::vector<Word>& row) {
-  row.clear();
-  while (row.empty() && position_ < text_.size()) {
-    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
-    const std::string_view line = withoutComment(text_.substr(position_, end - position_));
-    position_ = end + 1;
-    ++line_;
-    for (std::size_t k = 0; k < line.size();) {
-      if (isBlank(line[k])) {
-        ++k;
-        continue;
-      }
-      const std::size_t begin = k;
-      while (k < line.size() && !isBlank(line[k])) {
-        ++k;
-      }
-      row.push_back({line.substr(begin, k - begin), line_, static_cast<int>(begin) + 1});
-    }
-  }
-  return !row.empty();
-}
-
-void WordReader::error(const Word& at, std::string_view code, base::ProblemValues values) {
-  problems_.push_back(base::error(code, std::move(values), file_, at.line, at.column));
-}
-
-std::optional<double> WordReader::finite(const Word& word, const char* name) {
-  const std::optional<double> value = base::parseDouble(word.text);
-  if (!value || !std::isfinite(*value)) {
-    error(word, "trace.not-finite", {name, word.text});
-    return std::nullopt;
-  }
-  return value;
-}
-
-std::optional<long long> WordReader::whole(const Word& word, const char* name) {
-  constexpr double kLargest = 2e9;
-  const std::optional<double> value = base::parseDouble(word.text);
-  if (!value || !(std::fabs(*value) <= kLargest) || *value != std::floor(*value)) {
-    error(word, "trace.not-whole", {name, word.text});
-    return std::nullopt;
-  }
-  return static_cast<long long>(*value);
-}
 
 void addAllTrackFormats(TrackFormats& to);  // written by CMake
 
@@ -115,19 +50,20 @@ const TrackFormat* TrackFormats::find(const std::string& name) const {
   return found == formats_.end() ? nullptr : &*found;
 }
 
-bool FirstLook::beginsWith(std::string_view words) const {
+bool FirstLook::mentions(std::string_view words) const {
   constexpr std::size_t kLooked = 4096;
   return text.substr(0, kLooked).find(words) != std::string_view::npos;
 }
 
-const TrackFormat* TrackFormats::formatOf(const std::string& path, const std::string& text) const {
+const TrackFormat* TrackFormats::formatOf(const std::string& path, const std::string& text,
+                                          Claim least) const {
   FirstLook look{path, text, {}, false};
   TextRows(text).next(look.row);
   look.isNumbers = isNumberRow(look.row);
   const TrackFormat* best = nullptr;
   Claim highest = Claim::None;
   for (const TrackFormat& format : formats_) {
-    if (const Claim claim = format.claim(look); claim > highest) {
+    if (const Claim claim = format.claim(look); claim >= least && claim > highest) {
       best = &format;
       highest = claim;
     }
@@ -176,8 +112,10 @@ void applyUnits(const ForeignOptions& options, TrackFile& file) {
   const double length = options.lengthUnit > 0.0 ? options.lengthUnit / file.lengthUnit : 1.0;
   const double time = options.timeUnit > 0.0 ? options.timeUnit / file.timeUnit : 1.0;
   const double angle = options.degrees ? base::kPi / 180.0 : 1.0;
-  file.step *= time;
   for (Track& track : file.tracks) {
+    if (track.radius) {
+      *track.radius *= length;
+    }
     track.radius = options.radius > 0.0 ? options.radius : track.radius;
     for (TrackPoint& point : track.points) {
       point.time *= time;
@@ -195,7 +133,8 @@ void applyUnits(const ForeignOptions& options, TrackFile& file) {
   }
 }
 
-/// Nobody runs that fast: probably a unit is another.
+/// Nobody runs that fast: probably a unit is another. An infinite speed is a place out of reach,
+/// which is an error of its own.
 void warnOfSpeeds(const TrackFile& file, base::Diagnostics& problems) {
   constexpr double kFastest = 10.0;  // [m/s]
   std::vector<double> speeds;
@@ -213,7 +152,7 @@ void warnOfSpeeds(const TrackFile& file, base::Diagnostics& problems) {
   }
   const auto middle = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() / 2);
   std::nth_element(speeds.begin(), middle, speeds.end());
-  if (*middle > kFastest) {
+  if (*middle > kFastest && std::isfinite(*middle)) {
     problems.push_back(
         base::warning("tracks.too-fast", {base::formatDouble(std::round(*middle))}, file.file));
   }
@@ -238,8 +177,9 @@ base::Result<TrackFile> readForeign(const std::string& path, const ForeignOption
   TrackFile file = format->read(input);
   file.file = path;
   if (base::hasErrors(problems)) {
-    const TrackFormat* looks = formats.formatOf(path, plain);
-    if (looks != nullptr && looks != format && looks->name != "csv") {
+    problems = shortened(problems);
+    const TrackFormat* looks = formats.formatOf(path, plain, Claim::ByContent);
+    if (looks != nullptr && looks != format) {
       problems.push_back(base::error("tracks.other-format", {looks->name}, path));
     }
     return problems;
@@ -247,84 +187,18 @@ base::Result<TrackFile> readForeign(const std::string& path, const ForeignOption
   if (options.timeUnit > 0.0 && file.isByFrames) {
     return base::error("tracks.time-unit-of-frames", {}, path);
   }
+  if (options.degrees && !format->takesDegrees) {
+    return base::error("tracks.fixed-angles", {format->name}, path);
+  }
+  if (!options.columns.empty() && !format->takesColumns) {
+    return base::error("tracks.fixed-columns", {format->name}, path);
+  }
+  if (options.framesPerSecond > 0.0 && !file.isByFrames) {
+    problems.push_back(base::warning("tracks.no-frames", {}, path));
+  }
   applyUnits(options, file);
   warnOfSpeeds(file, problems);
   return {std::move(file), std::move(problems)};
-}
-
-TrackPoint& FrameTracks::add(int id, long long frame, const Vec2& position, int line, int column) {
-  Track& track = tracks_[id];
-  track.id = id;
-  TrackPoint& point = track.points.emplace_back();
-  point.time = static_cast<double>(frame);
-  point.position = position;
-  point.line = line;
-  point.column = column;
-  return point;
-}
-
-std::optional<int> idOf(WordReader& words, const Word& word) {
-  const std::optional<long long> id = words.whole(word, "the id");
-  if (id && *id < 0) {
-    words.error(word, "tracks.negative-id");
-    return std::nullopt;
-  }
-  return id ? std::make_optional(static_cast<int>(*id)) : std::nullopt;
-}
-
-TrackPoint* FrameTracks::add(WordReader& words, const Word& frame, const Word& id, const Word& x,
-                             const Word& y) {
-  const std::optional<long long> itsFrame = words.whole(frame, "the frame");
-  const std::optional<int> itsId = idOf(words, id);
-  const std::optional<double> itsX = words.finite(x, "x");
-  const std::optional<double> itsY = words.finite(y, "y");
-  const bool isWhole = itsFrame && itsId && itsX && itsY;
-  return isWhole ? &add(*itsId, *itsFrame, {*itsX, *itsY}, frame.line, frame.column) : nullptr;
-}
-
-TrackFile FrameTracks::finish(const std::string& path, double framesPerSecond) {
-  TrackFile file;
-  file.file = path;
-  for (auto& [id, track] : tracks_) {
-    file.tracks.push_back(std::move(track));
-  }
-  framesToSeconds(file, framesPerSecond);
-  return file;
-}
-
-void framesToSeconds(TrackFile& file, double framesPerSecond) {
-  const double median = medianInterval(file.tracks);
-  const double step = median > 0.0 ? median : 1.0;
-  file.isByFrames = true;
-  file.step = framesPerSecond > 0.0 ? step / framesPerSecond : kAnnotationStep;
-  for (Track& track : file.tracks) {
-    for (TrackPoint& point : track.points) {
-      point.time = point.time * file.step / step;
-    }
-  }
-}
-
-std::string besideFile(const std::string& path, const std::string& name) {
-  return std::filesystem::path(path).replace_filename(name).string();
-}
-
-void readGroupsBeside(const ForeignInput& input, TrackFile& file) {
-  const std::string path = besideFile(input.path, "groups.txt");
-  const base::Result<std::string> text = base::readTextFile(path);
-  if (!text) {
-    return;  // not every set has one
-  }
-  WordReader words(path, input.problems);
-  TextRows rows(*text);
-  std::vector<Word> row;
-  for (int group = 1; rows.next(row); ++group) {
-    for (const Word& word : row) {
-      const std::optional<long long> id = words.whole(word, "an id of a group");
-      for (Track& track : file.tracks) {
-        track.group = id && track.id == *id ? group : track.group;
-      }
-    }
-  }
 }
 
 }  // namespace sim2d

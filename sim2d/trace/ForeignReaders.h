@@ -66,7 +66,7 @@ struct FirstLook {
   bool isNumbers = false;  // nothing else in it
 
   /// Its first kilobytes hold these words.
-  bool beginsWith(std::string_view words) const;
+  bool mentions(std::string_view words) const;
   bool endsWith(std::string_view end) const {
     return path.size() >= end.size() &&
            path.compare(path.size() - end.size(), end.size(), end) == 0;
@@ -81,6 +81,8 @@ struct TrackFormat {
   int order = 0;     // in the list of names
   Claim (*claim)(const FirstLook& look) = nullptr;
   TrackFile (*read)(const ForeignInput& input) = nullptr;
+  bool takesDegrees = false;  // its angles may be in degrees, if the user says so
+  bool takesColumns = false;  // the user may say which column is what
 };
 
 /// The formats that can be read. A file Foo.cpp in formats/ defines addFoo(TrackFormats&).
@@ -88,8 +90,9 @@ class TrackFormats {
  public:
   void add(TrackFormat format) { formats_.push_back(std::move(format)); }
   const TrackFormat* find(const std::string& name) const;  // null: there is none
-  /// Null: nobody claims it.
-  const TrackFormat* formatOf(const std::string& path, const std::string& text) const;
+  /// Null: nobody claims it, or not that surely.
+  const TrackFormat* formatOf(const std::string& path, const std::string& text,
+                              Claim least = Claim::Fallback) const;
   std::vector<std::string> names() const;
 
  private:
@@ -120,6 +123,9 @@ void framesToSeconds(TrackFile& file, double framesPerSecond);
 std::string besideFile(const std::string& path, const std::string& name);
 /// Ids of a group per line, if the file is there; groups are numbered from 1.
 void readGroupsBeside(const ForeignInput& input, TrackFile& file);
+
+/// Tells the numbers that stand for the names of bodies; of many, the first.
+void tellNumbers(const ForeignInput& input, const std::vector<const Track*>& numbered);
 
 /// An id that is not negative.
 std::optional<int> idOf(WordReader& words, const Word& word);

@@ -1,10 +1,16 @@
 #include "sim2d/trace/TrackCheck.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <set>
+
+#include "sim2d/base/Text.h"
 
 namespace sim2d {
 namespace {
+
+constexpr double kFarthest = 1e9;  // [m] from the origin; those of maps are below 1e7
 
 class TrackChecker {
  public:
@@ -13,6 +19,7 @@ class TrackChecker {
 
   const Track* check() {
     checkTimes();
+    checkPlaces();
     chooseRobot();
     checkIds();
     return robot_;
@@ -38,35 +45,89 @@ class TrackChecker {
     }
   }
 
+  /// The first place of each body: what follows is as wrong.
+  void checkPlaces() {
+    for (const Track& track : file_.tracks) {
+      const auto far = std::find_if(
+          track.points.begin(), track.points.end(),
+          [](const TrackPoint& point) { return !(point.position.norm() <= kFarthest); });
+      if (far != track.points.end()) {
+        error(*far, "tracks.too-far", {static_cast<int>(kFarthest / 1000.0)});
+      }
+    }
+  }
+
+  static std::string wordOf(const Track& track) {
+    return track.name.empty() ? std::to_string(track.id) : track.name;
+  }
+
+  bool isAsked() const { return options_.robotId || !options_.robotName.empty(); }
+
   /// By its name where somebody has it, else by its id, else whom the file calls a robot.
-  bool isChosen(const Track& track, bool byName) const {
+  bool isMeant(const Track& track, bool byName) const {
+    if (track.points.empty()) {
+      return false;
+    }
     if (byName) {
       return track.name == options_.robotName;
     }
-    return options_.robotId ? track.id == *options_.robotId
-                            : options_.robotName.empty() && track.isRobot;
+    return isAsked() ? options_.robotId && track.id == *options_.robotId : track.isRobot;
   }
 
-  void chooseRobot() {
-    const bool isAsked = options_.robotId || !options_.robotName.empty();
+  /// Of a person and a robot of one id it is the robot.
+  std::vector<const Track*> findMeant() const {
     const bool byName = !options_.robotName.empty() &&
                         std::any_of(file_.tracks.begin(), file_.tracks.end(),
                                     [&](const Track& t) { return t.name == options_.robotName; });
+    std::vector<const Track*> meant;
     for (const Track& track : file_.tracks) {
-      const bool chosen = isChosen(track, byName) && !track.points.empty();
-      if (chosen && robot_ == nullptr) {
-        robot_ = &track;
-      } else if (chosen) {
-        error(track.points.front(), "tracks.second-robot");
+      if (isMeant(track, byName)) {
+        meant.push_back(&track);
       }
     }
-    if (isAsked && robot_ == nullptr) {
-      const std::string who =
-          options_.robotName.empty() ? std::to_string(*options_.robotId) : options_.robotName;
-      problems_.push_back(base::error("tracks.nobody", {who}, file_.file));
+    const auto isRobot = [](const Track* track) { return track->isRobot; };
+    if (std::any_of(meant.begin(), meant.end(), isRobot)) {
+      meant.erase(std::remove_if(meant.begin(), meant.end(), std::not_fn(isRobot)), meant.end());
     }
-    if (options_.robotGoal && robot_ == nullptr && !isAsked) {
+    return meant;
+  }
+
+  void chooseRobot() {
+    const std::vector<const Track*> meant = findMeant();
+    if (!meant.empty()) {
+      robot_ = meant.front();
+      for (std::size_t k = 1; k < meant.size(); ++k) {
+        error(meant[k]->points.front(), "tracks.second-robot",
+              {wordOf(*robot_), wordOf(*meant[k])});
+      }
+      tellOfOtherRobots(meant.size());
+    } else if (isAsked()) {
+      tellOfNobody();
+    } else if (options_.robotGoal) {
       problems_.push_back(base::error("tracks.goal-without-robot", {}, file_.file));
+    }
+  }
+
+  void tellOfNobody() {
+    std::vector<std::string> names;
+    for (const Track& track : file_.tracks) {
+      if (!track.name.empty()) {
+        names.push_back(track.name);
+      }
+    }
+    const std::string who =
+        options_.robotName.empty() ? std::to_string(*options_.robotId) : options_.robotName;
+    problems_.push_back(
+        base::error("tracks.nobody", {who, base::nearestName(who, names)}, file_.file));
+  }
+
+  /// Those that were not chosen walk among the people.
+  void tellOfOtherRobots(std::size_t chosen) {
+    for (const Track& track : file_.tracks) {
+      if (chosen == 1 && track.isRobot && &track != robot_ && !track.points.empty()) {
+        problems_.push_back(
+            base::warning("tracks.robot-among-people", {wordOf(track)}, file_.file));
+      }
     }
   }
 
@@ -91,6 +152,26 @@ class TrackChecker {
 const Track* checkTracks(const TrackFile& file, const TrackOptions& options,
                          base::Diagnostics& problems) {
   return TrackChecker(file, options, problems).check();
+}
+
+base::Diagnostics shortened(const base::Diagnostics& problems) {
+  constexpr std::size_t kMost = 10;
+  std::map<std::string_view, std::size_t> counts;
+  base::Diagnostics few;
+  for (const base::Diagnostic& problem : problems) {
+    if (++counts[problem.code] <= kMost) {
+      few.push_back(problem);
+    }
+  }
+  for (const auto& [code, count] : counts) {
+    if (count > kMost) {
+      const auto first = std::find_if(
+          few.begin(), few.end(), [code = code](const auto& each) { return each.code == code; });
+      few.push_back(base::problem(first->severity, "tracks.more-of-a-kind",
+                                  {count - kMost, first->message}, first->file));
+    }
+  }
+  return few;
 }
 
 }  // namespace sim2d

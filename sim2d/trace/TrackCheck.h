@@ -8,4 +8,8 @@ namespace sim2d {
 const Track* checkTracks(const TrackFile& file, const TrackOptions& options,
                          base::Diagnostics& problems);
 
+/// Of each kind of problem the first ten, and how many more there are: a file that is read as what
+/// it is not has one in each line.
+base::Diagnostics shortened(const base::Diagnostics& problems);
+
 }  // namespace sim2d

@@ -8,39 +8,21 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/TrackCheck.h"
+#include "sim2d/trace/TrackRates.h"
 #include "sim2d/trace/TrackStay.h"
 
 namespace sim2d {
 namespace {
 
-constexpr double kAwaySteps = 5.5;  // longer without observation: not there
-constexpr double kOtherRate = 1.5;  // times as often observed as another
-constexpr double kOnGrid = 1e-6;    // of a step
-constexpr double kOffGrid = 0.01;   // of a step: worth telling
+constexpr double kOnGrid = 1e-6;   // of a step
+constexpr double kOffGrid = 0.01;  // of a step: worth telling
 constexpr double kMostInstants = 2e6;
-constexpr double kMostSteps = 1e15;  // of the times told: whole numbers beyond are not exact
+constexpr double kMostSteps = 1e15;    // of the times told: whole numbers beyond are not exact
+constexpr double kUsualRadius = 0.35;  // [m]
 constexpr char kMapName[] = "map";
 
 void appendState(BodyColumns& columns, int id, const TrackState& state) {
   columns.add(id, {state.position, state.heading}, state.velocity, state.omega, kNoGoal);
-}
-
-void appendIntervals(const Track& track, std::vector<double>& intervals) {
-  for (std::size_t k = 1; k < track.points.size(); ++k) {
-    intervals.push_back(track.points[k].time - track.points[k - 1].time);
-  }
-}
-
-/// 0 when there are none.
-double medianOf(std::vector<double> intervals) {
-  if (intervals.empty()) {
-    return 0.0;
-  }
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  constexpr double kDigits = 1e9;  // differences of decimal times end in noise
-  const double rounded = std::round(*middle * kDigits) / kDigits;
-  return rounded > 0.0 && std::isfinite(rounded) ? rounded : *middle;
 }
 
 class TraceMaker {
@@ -50,8 +32,9 @@ class TraceMaker {
   base::Result<Trace> make() {
     robot_ = checkTracks(file_, options_, problems_);
     if (base::hasErrors(problems_) || !makeGrid()) {
-      return problems_;
+      return shortened(problems_);
     }
+    rates_.emplace(file_, step_);
     tellOfGrid();
     trace_.header.scenario = std::filesystem::path(file_.file).filename().string();
     trace_.header.dt = step_;
@@ -168,32 +151,14 @@ class TraceMaker {
     }
   }
 
-  /// Some are observed more seldom than others.
-  double longestGap(const Track& track) const {
-    return file_.isSparse ? std::numeric_limits<double>::infinity()
-                          : kAwaySteps * std::max(step_, medianInterval(track));
-  }
-
   /// All are brought onto one grid.
   void tellOfGrid() {
-    double least = std::numeric_limits<double>::infinity();
-    double most = 0.0;
-    for (const Track& track : file_.tracks) {
-      if (const double interval = medianInterval(track); interval > 0.0) {
-        least = std::min(least, interval);
-        most = std::max(most, interval);
-      }
-    }
-    if (file_.isSparse) {
+    if (rates_->tell(problems_) || file_.isSparse || options_.step > 0.0) {
       return;
     }
-    const std::string step = base::formatDouble(step_);
-    if (most > kOtherRate * least) {
-      problems_.push_back(base::warning("tracks.rates-differ-by-body",
-                                        {base::formatDouble(least), base::formatDouble(most), step},
-                                        file_.file));
-    } else if (const std::size_t count = countOffGrid(); count > 0 && !(options_.step > 0.0)) {
-      problems_.push_back(base::warning("tracks.off-grid", {count, step}, file_.file));
+    if (const std::size_t count = countOffGrid(); count > 0) {
+      problems_.push_back(
+          base::warning("tracks.off-grid", {count, base::formatDouble(step_)}, file_.file));
     }
   }
 
@@ -211,7 +176,7 @@ class TraceMaker {
 
   void addPerson(const Track& track) {
     bool isThere = false;
-    for (const TrackStay& stay : staysOf(track, longestGap(track))) {
+    for (const TrackStay& stay : staysOf(track, rates_->longestGap(track))) {
       forEachInstant(stay, [&](Frame& frame, const TrackState& state) {
         HumanColumns& humans = frame.humans;
         if (!humans.id.empty() && humans.id.back() == track.id) {
@@ -229,7 +194,7 @@ class TraceMaker {
       human.name = "person" + std::to_string(track.id);
       human.kind = "adult";
       human.model = "recorded";
-      human.radius = track.radius;
+      human.radius = track.radius.value_or(kUsualRadius);
       human.group = track.group;
       trace_.header.humans.push_back(std::move(human));
     }
@@ -239,7 +204,7 @@ class TraceMaker {
   void tellOfGap() {
     const std::vector<TrackPoint>& points = robot_->points;
     const TrackPoint* before = nullptr;
-    double longest = longestGap(*robot_);
+    double longest = rates_->longestGap(*robot_);
     for (std::size_t k = 1; k < points.size(); ++k) {
       if (const double gap = points[k].time - points[k - 1].time; gap > longest) {
         longest = gap;
@@ -265,7 +230,7 @@ class TraceMaker {
     robot.name = "robot1";
     robot.type = "recorded";
     robot.planner = "recorded";
-    robot.radius = robot_->radius;
+    robot.radius = robot_->radius.value_or(kUsualRadius);
     robot.maxVel = fastest > 0.0 ? fastest : robot.maxVel;
     if (options_.robotGoal) {
       robot.goals.push_back({0, *options_.robotGoal, 0.2});
@@ -299,24 +264,11 @@ class TraceMaker {
   const Track* robot_ = nullptr;
   double step_ = 1.0, start_ = 0.0;
   std::size_t first_ = 0;
+  std::optional<TrackRates> rates_;
   Trace trace_;
 };
 
 }  // namespace
-
-double medianInterval(const std::vector<Track>& tracks) {
-  std::vector<double> intervals;
-  for (const Track& track : tracks) {
-    appendIntervals(track, intervals);
-  }
-  return medianOf(std::move(intervals));
-}
-
-double medianInterval(const Track& track) {
-  std::vector<double> intervals;
-  appendIntervals(track, intervals);
-  return medianOf(std::move(intervals));
-}
 
 base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options) {
   return TraceMaker(file, options).make();

@@ -21,9 +21,9 @@ struct TrackPoint {
 /// The way of one body, in time order.
 struct Track {
   int id = 0;
-  std::string name;  // the word that the source has for an id, if it is none
+  std::string name;  // the word that the source has for it, if that is no number
   bool isRobot = false;
-  double radius = 0.35;  // [m]
+  std::optional<double> radius;  // [m], 0.35 where it is not told
   int group = -1;
   std::vector<TrackPoint> points;
 };
@@ -32,7 +32,7 @@ struct Track {
 struct TrackFile {
   std::string file;  // as the user named it
   std::vector<Track> tracks;
-  double step = 0.0;  // [s] of the time grid; 0 = the median time between two observations
+  double step = 0.0;  // [s] of our time grid; 0 = the median time between two observations
   double lengthUnit = 1.0, timeUnit = 1.0;  // of the source [m], [s]; the points are in m and s
   bool isByFrames = false;                  // the source counts frames: no unit of time
   bool isSparse = false;  // points are corners of ways: a long time between two is no absence
@@ -45,15 +45,14 @@ struct TrackOptions {
   double step = 0.0;  // [s], 0 = the file's
 };
 
-/// Median time between two observations of a body; 0 when there are no two.
+/// Median time between two observations of a body, the lower of two; 0 when there are no two.
 double medianInterval(const std::vector<Track>& tracks);
-double medianInterval(const Track& track);
 
 /// A record on an even time grid from 0, which begins at most a step before the first observation
 /// and so that it meets the most of them (with a robot: of the robot's). Between two
 /// observations of a body: straight line, velocities and headings interpolated. A body is away
-/// while nothing was seen of it for longer than 5.5 steps, or 5.5 of its own intervals
-/// where it is observed more seldom than others (which is told). Velocities that are not told:
+/// while nothing was seen of it for longer than 5.5 steps, or 5.5 of its own intervals where it is
+/// observed more seldom than others (TrackRates.h, which is told). Velocities that are not told:
 /// central differences of the observations; headings: the direction of walking, kept while
 /// standing; turning speeds: central differences of the headings. With a robot the record spans its
 /// presence. Problems: no observation, time that does not advance, a step that makes too many

@@ -45,13 +45,12 @@ class WindowProgramTest : public QObject {
     QVERIFY(!QFile::exists(picture));
   }
 
-  void words_tooMany_areToldInOrderWithTheCommandThatWasMeant() {
+  void words_tooMany_areToldInOrder() {
     const outside::Finished found =
-        outside::runProgram({QStringLiteral("chek"), QStringLiteral("a"), QStringLiteral("b")});
+        outside::runProgram({QStringLiteral(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml"),
+                             QStringLiteral("a"), QStringLiteral("b")});
     QCOMPARE(found.exitCode, 64);
-    QVERIFY2(
-        found.err.contains(QStringLiteral("not expected: a b (did you mean the command 'check'?)")),
-        qPrintable(found.err));
+    QVERIFY2(found.err.contains(QStringLiteral("not expected: a b")), qPrintable(found.err));
   }
 
   void dock_unknown_isRefused() {

@@ -9,6 +9,7 @@
 #include "app/window/MainWindow.h"
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/IssuesPanel.h"
+#include "editor/panels/MetricsDock.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "sim2d/base/Text.h"
 #include "tests/app/QuietWindow.h"
@@ -115,6 +116,15 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
       QVERIFY2(dock->visibleRegion().isEmpty() || dock->geometry().bottom() < bar.top(),
                qPrintable(dock->windowTitle()));
     }
+    const editor::MapView& view = window_->workspace().view();
+    const QWidget& canvas = *view.viewport();
+    QCOMPARE(canvas.visibleRegion().boundingRect(), canvas.rect());  // it does not go on below a panel
+    window_->docks().dock(QStringLiteral("metrics"))->raise();
+    QCoreApplication::processEvents();
+    const auto& metrics = window_->docks().panel<editor::MetricsDock>();
+    QVERIFY(metrics.isVisible());
+    QVERIFY2(metrics.table().columnWidth(0) >= 100,
+             qPrintable(QString::number(metrics.table().columnWidth(0))));
     quiet::shoot(*window_, "small-screen");
   }
 

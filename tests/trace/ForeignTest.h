@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -45,6 +46,11 @@ inline ForeignOptions withColumns(const char* text) {
 
 inline bool isNear(double a, double b) {
   return std::fabs(a - b) < 1e-9;
+}
+
+inline bool tells(const base::Diagnostics& problems, const char* code) {
+  return std::any_of(problems.begin(), problems.end(),
+                     [code](const base::Diagnostic& each) { return each.code == code; });
 }
 
 inline const Track* trackOf(const TrackFile& file, int id) {

@@ -8,11 +8,6 @@ using namespace foreign;
 
 namespace {
 
-bool tells(const base::Diagnostics& problems, const char* code) {
-  return std::any_of(problems.begin(), problems.end(),
-                     [code](const base::Diagnostic& each) { return each.code == code; });
-}
-
 base::Result<TrackFile> read(const std::string& path, const ForeignOptions& options = {}) {
   return sim2d::readForeign(path, options);
 }
@@ -250,7 +245,8 @@ class OtherDataTest : public QObject {
     H5Sclose(space);
     H5Tclose(type);
     H5Fclose(file);
-    QVERIFY(tells(read(path).diagnostics(), "tracks.no-dataset"));
+    const base::Diagnostics told = read(path).diagnostics();
+    QVERIFY(told.size() == 1 && tells(told, "tracks.too-many-rows"));
   }
 
   void units_thatAreSaid_count() {
@@ -268,7 +264,7 @@ class OtherDataTest : public QObject {
     QVERIFY(isNear(person.points[1].time, 0.1) && isNear(person.points[1].position.x(), 1.05));
     QVERIFY(isNear(*person.points[0].heading, base::kPi / 2.0));
     QVERIFY(isNear(person.points[0].velocity->x(), 500.0));  // mm/ms are m/s
-    QVERIFY(isNear(person.radius, 0.2));
+    QVERIFY(isNear(person.radius.value_or(0.0), 0.2));
     QVERIFY(!tells(read(path).diagnostics(), "tracks.too-fast"));  // 0.5 m/s by chance
     options.timeUnit = 1.0;
     options.lengthUnit = 1.0;
@@ -300,6 +296,21 @@ class OtherDataTest : public QObject {
     const base::Diagnostics told = read(path, options).diagnostics();
     QVERIFY(tells(told, "tracks.other-format"));
     QVERIFY(told.back().message.find("vadere") != std::string::npos);
+  }
+
+  /// 101 lines of four fields where eight are due: ten are shown, and what it is.
+  void wrongFormat_ofManyLines_isTellable() {
+    std::string text = "time,id,x,y\n";
+    for (int k = 0; k < 100; ++k) {
+      text += std::to_string(k) + ",1,0,0\n";
+    }
+    ForeignOptions options;
+    options.format = "eth";
+    const base::Diagnostics told = read(files_.add("many.csv", text), options).diagnostics();
+    QCOMPARE(told.size(), std::size_t{12});
+    QVERIFY(told[9].line == 10 && told[9].code == "tracks.number-count");
+    QVERIFY(told[10].code == "tracks.more-of-a-kind" && told[10].message.find("91 more") == 0);
+    QVERIFY(told[11].message.find("'csv'") != std::string::npos);
   }
 
   /// A robot at 50 Hz passes people at 10 Hz: they are there all the time.

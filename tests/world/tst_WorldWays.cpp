@@ -68,9 +68,9 @@ void WorldWaysTest::walk_roundObstacles_reachesTheGoal() {
   QVERIFY(world != nullptr);
   const std::vector<Recorded> events = advance(*world, steps);
   const std::vector<Recorded> reached = ofKind(events, EventKind::Goal);
-  if (!reached.empty()) {
-  }
   QCOMPARE(reached.size(), std::size_t{1});
+  QCOMPARE(reached[0].event.id, 1);
+  QVERIFY(reached[0].event.text == "1");
   QVERIFY(ofKind(events, EventKind::Stuck).empty());
 }
 

@@ -325,7 +325,7 @@ void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
   command.add_option("--unit", options.unit, "Of its lengths: mm, cm, m, or metres per pixel");
   command.add_option("--time-unit", options.timeUnit, "Of its times: s, ms, us, ns")
       ->check(oneOf({"s", "ms", "us", "ns"}));
-  command.add_flag("--degrees", options.degrees, "Its headings are in degrees");
+  command.add_flag("--degrees", options.degrees, "Its headings are in degrees (csv)");
   command.add_option("--radius", options.radius, "Of everybody in it [m]");
   command.add_option("--dt", options.step, "Step of the samples made of it [s]");
   command.add_option("--robot", options.robot,

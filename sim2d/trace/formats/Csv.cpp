@@ -148,6 +148,8 @@ class CsvTracks {
     }
     Track& track = tracks_[place->second].second;
     body.points = std::move(track.points);
+    body.radius = body.radius ? body.radius : track.radius;  // empty fields take nothing back
+    body.group = body.group >= 0 ? body.group : track.group;
     track = std::move(body);
     track.points.push_back(point);
   }
@@ -199,7 +201,7 @@ class CsvTracks {
       words_.error(wordOf(radius_), "tracks.bad-radius");
       good = false;
     }
-    body.radius = radius.value_or(body.radius);
+    body.radius = radius;
     body.group = group ? static_cast<int>(std::clamp(*group, -1.0, 1e9)) : body.group;
     return readKind(body.isRobot) && good;
   }
@@ -219,21 +221,19 @@ class CsvTracks {
 
   TrackFile finish() {
     TrackFile file;
-    std::vector<std::string> told;
     for (auto& [name, track] : tracks_) {
       if (hasWords_) {
         track.id = static_cast<int>(file.tracks.size()) + 1;
         track.name = name;
-        told.push_back(name + " = " + std::to_string(track.id));
       }
       file.tracks.push_back(std::move(track));
     }
     if (hasWords_) {
-      constexpr std::size_t kMostTold = 5;
-      const bool isLong = told.size() > kMostTold;
-      told.resize(std::min(told.size(), kMostTold));
-      input_.problems.push_back(base::warning(
-          "tracks.ids-numbered", {base::join(told, ", ") + (isLong ? " …" : "")}, input_.path));
+      std::vector<const Track*> all;
+      for (const Track& track : file.tracks) {
+        all.push_back(&track);
+      }
+      tellNumbers(input_, all);
     }
     if (frame_ != kNone) {
       if (!(input_.options.framesPerSecond > 0.0)) {
@@ -256,11 +256,21 @@ class CsvTracks {
               kind_ = kNone;
 };
 
+/// Columns may have any names: a table with ours is one for certain.
+Claim claim(const FirstLook& look) {
+  const auto holds = [&look](std::string_view name) {
+    return std::any_of(look.row.begin(), look.row.end(),
+                       [name](const Word& word) { return word.text == name; });
+  };
+  const bool isOurs = (holds("time") || holds("frame")) && holds("id") && holds("x") && holds("y");
+  return isOurs ? Claim::ByContent : Claim::Fallback;
+}
+
 }  // namespace
 
 void addCsv(TrackFormats& to) {
-  to.add({"csv", 0, [](const FirstLook&) { return Claim::Fallback; },
-          [](const ForeignInput& input) { return CsvTracks(input).read(); }});
+  to.add({"csv", 0, claim, [](const ForeignInput& input) { return CsvTracks(input).read(); }, true,
+          true});
 }
 
 }  // namespace sim2d

@@ -34,22 +34,27 @@ struct Row {
   double x = 0.0, y = 0.0;
 };
 
-constexpr hsize_t kMostRows = 50000000;
+constexpr hsize_t kMostRows = 20000000;  // 640 MB of them, before they are tracks
 
-/// One column of rows, not more than there is memory for, whatever the file claims.
-std::optional<std::size_t> countRows(hid_t table) {
+/// Nothing: it is no column of rows.
+std::optional<hsize_t> countRows(hid_t table) {
   const Handle space(H5Dget_space(table), H5Sclose);
   hsize_t count = 0;
   const bool isColumn = space.isGood() && H5Sget_simple_extent_ndims(space) == 1 &&
                         H5Sget_simple_extent_dims(space, &count, nullptr) == 1;
-  return isColumn && count <= kMostRows ? std::optional<std::size_t>(count) : std::nullopt;
+  return isColumn ? std::optional(count) : std::nullopt;
 }
 
-/// The library finds the members by name and converts their numbers.
-bool readRows(hid_t file, std::vector<Row>& rows) {
+/// The library finds the members by name and converts their numbers. A table may claim rows that
+/// are nowhere in the file: the count has a fixed limit.
+bool readRows(hid_t file, const ForeignInput& input, std::vector<Row>& rows) {
   const Handle table(H5Dopen2(file, "trajectory", H5P_DEFAULT), H5Dclose);
-  const std::optional<std::size_t> count = table.isGood() ? countRows(table) : std::nullopt;
+  const std::optional<hsize_t> count = table.isGood() ? countRows(table) : std::nullopt;
   if (!count) {
+    return false;
+  }
+  if (*count > kMostRows) {
+    input.problems.push_back(base::error("tracks.too-many-rows", {*count, kMostRows}, input.path));
     return false;
   }
   const Handle type(H5Dget_type(table), H5Tclose);
@@ -86,8 +91,10 @@ TrackFile readHdf5(const ForeignInput& input) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what fails is told here
   const Handle file(H5Fopen(input.path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   std::vector<Row> rows;
-  if (!file.isGood() || !readRows(file, rows)) {
-    input.problems.push_back(base::error("tracks.no-dataset", {}, input.path));
+  if (!file.isGood() || !readRows(file, input, rows)) {
+    if (!base::hasErrors(input.problems)) {
+      input.problems.push_back(base::error("tracks.no-dataset", {}, input.path));
+    }
     return {};
   }
   const double given = input.options.framesPerSecond;

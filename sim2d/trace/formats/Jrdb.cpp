@@ -52,7 +52,11 @@ class JrdbReader {
     }
     tell();
     const double given = input_.options.framesPerSecond;
-    return tracks_.finish(input_.path, given > 0.0 ? given : kRate);
+    TrackFile file = tracks_.finish(input_.path, given > 0.0 ? given : kRate);
+    for (Track& track : file.tracks) {
+      track.name = names_[track.id];  // the number in it is the id
+    }
+    return file;
   }
 
  private:
@@ -83,6 +87,7 @@ class JrdbReader {
     }
     const Json& box = label.at("box");
     const Vec2 place(box.at("cx").get<double>(), box.at("cy").get<double>());
+    names_[static_cast<int>(*id)] = name;
     TrackPoint& point = tracks_.add(static_cast<int>(*id), frame, place, 0, 0);
     if (box.contains("rot_z")) {
       point.heading = box.at("rot_z").get<double>();
@@ -91,11 +96,12 @@ class JrdbReader {
 
   const ForeignInput& input_;
   FrameTracks tracks_;
+  std::map<int, std::string> names_;     // by id
   std::set<std::string> left_, others_;  // who is no person, and what they are
 };
 
 Claim claim(const FirstLook& look) {
-  const bool isBoxes = look.beginsWith("\"labels\"") && look.beginsWith("label_id");
+  const bool isBoxes = look.mentions("\"labels\"") && look.mentions("label_id");
   return isBoxes ? Claim::ByContent : Claim::None;
 }
 

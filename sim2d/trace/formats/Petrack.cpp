@@ -4,49 +4,93 @@
 #include "sim2d/trace/ForeignReaders.h"
 
 /// Text of PeTrack, of JuPedSim and of the Pedestrian Dynamics Data Archive: id, frame, x, y and
-/// perhaps more; the rate and the unit stand in comments.
+/// perhaps more. The rate stands in a comment "framerate: 25", the unit in that of the columns.
 namespace sim2d {
 
 namespace {
 
-/// The number after "framerate:" of a comment; 0: it is not told.
-double toldRate(std::string_view text) {
-  for (const std::string_view word : {"framerate", "Framerate", "frame rate", "fps"}) {
-    const std::size_t at = text.find(word);
-    if (at == std::string_view::npos) {
-      continue;
+/// The lines before the first row: lowered, without the mark of comments.
+std::vector<std::string> commentsOf(std::string_view text) {
+  std::vector<std::string> comments;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = base::trimmed(text.substr(begin, end - begin));
+    if (!line.empty() && line.front() != '#') {
+      break;
     }
-    const std::size_t begin = text.find_first_of("0123456789.\n", at + word.size());
-    const std::size_t end = text.find_first_not_of("0123456789.", begin);
-    const std::size_t length = (end == std::string_view::npos ? text.size() : end) - begin;
-    if (begin != std::string_view::npos && text[begin] != '\n') {
-      return base::parseDouble(text.substr(begin, length)).value_or(0.0);
+    comments.push_back(base::lowered(base::trimmed(line.empty() ? line : line.substr(1))));
+    begin = end + 1;
+  }
+  return comments;
+}
+
+bool beginsWith(const std::string& text, std::string_view word) {
+  return text.compare(0, word.size(), word) == 0;
+}
+
+/// The number of the line "framerate: 25 fps"; 0: there is none.
+double toldRate(const std::vector<std::string>& comments) {
+  for (const std::string& line : comments) {
+    const bool isRate =
+        beginsWith(line, "framerate") || beginsWith(line, "frame rate") || beginsWith(line, "fps");
+    const std::size_t begin = line.find_first_of("0123456789.");
+    if (isRate && begin != std::string::npos) {
+      const std::size_t end = std::min(line.find_first_not_of("0123456789.", begin), line.size());
+      return base::parseDouble(line.substr(begin, end - begin)).value_or(0.0);
     }
   }
   return 0.0;
 }
 
-/// The first of its lines, which are comments.
-std::string_view commentsOf(std::string_view text) {
-  std::size_t end = 0;
-  while (end < text.size() && text[end] == '#') {
-    end = std::min(text.find('\n', end), text.size() - 1) + 1;
+/// Of letters and digits.
+std::vector<std::string> wordsOf(std::string line) {
+  std::replace_if(
+      line.begin(), line.end(),
+      [](char c) { return !((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')); }, ' ');
+  std::vector<std::string> words;
+  for (std::string& word : base::split(line, ' ')) {
+    if (!word.empty()) {
+      words.push_back(std::move(word));
+    }
   }
-  return text.substr(0, end);
+  return words;
+}
+
+/// [m] of the first unit in the line.
+std::optional<double> unitIn(const std::string& line) {
+  for (const std::string& word : wordsOf(line)) {
+    if (word == "m" || word == "cm" || word == "mm") {
+      return word == "m" ? 1.0 : word == "cm" ? 0.01 : 0.001;
+    }
+  }
+  return std::nullopt;
+}
+
+/// [m] as the last line that names the columns says, else a line "unit: cm" or "in cm".
+double toldUnit(const std::vector<std::string>& comments) {
+  double unit = 1.0;
+  std::string columns;
+  for (const std::string& line : comments) {
+    const std::vector<std::string> words = wordsOf(line);
+    const auto holds = [&words](const char* word) {
+      return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    columns = holds("x") && holds("y") ? line : columns;
+    const bool isUnit = beginsWith(line, "unit") || (!words.empty() && words.front() == "in");
+    unit = isUnit ? unitIn(line).value_or(unit) : unit;
+  }
+  return unitIn(columns).value_or(unit);
 }
 
 TrackFile readPetrack(const ForeignInput& input) {
-  const std::string_view comments = commentsOf(input.text);
+  const std::vector<std::string> comments = commentsOf(input.text);
   const double given = input.options.framesPerSecond;
   const double rate = given > 0.0 ? given : toldRate(comments);
   if (!(rate > 0.0)) {
     input.problems.push_back(base::error("tracks.no-rate", {}, input.path));
     return {};
   }
-  const bool isCentimetres = comments.find("in cm") != std::string_view::npos ||
-                             comments.find("/cm") != std::string_view::npos ||
-                             comments.find("[cm]") != std::string_view::npos;
-  const double unit = isCentimetres ? 0.01 : 1.0;
+  const double unit = toldUnit(comments);
   FrameTracks tracks;
   WordReader words(input.path, input.problems);
   TextRows rows(input.text);
@@ -64,8 +108,8 @@ TrackFile readPetrack(const ForeignInput& input) {
 }
 
 Claim claim(const FirstLook& look) {
-  const bool isTold = look.beginsWith("PeTrack") || look.beginsWith("framerate") ||
-                      look.beginsWith("jpscore") || look.beginsWith("JuPedSim");
+  const bool isTold = look.mentions("PeTrack") || look.mentions("jpscore") ||
+                      look.mentions("JuPedSim") || toldRate(commentsOf(look.text)) > 0.0;
   return isTold && look.isNumbers && look.row.size() >= 4 ? Claim::ByContent : Claim::None;
 }
 

@@ -56,7 +56,7 @@ Claim claim(const FirstLook& look) {
 }  // namespace
 
 void addSocnavbench(TrackFormats& to) {
-  to.add({"socnavbench", 4, claim, readSocnavbench});
+  to.add({"socnavbench", 4, claim, readSocnavbench, false, true});
 }
 
 }  // namespace sim2d

@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kMillimetre = 1e-3;  // [m]
 constexpr long long kLargestId = 2000000000;
+constexpr int kNoId = -1, kFirstOwnId = 1000;
 constexpr std::string_view kEnd = " Centroid_X";
 
 struct BodyPlace {
@@ -21,7 +22,7 @@ struct BodyPlace {
   std::size_t x = 0, y = 0;
 };
 
-/// "Helmet_10" -> 10; robots have no number.
+/// "Helmet_10" -> 10.
 std::optional<int> numberOf(const std::string& name) {
   const std::size_t line = name.rfind('_');
   const std::optional<long long> number =
@@ -57,6 +58,7 @@ class ThorReader {
       input_.problems.push_back(base::warning(
           "tracks.not-people", {others_.size(), base::join(others_, ", ")}, input_.path));
     }
+    numberTheRest();
     TrackFile file;
     file.lengthUnit = kMillimetre;
     for (Track& track : tracks_) {
@@ -105,9 +107,30 @@ class ThorReader {
     }
     bodies_.push_back({body, x, static_cast<std::size_t>(y - names.begin())});
     Track track;
+    track.name = body;
     track.isRobot = isRobotName(body);
-    track.id = numberOf(body).value_or(1000 + static_cast<int>(tracks_.size()));
+    track.id = track.isRobot ? kNoId : numberOf(body).value_or(kNoId);
     tracks_.push_back(std::move(track));
+  }
+
+  /// Robots, and helmets without a number, get one that no helmet has. Those are told.
+  void numberTheRest() {
+    int next = kFirstOwnId;
+    std::vector<const Track*> numbered;
+    for (Track& track : tracks_) {
+      while (track.id == kNoId && isTaken(next)) {
+        ++next;
+      }
+      if (track.id == kNoId) {
+        track.id = next;
+        numbered.push_back(&track);
+      }
+    }
+    tellNumbers(input_, numbered);
+  }
+  bool isTaken(int id) const {
+    return std::any_of(tracks_.begin(), tracks_.end(),
+                       [id](const Track& track) { return track.id == id; });
   }
 
   Word wordOf(std::size_t column) const {
@@ -145,7 +168,7 @@ class ThorReader {
 };
 
 Claim claim(const FirstLook& look) {
-  return look.beginsWith(kEnd) ? Claim::ByContent : Claim::None;
+  return look.mentions(kEnd) ? Claim::ByContent : Claim::None;
 }
 
 }  // namespace
