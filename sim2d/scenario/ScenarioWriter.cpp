@@ -146,6 +146,8 @@ double headingOf(const GlobalGoal& goal) {
   return 0.0;
 }
 
+constexpr double kFastestReaction = 1.8;  // that HuNavSim's loader lets pass [m/s]
+
 YamlNode behaviorTreeB(const Human& human, base::Diagnostics& losses) {
   const Behavior& behavior = human.behavior;
   YamlNode tree;
@@ -153,7 +155,8 @@ YamlNode behaviorTreeB(const Human& human, base::Diagnostics& losses) {
   setChild(tree, "configuration", number(static_cast<int>(oldConfigurationOf(behavior))));
   setChild(tree, "duration", decimals(behavior.duration.value_or(40.0)));
   setChild(tree, "once", flag(behavior.once.value_or(false)));
-  setChild(tree, "vel", decimals(behavior.vel ? *behavior.vel : human.maxVel.value_or(1.0)));
+  const double walks = std::min(human.maxVel.value_or(1.0), kFastestReaction);
+  setChild(tree, "vel", decimals(behavior.vel.value_or(walks)));
   setOldDistance(tree, human, losses);
   setChild(tree, "goal_force_factor", decimals(behavior.goalForceFactor.value_or(2.0)));
   setChild(tree, "obstacle_force_factor", decimals(behavior.obstacleForceFactor.value_or(10.0)));

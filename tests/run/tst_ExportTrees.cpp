@@ -1,5 +1,8 @@
-#include <cmath>
 #include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <QDirIterator>
 #include <QTemporaryDir>

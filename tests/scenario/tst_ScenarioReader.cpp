@@ -215,6 +215,19 @@ class ScenarioReaderTest : public QObject {
     QVERIFY(goalOf(again.scenario, again.scenario.humans[0], 1) == Vec2(2.0, 2.5));
   }
 
+  /// The key must be there; above 1.8 m/s the loader clamps it, and says so.
+  void convert_CtoB_speedOfAReactionIsWithinTheLimit() {
+    Scenario scenario = readScenario(dataFile("canonical.yaml")).scenario;
+    scenario.humans.at(0).behavior.vel.reset();
+    for (const auto& [walks, reacts] : {std::pair(2.5, 1.8), std::pair(1.25, 1.25)}) {
+      scenario.humans.at(0).maxVel = walks;
+      base::Diagnostics losses;
+      const ScenarioReading again = readScenarioText(writeScenarioB(scenario, losses), "old.yaml");
+      QVERIFY(again.scenario.humans.at(0).maxVel == walks);
+      QVERIFY(again.scenario.humans.at(0).behavior.vel == reacts);
+    }
+  }
+
   /// A goal that a file of that format has beside the person's list stays, under its own name.
   void convert_BtoB_doesNotMixUpSpareGoals() {
     const char* const text =
