@@ -190,7 +190,7 @@ int Compiler::addScript(const NodeSpec& spec, const std::string& source, const P
       source, [&](const std::string& key) { return scopes_.slotOf(place.scope, key); });
   if (!script) {
     error(spec, place, script.diagnostics().front());
-    return -1;
+    return kMissing;
   }
   if (script->cutAt > 0) {
     error(spec, place, base::warning("tree.script-cut", {source, script->cutAt}));
@@ -205,14 +205,14 @@ int Compiler::addScript(const NodeSpec& spec, const std::string& source, const P
 int Compiler::scriptOfPort(const NodeSpec& spec, const char* port, const Place& place) {
   const std::string* const text = findText(spec.ports, port);
   if (!text) {
-    return -1;  // a missing port is a fault when it is reached
+    return kMissing;  // a missing port is a fault when it is reached
   }
   if (text->empty()) {
-    return spec.id == "Script" ? kEmptyScript : -1;
+    return spec.id == "Script" ? kEmptyScript : kMissing;
   }
   if (referencedKey(*text, port)) {
     error(spec, place, base::error("tree.script-not-constant", {port}));
-    return -1;
+    return kMissing;
   }
   return addScript(spec, *text, place);
 }
@@ -224,7 +224,7 @@ int Compiler::bindConditions(const NodeSpec& spec, const Place& place) {
   Program::Conditions conditions;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const std::string* const text = findText(spec.conditions, kConditionNames[i]);
-    conditions[i] = text ? addScript(spec, *text, place) : -1;
+    conditions[i] = text ? addScript(spec, *text, place) : kMissing;
   }
   program_->conditions_.push_back(conditions);
   return static_cast<int>(program_->conditions_.size()) - 1;
@@ -235,7 +235,7 @@ int Compiler::bindConditions(const NodeSpec& spec, const Place& place) {
 int Compiler::slotOfKeyPort(const NodeSpec& spec, const char* port, const Place& place) {
   const std::string* const text = findText(spec.ports, port);
   if (!text || text->empty()) {
-    return -1;
+    return kMissing;
   }
   const bool sets = spec.id == "SetBlackboard";
   const bool unsets = spec.id == "UnsetBlackboard";

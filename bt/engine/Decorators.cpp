@@ -126,7 +126,7 @@ base::NodeStatus Ticker::precondition(int node) {
   auto& isRunning = memory<bool>(node);
   if (!isRunning) {
     const int script = program_.node(node).detail;
-    if (script < 0) {
+    if (script == kMissing) {
       return fault(node, "input 'if' is missing");
     }
     bool truth = false;

@@ -13,7 +13,7 @@ base::NodeStatus Ticker::script(int node) {
   if (script == kEmptyScript) {
     return Status::Success;
   }
-  if (script < 0) {
+  if (script == kMissing) {
     return fault(node, "input 'code' is missing");
   }
   return runScript(node, script) ? Status::Success : kFault;
@@ -21,7 +21,7 @@ base::NodeStatus Ticker::script(int node) {
 
 base::NodeStatus Ticker::scriptCondition(int node) {
   const int script = nodes_[node].detail;
-  if (script < 0) {
+  if (script == kMissing) {
     return fault(node, "input 'code' is missing");
   }
   bool truth = false;
@@ -90,13 +90,14 @@ std::optional<Slot*> Ticker::target(int node, const char* port, bool isOwn) {
   if (slot <= kFirstKeyInEntry) {
     const Program::KeyInEntry& key = program_.keyInEntry(slot);
     const std::string name = state_.get(key.slot).toText();
-    slot = name.empty() ? -1 : program_.slotOf(key.scope, name, isOwn).value_or(kNobodysEntry);
+    slot =
+        name.empty() ? kMissing : program_.slotOf(key.scope, name, isOwn).value_or(kNobodysEntry);
   }
-  if (slot == -1) {
+  if (slot == kMissing) {
     fault(node, std::string("input '") + port + "' is missing");
     return std::nullopt;
   }
-  return slot < 0 ? nullptr : slots() + slot;
+  return slot == kNobodysEntry ? nullptr : slots() + slot;
 }
 
 base::NodeStatus Ticker::setBlackboard(int node) {
@@ -144,7 +145,7 @@ base::NodeStatus Ticker::unsetBlackboard(int node) {
 
 bool Ticker::wasUpdated(int node, UpdateMemory& own) {
   const int slot = program_.node(node).detail;
-  if (slot < 0) {
+  if (slot == kMissing) {
     fault(node, "input 'entry' is missing");
     return false;
   }

@@ -26,10 +26,11 @@ constexpr int kMaxProgramNodes = 200000;                     // after all SubTre
 constexpr int kMaxProgramDepth = 2000;                       // idem
 constexpr std::size_t kMaxPathBytes = std::size_t{1} << 28;  // of all paths together
 
-// What `detail` of a node says beside the number of a script or slot; -1 = it is missing.
+// What `detail` of a node says when it is not the number of a script, slot or function.
+constexpr int kMissing = -1;
 constexpr int kEmptyScript = -2;
-constexpr int kNobodysEntry = -2;
-constexpr int kFirstKeyInEntry = -3;  // this and below: the name of the entry is in an entry
+constexpr int kNobodysEntry = -3;     // no node uses that entry
+constexpr int kFirstKeyInEntry = -4;  // this and below: the name of the entry is in an entry
 
 class Ticker;
 /// Runs one node: what is special to its kind, without conditions and book-keeping.
@@ -64,10 +65,10 @@ class Program {
     bool isStateful = false;            // a leaf of the library that may last
     std::int32_t end = 0;  // first node behind the children; the first child is self + 1
     std::int32_t children = 0;
-    std::int32_t memory = 0;       // offset of its bytes in the agent's memory
-    std::int32_t conditions = -1;  // in conditions(); -1 = none
-    std::int32_t detail = -1;      // functions of the library, script or slot, or as above
-    LeafFunction tick = nullptr;   // of a synchronous leaf without conditions
+    std::int32_t memory = 0;         // offset of its bytes in the agent's memory
+    std::int32_t conditions = -1;    // in conditions(); -1 = none
+    std::int32_t detail = kMissing;  // functions of the library, script or slot, or as above
+    LeafFunction tick = nullptr;     // of a synchronous leaf without conditions
     NodeRunner run = nullptr;
     NodeHalter halt = nullptr;  // null: its children are all that is to be halted
   };

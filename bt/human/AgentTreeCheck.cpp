@@ -111,6 +111,16 @@ std::string listText(const std::vector<int>& ids) {
   return "[" + base::join(words, ", ") + "]";
 }
 
+/// Goals that have several numbers count as one.
+bool areSamePlaces(const std::vector<int>& a, const std::vector<int>& b,
+                   const sim2d::Scenario& scenario) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&scenario](int one, int other) {
+    const sim2d::GlobalGoal* const first = scenario.goal(one);
+    const sim2d::GlobalGoal* const second = scenario.goal(other);
+    return one == other || (first && second && first->position == second->position);
+  });
+}
+
 }  // namespace
 
 std::vector<int> goalsOfTree(const TreeTable& table) {
@@ -140,7 +150,7 @@ Diagnostics checkAgentTree(const TreeTable& table, const sim2d::Human& human,
     }
   }
   const std::vector<int> goals = goalsOfTree(table);
-  if (!goals.empty() && goals != human.goals) {
+  if (!goals.empty() && !areSamePlaces(goals, human.goals, scenario)) {
     found.push_back(base::warning(
         "tree.other-goals", {human.name, listText(goals), listText(human.goals)}, table.file));
   }

@@ -1,8 +1,11 @@
 #include "bt/human/TreeExport.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "bt/human/Ports.h"
+#include "bt/tree/TextValue.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 
@@ -14,33 +17,98 @@ bool isGoalPort(const std::string& name) {
   return name == "goal_id";
 }
 
+/// A number of nothing must not become one of something: it goes where none is in a file.
+int newNumber(int old, const std::map<int, int>& numbers) {
+  constexpr int kLargest = 1000000;  // of a goal
+  const auto found = numbers.find(old);
+  const bool isFree = numbers.empty() || old < 0 || old > kLargest;
+  return found != numbers.end() ? found->second : isFree ? old : old + kLargest;
+}
+
 /// One number, or several between commas; anything else (a key in braces) stays.
 std::string replaced(const std::string& text, const std::map<int, int>& numbers) {
   std::string result;
   for (const std::string& part : base::split(text, ',')) {
-    const std::string bare = base::trimmed(part);
-    const std::optional<long long> number = base::parseInt(bare);
-    const auto found = number ? numbers.find(static_cast<int>(*number)) : numbers.end();
-    result += (result.empty() ? "" : ",") +
-              (found == numbers.end() ? part : std::to_string(found->second));
+    const std::optional<int> old = intFromText(base::trimmed(part));
+    const int now = old ? newNumber(*old, numbers) : 0;
+    result += (result.empty() ? "" : ",") + (old && now != *old ? std::to_string(now) : part);
   }
   return result;
 }
 
-int renumber(NodeSpec& node, const Renumbering& numbers) {
+/// What the numbers are of that a port takes.
+enum class Kind { None, Goal, Person };
+Kind kindOf(const std::string& port) {
+  return isGoalPort(port) ? Kind::Goal : isPersonPort(port) ? Kind::Person : Kind::None;
+}
+
+/// Which entries of each tree's blackboard come to a port that takes numbers, by way of SubTrees
+/// too.
+class NumberKeys {
+ public:
+  explicit NumberKeys(const TreeFile& file) {
+    for (bool isNew = true; isNew;) {
+      isNew = false;
+      for (const TreeSpec& tree : file.trees) {
+        isNew = collect(tree.root, tree.id) || isNew;
+      }
+    }
+  }
+  /// Of a constant in this port of a node of the tree.
+  Kind kind(const NodeSpec& node, const std::string& port, const std::string& tree) const {
+    if (node.id == "SetBlackboard") {
+      const std::string* const key = findText(node.ports, "output_key");
+      return port == "value" && key ? ofKey(tree, *key) : Kind::None;
+    }
+    return node.isSubTree() ? ofKey(node.subTree, port) : kindOf(port);
+  }
+
+ private:
+  Kind ofKey(const std::string& tree, const std::string& key) const {
+    const auto found = kinds_.find({tree, key});
+    return found == kinds_.end() ? Kind::None : found->second;
+  }
+  bool add(const std::string& tree, const std::string& key, Kind kind) {
+    return kind != Kind::None && kinds_.emplace(std::pair(tree, key), kind).second;
+  }
+  bool collect(const NodeSpec& node, const std::string& tree) {
+    bool isNew = false;
+    for (const Attribute& port : node.ports) {
+      if (const std::optional<std::string> key = referencedKey(port.text, port.name)) {
+        isNew = add(tree, *key, kind(node, port.name, tree)) || isNew;
+      }
+    }
+    if (node.isSubTree() && node.autoRemap) {
+      for (const auto& [place, kind] : std::map(kinds_)) {
+        const bool isPassed = place.first == node.subTree && !findText(node.ports, place.second);
+        isNew = (isPassed && add(tree, place.second, kind)) || isNew;
+      }
+    }
+    for (const NodeSpec& child : node.children) {
+      isNew = collect(child, tree) || isNew;
+    }
+    return isNew;
+  }
+
+  std::map<std::pair<std::string, std::string>, Kind> kinds_;  // of tree and key
+};
+
+int renumber(NodeSpec& node, const std::string& tree, const NumberKeys& keys,
+             const Renumbering& numbers) {
   int changed = 0;
   for (Attribute& port : node.ports) {
-    if (!isGoalPort(port.name) && !isPersonPort(port.name)) {
+    const Kind kind = keys.kind(node, port.name, tree);
+    if (kind == Kind::None) {
       continue;
     }
-    std::string text = replaced(port.text, isGoalPort(port.name) ? numbers.goals : numbers.people);
+    std::string text = replaced(port.text, kind == Kind::Goal ? numbers.goals : numbers.people);
     if (text != port.text) {
       port.text = std::move(text);
       ++changed;
     }
   }
   for (NodeSpec& child : node.children) {
-    changed += renumber(child, numbers);
+    changed += renumber(child, tree, keys, numbers);
   }
   return changed;
 }
@@ -75,8 +143,12 @@ std::string renumbered(const TreeFile& file, const std::string& text, const Renu
     return text;
   }
   TreeFile copy = file;
+  const NumberKeys keys(file);
+  Renumbering others;  // those that move something
+  others.goals = movesNothing(numbers.goals) ? others.goals : numbers.goals;
+  others.people = movesNothing(numbers.people) ? others.people : numbers.people;
   for (TreeSpec& tree : copy.trees) {
-    changed += renumber(tree.root, numbers);
+    changed += renumber(tree.root, tree.id, keys, others);
   }
   return changed == 0 ? text : writeTree(copy, catalogue);
 }

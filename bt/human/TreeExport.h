@@ -16,9 +16,10 @@ struct Renumbering {
   bool isNothing() const;
 };
 
-/// The tree with the numbers of goals and people that stand in it replaced; numbers out of the
-/// blackboard are left to whoever writes them there. `changed` counts the ports. Byte for byte the
-/// same when nothing is to be replaced, else without the layout of the file.
+/// The tree with the numbers of goals and people replaced that stand in it, in ports and in what
+/// SetBlackboard and SubTree hand on to them; numbers of nothing become others of nothing where
+/// need be, scripts stay. `changed` counts the ports. Byte for byte the same when nothing is to be
+/// replaced, else without the layout of the file.
 std::string renumbered(const TreeFile& file, const std::string& text, const Renumbering& numbers,
                        const NodeCatalogue& catalogue, int& changed);
 

@@ -45,17 +45,6 @@ Attributes attributesOf(const XMLElement& element) {
   return attributes;
 }
 
-XmlBlock blockOf(const XMLElement& element) {
-  XmlBlock block;
-  block.tag = element.Name();
-  block.text = ownText(element);
-  block.attributes = attributesOf(element);
-  for (const XMLElement* c = element.FirstChildElement(); c; c = c->NextSiblingElement()) {
-    block.children.push_back(blockOf(*c));
-  }
-  return block;
-}
-
 bool isSubTreeTag(const std::string& tag) {
   return tag == "SubTree" || tag == "SubTreePlus";
 }
@@ -126,6 +115,7 @@ class TreeReader {
   void warn(const XMLElement& at, std::string_view code, base::ProblemValues values = {});
   void readFormat(const XMLElement& root);
   void readPart(const XMLElement& element, bool needsId);
+  XmlBlock readBlock(const XMLElement& element, int depth);
   void readInclude(const XMLElement& element);
   void readTree(const XMLElement& element, bool needsId);
   NodeSpec readNode(const XMLElement& element, int depth);
@@ -193,13 +183,28 @@ void TreeReader::readPart(const XMLElement& element, bool needsId) {
       return;
     }
     file_.order.push_back(FilePart::Model);
-    file_.model = blockOf(element);
+    file_.model = readBlock(element, 1);
   } else {
     warn(element, "tree.unknown-element",
          {tag, base::nearestName(tag, {"BehaviorTree", "TreeNodesModel", "include"})});
     file_.order.push_back(FilePart::Other);
-    file_.blocks.push_back(blockOf(element));
+    file_.blocks.push_back(readBlock(element, 1));
   }
+}
+
+XmlBlock TreeReader::readBlock(const XMLElement& element, int depth) {
+  XmlBlock block;
+  if (depth > kMaxNesting) {
+    error(element, "tree.too-nested", {kMaxNesting});
+    return block;
+  }
+  block.tag = element.Name();
+  block.text = ownText(element);
+  block.attributes = attributesOf(element);
+  for (const XMLElement* c = element.FirstChildElement(); c; c = c->NextSiblingElement()) {
+    block.children.push_back(readBlock(placed(*c), depth + 1));
+  }
+  return block;
 }
 
 void TreeReader::readInclude(const XMLElement& element) {

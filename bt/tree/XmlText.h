@@ -31,9 +31,9 @@ struct XmlPiece {
 
 /// tinyxml2 reads elements within each other to a depth of 100. The text in pieces that are less
 /// deep: elements that stand deeper are taken out with all within them and lie side by side in the
-/// next piece; <piece-of-this-file n="its number there"/> stands in the place of each.
+/// next piece; <kPieceTag n="its number there"/> stands in the place of each. The text is UTF-8.
 std::vector<XmlPiece> shallowPieces(std::string_view text);
-constexpr const char* kPieceTag = "piece-of-this-file";
+constexpr const char* kPieceTag = "\xFFpiece";  // no UTF-8 has this byte: no file names such a tag
 
 /// An error number of tinyxml2 in words.
 std::string messageOfXmlError(int errorId);

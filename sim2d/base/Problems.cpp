@@ -451,9 +451,12 @@ constexpr ProblemText kTexts[] = {
     {"export.person-renumbered", "id {found} becomes {id}"},
     {"export.goal-renumbered", "goal {found} becomes {goal}"},
     {"export.goal-added", "{where} has no goal: goal {goal} at the start is added"},
-    {"export.goals-lost",
-     "goals in nobody's route are lost ({goals}): HuNavSim 1.5 has routes alone, its trees name "
-     "none"},
+    {"export.goals-apart",
+     "goals in nobody's list ({goals}) stay in global_goals, which HuNavSim 1.5 does not read: it "
+     "has people's own goals alone"},
+    {"export.trees-not-read",
+     "HuNavSim 1.5 runs one tree of its own for each behaviour: the trees of people are written, "
+     "but not read there"},
     {"export.isaac-world",
      "Isaac's launcher takes the world from the name of the file, which holds none: start it with "
      "--world"},

@@ -4,7 +4,9 @@
 #include <set>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/ExportGoals.h"
 #include "sim2d/scenario/ScenarioCheck.h"
+#include "sim2d/scenario/ScenarioFile.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
@@ -68,23 +70,23 @@ class Exporter {
   ExportedScenario run() {
     scenario().yamlBaseName = options_.baseName;
     placeFiles();
-    if (target_.target != ExportTarget::Native) {
+    if (!isNative()) {
       tellLosses();
       rename();
       renumberPeople();
-      renumberGoals();
+      closeGaps();
       giveGoals();
       for (Human& human : scenario().humans) {
         complete(human);
-      }
-      if (isOld()) {
-        countGoalsOfRoutes();
       }
       scenario().simulator = target_.title;
       scenario().publishPeople = scenario().publishPeople.value_or(true);
       checkWorld();
     } else {
       keepNumbers();
+    }
+    if (isOld()) {
+      countGoals();
     }
     result_.text = isOld() ? writeScenarioB(scenario(), result_.report) : writeScenario(scenario());
     result_.startCommand = target_.startCommand(scenario());
@@ -93,56 +95,37 @@ class Exporter {
 
  private:
   Scenario& scenario() { return result_.scenario; }
+  bool isNative() const { return target_.target == ExportTarget::Native; }
   bool isOld() const { return options_.dialect.value_or(target_.dialect) == Dialect::B; }
 
-  /// That format has the goals of each person's route and no others, and no numbers: whoever reads
-  /// it counts them, route after route. Ours are made the same.
-  void countGoalsOfRoutes() {
-    std::map<int, int> counted;  // goal -> its first place
-    int next = 1;
-    const auto count = [&](const Human& human) {
-      for (const int goal : human.goals) {
-        counted.emplace(goal, next++);
-      }
-    };
-    forEachListed(scenario().humans, count);
-    for (const Human& human : scenario().humans) {
-      if (!human.listed) {
-        count(human);
-      }
+  void countGoals() {
+    const GoalNumbers counted = numbersOfDialectB(scenario());
+    if (!isNative()) {
+      tellOldFormat();
     }
-    tellLostGoals(counted);
-    for (Robot& robot : scenario().robots) {
-      keepCounted(robot.goal, counted);
-    }
-    for (GlobalGoal& goal : scenario().goals) {
-      goal.id = counted.emplace(goal.id, next++).first->second;
-    }
-    applyNumbers(counted);
-    for (auto& [old, now] : result_.goals) {
-      now = counted.at(now);
-    }
+    renumberGoals(scenario(), counted);
+    result_.goals = chained(result_.goals, counted);
   }
 
-  void tellLostGoals(const std::map<int, int>& counted) {
+  /// What HuNavSim 1.5 does not read of the files, by the numbers that the user knows.
+  void tellOldFormat() {
+    std::set<int> apart;
+    for (const GlobalGoal& goal : goalsOfNobody(scenario())) {
+      apart.insert(goal.id);
+    }
     std::vector<std::string> numbers;
     for (const auto& [old, now] : result_.goals) {
-      if (counted.count(now) == 0) {
+      if (apart.count(now) != 0) {
         numbers.push_back(std::to_string(old));
       }
     }
     if (!numbers.empty()) {
-      note(base::warning("export.goals-lost", {base::join(numbers, ", ")}));
+      note(base::warning("export.goals-apart", {base::join(numbers, ", ")}));
     }
-  }
-
-  /// A lost goal that is the only one of a robot becomes a point.
-  void keepCounted(RobotGoal& way, const std::map<int, int>& counted) {
-    const auto isLost = [&](int goal) { return counted.count(goal) == 0; };
-    if (way.goals.size() == 1 && isLost(way.goals[0])) {
-      way.point = scenario().goal(way.goals[0])->position;
+    if (std::any_of(scenario().humans.begin(), scenario().humans.end(),
+                    [](const Human& human) { return human.listed; })) {
+      note(base::warning("export.trees-not-read"));
     }
-    way.goals.erase(std::remove_if(way.goals.begin(), way.goals.end(), isLost), way.goals.end());
   }
 
   void note(base::Diagnostic said, EntityId entity = {}) {
@@ -258,35 +241,15 @@ class Exporter {
     }
   }
 
-  void renumberGoals() {
-    std::vector<GlobalGoal>& goals = scenario().goals;
-    std::stable_sort(goals.begin(), goals.end(),
-                     [](const GlobalGoal& a, const GlobalGoal& b) { return a.id < b.id; });
-    int next = 1;
-    for (GlobalGoal& goal : goals) {
-      result_.goals[goal.id] = next;
-      if (goal.id != next && !isOld()) {
-        noteChange(goal.key, "export.goal-renumbered", {goal.id, next});
+  void closeGaps() {
+    result_.goals = numbersWithoutGaps(scenario());
+    for (const GlobalGoal& goal : scenario().goals) {
+      const int number = result_.goals.at(goal.id);
+      if (goal.id != number && !isOld()) {
+        noteChange(goal.key, "export.goal-renumbered", {goal.id, number});
       }
-      goal.id = next++;
     }
-    applyNumbers(result_.goals);
-  }
-
-  /// Gives the goals of people and robots their new numbers.
-  void applyNumbers(const std::map<int, int>& numbers) {
-    const auto renumber = [&](std::vector<int>& list) {
-      for (int& goal : list) {
-        const auto found = numbers.find(goal);
-        goal = found == numbers.end() ? goal : found->second;
-      }
-    };
-    for (Human& human : scenario().humans) {
-      renumber(human.goals);
-    }
-    for (Robot& robot : scenario().robots) {
-      renumber(robot.goal.goals);
-    }
+    renumberGoals(scenario(), result_.goals);
   }
 
   void keepNumbers() {

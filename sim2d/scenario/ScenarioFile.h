@@ -54,7 +54,10 @@ std::optional<std::string> suggestedSimulator(const Scenario& scenario);
 /// Canonical dialect C plus our block (FORMAT.md). A file without the block ends without a newline,
 /// as HuNavSim's own editor writes it; with the block it ends with one.
 std::string writeScenario(const Scenario& scenario);
-/// Dialect B for the older wrappers; what it cannot express is told in `losses`.
+/// Goals that are in no person's list, in the order of the scenario.
+std::vector<GlobalGoal> goalsOfNobody(const Scenario& scenario);
+/// Dialect B for the older wrappers; what it cannot express is told in `losses`. Goals of nobody
+/// are global_goals as in C: HuNavSim passes over keys that it does not know.
 std::string writeScenarioB(const Scenario& scenario, base::Diagnostics& losses);
 
 /// `--set PATH=VALUE` (FORMAT.md): dotted keys below ros__parameters; `*` = every listed person.

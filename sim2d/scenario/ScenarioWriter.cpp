@@ -146,6 +146,8 @@ double headingOf(const GlobalGoal& goal) {
   return 0.0;
 }
 
+constexpr double kFastestReaction = 1.8;  // that HuNavSim's loader lets pass [m/s]
+
 YamlNode behaviorTreeB(const Human& human, base::Diagnostics& losses) {
   const Behavior& behavior = human.behavior;
   YamlNode tree;
@@ -153,7 +155,8 @@ YamlNode behaviorTreeB(const Human& human, base::Diagnostics& losses) {
   setChild(tree, "configuration", number(static_cast<int>(oldConfigurationOf(behavior))));
   setChild(tree, "duration", decimals(behavior.duration.value_or(40.0)));
   setChild(tree, "once", flag(behavior.once.value_or(false)));
-  setChild(tree, "vel", decimals(behavior.vel ? *behavior.vel : human.maxVel.value_or(1.0)));
+  const double walks = std::min(human.maxVel.value_or(1.0), kFastestReaction);
+  setChild(tree, "vel", decimals(behavior.vel.value_or(walks)));
   setOldDistance(tree, human, losses);
   setChild(tree, "goal_force_factor", decimals(behavior.goalForceFactor.value_or(2.0)));
   setChild(tree, "obstacle_force_factor", decimals(behavior.obstacleForceFactor.value_or(10.0)));
@@ -167,6 +170,10 @@ YamlNode humanTreeB(const Scenario& scenario, const Human& human, base::Diagnost
   YamlNode tree = bodyTree(human, fieldTables());
   setChild(tree, "behavior", behaviorTreeB(human, losses));
   tree.child("goals").kind = YamlNode::Kind::List;
+  std::set<std::string> taken;
+  for (const UnknownKey& key : human.unknown) {
+    taken.insert(key.key);
+  }
   int count = 0;
   for (const int id : human.goals) {
     const GlobalGoal* goal = scenario.goal(id);
@@ -174,7 +181,10 @@ YamlNode humanTreeB(const Scenario& scenario, const Human& human, base::Diagnost
       addLoss(losses, human, "goal " + std::to_string(id) + " is not defined, left out");
       continue;
     }
-    const std::string name = "g" + std::to_string(count++);
+    std::string name;
+    do {
+      name = "g" + std::to_string(count++);
+    } while (taken.count(name) != 0);
     tree.child("goals").items.push_back(stringNode(name));
     YamlNode& place = tree.child(name);
     setPoint(place, goal->position, 3);
@@ -309,11 +319,25 @@ std::string writeScenario(const Scenario& scenario) {
   return fileText(fileTree(scenario));
 }
 
+std::vector<GlobalGoal> goalsOfNobody(const Scenario& scenario) {
+  std::set<int> ofPeople;
+  for (const Human& human : scenario.humans) {
+    ofPeople.insert(human.goals.begin(), human.goals.end());
+  }
+  std::vector<GlobalGoal> goals;
+  std::copy_if(scenario.goals.begin(), scenario.goals.end(), std::back_inserter(goals),
+               [&](const GlobalGoal& goal) { return ofPeople.count(goal.id) == 0; });
+  return goals;
+}
+
 std::string writeScenarioB(const Scenario& scenario, base::Diagnostics& losses) {
   YamlNode loader;
   for (const char* key : {"map", "publish_people"}) {
     const Field<ScenarioSettings>& field = *fieldOf<ScenarioSettings>(key);
     writeValue(loader, field.spec, field.value(scenario), field.digits);
+  }
+  if (const std::vector<GlobalGoal> goals = goalsOfNobody(scenario); !goals.empty()) {
+    setChild(loader, "global_goals", goalsTree(goals));
   }
   setPeople(loader, scenario,
             [&](const Human& human) { return humanTreeB(scenario, human, losses); });

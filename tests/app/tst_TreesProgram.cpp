@@ -19,6 +19,7 @@ class TreesProgramTest : public QObject {
   void make_withoutFolder_printsAll();
   void make_intoAFile_isAnError();
   void make_baseNameWithFolder_isAnError();
+  void make_mistypedName_getsTheNearest();
   void make_hunav2_hasTheGoalsOfTheShippedTrees_data();
   void make_hunav2_hasTheGoalsOfTheShippedTrees();
   void make_hunav2_bodyIsTheFilledTemplate_data();
@@ -177,6 +178,19 @@ void TreesProgramTest::make_baseNameWithFolder_isAnError() {
   QCOMPARE(found.exitCode, 2);
   QVERIFY(!QFile::exists(out));
   QVERIFY(QDir(folder.path()).entryList({QStringLiteral("outside*")}).isEmpty());
+}
+
+void TreesProgramTest::make_mistypedName_getsTheNearest() {
+  const Finished found =
+      outside::runProgram({QStringLiteral("trees"), QStringLiteral("two_workers_agent")});
+  QCOMPARE(found.exitCode, 2);
+  QVERIFY(found.out.isEmpty());
+  QVERIFY2(found.err.contains(utf8("two_workers_agents")), qPrintable(found.err));
+  // a path is a path
+  const Finished path =
+      outside::runProgram({QStringLiteral("trees"), QStringLiteral("./two_workers_agent")});
+  QCOMPARE(path.exitCode, 2);
+  QVERIFY2(!path.err.contains(utf8("two_workers_agents")), qPrintable(path.err));
 }
 
 void TreesProgramTest::make_hunav2_hasTheGoalsOfTheShippedTrees_data() {

@@ -365,6 +365,32 @@ class HumanTemplatesTest : public QObject {
     QCOMPARE(found[1].line, 3);
     QVERIFY(!base::hasErrors(found));
   }
+
+  /// Two numbers of one place are one goal, as files have them that name each person's goals.
+  void checkAgentTree_otherNumbersOfTheSamePlaces_isSilent() {
+    const bt::NodeLibrary library = bt::humanNodes();
+    const auto file = bt::readTreeText(
+        "<root BTCPP_format='4'><BehaviorTree ID='T'><Sequence><SetGoal agent_id='{id}' "
+        "goal_id='1'/><SetGoal agent_id='{id}' goal_id='2'/></Sequence></BehaviorTree></root>",
+        "t.xml");
+    QVERIFY(file);
+    const auto table = bt::resolveIncludes(*file);
+    QVERIFY(table);
+    sim2d::Scenario scenario = scenarioWith(BehaviorType::Regular, {3, 4});
+    scenario.goals.at(2).position = base::Vec2(1.0, 0.0);         // as goal 1
+    scenario.goals.push_back({{}, 4, base::Vec2(2.0, 0.0), {}});  // as goal 2
+    const auto check = [&](const std::vector<int>& goals) {
+      scenario.humans.front().goals = goals;
+      return bt::checkAgentTree(*table, scenario.humans.front(), scenario, library.catalogue());
+    };
+    QVERIFY(check({3, 4}).empty());
+    QVERIFY(check({3, 2}).empty());
+    for (const std::vector<int>& other : {std::vector<int>{4, 3}, {3}, {3, 4, 3}}) {
+      const base::Diagnostics found = check(other);
+      QCOMPARE(found.size(), std::size_t(1));
+      QVERIFY(found[0].code == "tree.other-goals");
+    }
+  }
 };
 
 QTEST_APPLESS_MAIN(HumanTemplatesTest)

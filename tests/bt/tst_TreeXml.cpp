@@ -27,7 +27,9 @@ class TreeXmlTest : public QObject {
   void read_version3BlackboardChecks_becomePreconditions();
   void read_version4_isNotConverted();
   void read_entityBomb_isNotExpanded();
+  void read_tagsOfPieces_areWhatTheFileSays();
   void read_deepNesting_isRead();
+  void read_deepBlock_isWhole();
   void read_deepNesting_isRefusedSoon();
   void read_manyDeepSiblings_takeLittle();
   void read_hundredThousandNodes_isRead();
@@ -254,6 +256,69 @@ void TreeXmlTest::read_entityBomb_isNotExpanded() {
     QVERIFY(file->trees.at(0).root.name.size() < 10);
   } else {
     QVERIFY(base::hasErrors(file.diagnostics()));
+  }
+}
+
+namespace {
+
+int nodesIn(const bt::NodeSpec& node) {
+  int count = 1;
+  for (const bt::NodeSpec& child : node.children) {
+    count += nodesIn(child);
+  }
+  return count;
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string result;
+  for (int i = 0; i < times; ++i) {
+    result += text;
+  }
+  return result;
+}
+
+}  // namespace
+
+/// Deep files are read in pieces: an element of the file never stands for one of them.
+void TreeXmlTest::read_tagsOfPieces_areWhatTheFileSays() {
+  constexpr int kCalls = 60;  // of pieces, in each of three pieces
+  const std::string calls = repeated("<piece-of-this-file n='0'/>", kCalls);
+  const std::string one = "<Sequence>" + calls + repeated("<Inverter>", 70);
+  const std::string ends = repeated(repeated("</Inverter>", 70) + "</Sequence>", 3);
+  const base::Result<bt::TreeFile> file = bt::readTreeText(
+      root(tree("T", (repeated(one, 3) + "<AlwaysSuccess/>" + ends).c_str())), "t.xml");
+  QVERIFY2(file, textOf(file.diagnostics()).c_str());
+  const bt::NodeSpec& top = file->trees.at(0).root;
+  QCOMPARE(nodesIn(top), 3 * (1 + kCalls + 70) + 1);
+  QCOMPARE(top.children.at(0).id, std::string("piece-of-this-file"));
+  QVERIFY(top.children.at(0).children.empty());
+  const auto program = bt::compile(*file, bt::NodeLibrary());
+  QVERIFY(textOf(program.diagnostics()).find("piece-of-this-file") != std::string::npos);
+  // The mark of a piece is no text.
+  QVERIFY(!bt::readTreeText(root(tree("T", "<\xFFpiece n='0'/>")), "t.xml"));
+}
+
+/// The model block of a file is as deep as its trees may be.
+void TreeXmlTest::read_deepBlock_isWhole() {
+  for (const int depth : {200, 300}) {
+    const std::string block = "<TreeNodesModel>" + repeated("<a>", depth) + "<b c='d'/>" +
+                              repeated("</a>", depth) + "</TreeNodesModel>";
+    const base::Result<bt::TreeFile> file =
+        bt::readTreeText(root(tree("T", "<AlwaysSuccess/>") + block), "t.xml");
+    QCOMPARE(bool(file), depth < bt::kMaxNesting);
+    if (!file) {
+      QVERIFY(textOf(file.diagnostics()).find("nested") != std::string::npos);
+      continue;
+    }
+    const bt::XmlBlock* last = &*file->model;
+    for (int i = 0; i < depth; ++i) {
+      QCOMPARE(last->children.size(), std::size_t(1));
+      last = &last->children[0];
+      QCOMPARE(last->tag, std::string("a"));
+    }
+    QCOMPARE(last->children.at(0).attributes, (bt::Attributes{{"c", "d"}}));
+    const std::string written = bt::writeTree(*file, bt::NodeLibrary().catalogue());
+    QVERIFY(*parsed(written).model == *file->model);
   }
 }
 

@@ -190,6 +190,61 @@ class ScenarioReaderTest : public QObject {
     QVERIFY(humanOf(again.scenario, "emil").behavior.stopDist == 1.5);
   }
 
+  /// HuNavSim reads no global goals in that format; who knows them finds them, numbered by hand:
+  /// goals 1 and 4 are nobody's, then follow 3, 2 and 3 of anna, each a goal of its own.
+  void convert_CtoB_keepsGoalsOfNobody() {
+    const char* const text =
+        "hunav_loader:\n  ros__parameters:\n    global_goals:\n"
+        "      1: {x: 1.0, y: 1.5}\n      2: {x: 2.0, y: 2.5}\n"
+        "      3: {x: 3.0, y: 3.5}\n      4: {x: 4.0, y: 4.5, h: 0.5}\n"
+        "    agents: [anna]\n    anna:\n      id: 1\n      init_pose: {x: 0.0, y: 0.0}\n"
+        "      behavior: {type: Regular}\n      goals: [3, 2, 3]\n";
+    base::Diagnostics losses;
+    Scenario scenario = readScenarioText(text, "new.yaml").scenario;
+    scenario.goals.at(3).id = 2;  // as an export numbers them
+    scenario.goals.at(1).id = 4;
+    scenario.humans.at(0).goals = {3, 4, 3};
+    const ScenarioReading again = readScenarioText(writeScenarioB(scenario, losses), "old.yaml");
+    QVERIFY2(again.ok(), qPrintable(shown(again.diagnostics)));
+    const std::vector<GlobalGoal>& goals = again.scenario.goals;
+    QCOMPARE(goals.size(), std::size_t(5));
+    QVERIFY(goals[0].id == 1 && goals[0].position == Vec2(1.0, 1.5));
+    QVERIFY(goals[1].id == 2 && goals[1].position == Vec2(4.0, 4.5));
+    QCOMPARE(goals[1].unknown.at(0).key, std::string("h"));
+    QCOMPARE(again.scenario.humans.at(0).goals, (std::vector<int>{3, 4, 5}));
+    QVERIFY(goalOf(again.scenario, again.scenario.humans[0], 1) == Vec2(2.0, 2.5));
+  }
+
+  /// The key must be there; above 1.8 m/s the loader clamps it, and says so.
+  void convert_CtoB_speedOfAReactionIsWithinTheLimit() {
+    Scenario scenario = readScenario(dataFile("canonical.yaml")).scenario;
+    scenario.humans.at(0).behavior.vel.reset();
+    for (const auto& [walks, reacts] : {std::pair(2.5, 1.8), std::pair(1.25, 1.25)}) {
+      scenario.humans.at(0).maxVel = walks;
+      base::Diagnostics losses;
+      const ScenarioReading again = readScenarioText(writeScenarioB(scenario, losses), "old.yaml");
+      QVERIFY(again.scenario.humans.at(0).maxVel == walks);
+      QVERIFY(again.scenario.humans.at(0).behavior.vel == reacts);
+    }
+  }
+
+  /// A goal that a file of that format has beside the person's list stays, under its own name.
+  void convert_BtoB_doesNotMixUpSpareGoals() {
+    const char* const text =
+        "hunav_loader:\n  ros__parameters:\n    agents: [anna]\n    anna:\n      id: 1\n"
+        "      init_pose: {x: 0.0, y: 0.0, h: 0.0}\n      behavior: {type: 1, dist: 0.0}\n"
+        "      goals: [g0, g2]\n      g0: {x: 1.0, y: 1.5, h: 0.0}\n"
+        "      g1: {x: 9.0, y: 9.5, h: 0.0}\n      g2: {x: 3.0, y: 3.5, h: 0.0}\n";
+    base::Diagnostics losses;
+    const ScenarioReading first = readScenarioText(text, "old.yaml");
+    const ScenarioReading again =
+        readScenarioText(writeScenarioB(first.scenario, losses), "old.yaml");
+    QVERIFY2(again.ok(), qPrintable(shown(again.diagnostics)));
+    QVERIFY(goalOf(again.scenario, again.scenario.humans.at(0), 0) == Vec2(1.0, 1.5));
+    QVERIFY(goalOf(again.scenario, again.scenario.humans.at(0), 1) == Vec2(3.0, 3.5));
+    QCOMPARE(again.scenario.humans.at(0).unknown.at(0).key, std::string("g1"));
+  }
+
   void read_wordInAnyCase_isKnown_data() {
     QTest::addColumn<QByteArray>("word");
     for (const char* word : {"scared", "SCARED", "Scared", "'Scared'"}) {

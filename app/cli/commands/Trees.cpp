@@ -2,6 +2,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include <CLI/CLI.hpp>
@@ -122,6 +123,9 @@ int writeFiles(const std::vector<MadeFile>& files, const std::string& folder,
 }
 
 int generate(const TreesOptions& options, const Invocation& given) {
+  if (const std::optional<base::Diagnostic> unknown = unknownScenario(options.scenario)) {
+    requireFine({*unknown}, ExitBadInput);
+  }
   const sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
   requireFine(reading.diagnostics, ExitBadInput, base::Severity::Warning);
   const std::string base = sim2d::baseName(reading.scenario, options.scenario);
