@@ -145,22 +145,32 @@ class PlanMaker {
         warn(human, base::warning("export.own-node", {node}, tree.path));
       }
     }
-    copyIncluded(*read, tree);
+    copyIncluded(*read, tree.path);
   }
 
-  void copyIncluded(const bt::TreeFile& tree, const bt::TreeSource& source) {
+  /// The files that a tree includes, and those that these include, with the numbers of the export.
+  void copyIncluded(const bt::TreeFile& tree, const std::string& treePath) {
     for (const bt::Include& include : tree.includes) {
-      if (include.path.empty() || include.path == bt::kRegularNavFile || source.path.empty()) {
+      if (include.path.empty() || include.path == bt::kRegularNavFile || treePath.empty() ||
+          !included_.insert(include.path).second) {
         continue;
       }
-      const base::Result<std::string> text =
-          base::readTextFile((fs::path(source.path).parent_path() / include.path).string());
+      const std::string path = (fs::path(treePath).parent_path() / include.path).string();
+      const base::Result<std::string> text = base::readTextFile(path);
       if (!text || include.path.find('/') != std::string::npos) {
         plan_.report.push_back(
-            base::warning("export.include-not-copied", {include.path}, source.path));
+            base::warning("export.include-not-copied", {include.path}, treePath));
         continue;
       }
-      addFile("behavior_trees/" + include.path, *text);
+      const base::Result<bt::TreeFile> inner = bt::readTreeText(*text, path);
+      base::append(plan_.report, inner.diagnostics());
+      if (inner) {
+        int changed = 0;
+        addFile("behavior_trees/" + include.path,
+                bt::renumbered(*inner, *text, {exported_.goals, exported_.people},
+                               library_.catalogue(), changed));
+        copyIncluded(*inner, path);
+      }
     }
   }
 
@@ -222,6 +232,7 @@ class PlanMaker {
   std::string base_;
   bool isNative_ = false;
   std::set<std::string> paths_;
+  std::set<std::string> included_;  // as the trees name them
 };
 
 }  // namespace

@@ -265,6 +265,17 @@ class PropertyPanelTest : public QObject {
     QCOMPARE(document_->undoStack().count(), 0);
   }
 
+  /// Another kind of thing is selected while a number is being typed: it is the person's.
+  void number_beingTyped_isTakenWhenThePageGoes() {
+    document_->setSelection({key(0)});
+    panel_->show();
+    auto* radius = field<NumberField>(QStringLiteral("Radius"));
+    type(radius, QStringLiteral("0.5"));
+    document_->setSelection({document_->goalKey(document_->scenario().goals.front().id)});
+    QCOMPARE(human(0).radius, std::optional(0.5));
+    panel_->hide();
+  }
+
   void slider_moved_setsTheNumber() {
     document_->setSelection({key(0)});
     auto* radius = field<NumberField>(QStringLiteral("Radius"));

@@ -270,6 +270,39 @@ class ExportTreesTest : public QObject {
     QCOMPARE(portsOf(tree, "n"), (Values{"12", "{count}"}));
   }
 
+  /// Files that a tree includes, and those that these include, have the same numbers.
+  void trees_thatAreIncluded_follow() {
+    const char* const outer = R"(<root BTCPP_format="4" main_tree_to_execute="A">
+<include path="inner.xml"/><BehaviorTree ID="A"><SubTree ID="B" id="{id}"/></BehaviorTree></root>)";
+    const char* const inner = R"(<root BTCPP_format="4"><include path="inmost.xml"/>
+<BehaviorTree ID="B"><GoTo agent_id="{id}" goal_id="12" time_step="0.05"/></BehaviorTree></root>)";
+    const char* const inmost = R"(<root BTCPP_format="4"><include path="inner.xml"/>
+<BehaviorTree ID="C"><GoTo agent_id="{id}" goal_id="5" time_step="0.05"/></BehaviorTree></root>)";
+    const std::string folder = folder_.path().toStdString();
+    std::string scenario = kYard;
+    scenario.replace(scenario.find("ana.xml"), 7, "outer.xml");
+    for (const auto& [name, text] : std::map<std::string, std::string>{{"outer.xml", outer},
+                                                                       {"inner.xml", inner},
+                                                                       {"inmost.xml", inmost},
+                                                                       {"outer.yaml", scenario}}) {
+      QVERIFY(base::writeFileAtomically(folder + "/" + name, text).empty());
+    }
+    app::ExportRequest request;
+    request.target = "isaac";  // goals 1 to 4
+    request.folder = "/nowhere";
+    const app::ExportPlan plan =
+        app::planExport(sourceOf(folder_.filePath(QStringLiteral("outer.yaml"))), request);
+    std::map<std::string, Values> numbers;
+    for (const app::ExportPlan::File& file : plan.files) {
+      const std::string& path = file.content.path;
+      if (path.find("/inn") != std::string::npos || path.find("/inm") != std::string::npos) {
+        numbers[path.substr(path.rfind('/') + 1)] = portsOf(file.content.content, "goal_id");
+      }
+    }
+    const std::map<std::string, Values> wanted = {{"inner.xml", {"4"}}, {"inmost.xml", {"2"}}};
+    QVERIFY(numbers == wanted);
+  }
+
   /// Whoever reads the export finds nothing wrong that was not wrong before.
   void export_ofTwoWorkers_namesNoMissingGoal() {
     const app::Bundle source =
