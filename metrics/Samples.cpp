@@ -34,6 +34,10 @@ Seam seamOf(const sim2d::TraceHeader& header) {
                                   : Seam();
 }
 
+bool hasJumped(const Vec2& before, const Person& now, const Seam& seam) {
+  return now.isNew || seam.nearest(now.position, before) != now.position;
+}
+
 const Person* findPerson(const Sample& sample, int id) {
   for (const Person& person : sample.people) {
     if (person.id == id) {
