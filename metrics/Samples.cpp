@@ -102,7 +102,7 @@ class Routes {
       planner_ = std::make_unique<sim2d::PathPlanner>(
           std::make_shared<const sim2d::DistanceField>(map_, *obstacles_, bounds,
                                                        std::numeric_limits<double>::infinity()),
-          robotRadius_);
+          robotRadius_, sim2d::Prices::Length);
     }
     // The field of distances is kept per goal, and it is the start that stays the same.
     std::vector<Vec2> path = planner_->plan(to, from);
