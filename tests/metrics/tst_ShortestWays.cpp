@@ -47,7 +47,7 @@ double lengthBetween(const metrics::RunContext& context, const Vec2& a, const Ve
 }
 
 bool isAbout(double value, double expected) {
-  return std::fabs(value - expected) < 2e-3 * expected;
+  return std::fabs(value - expected) < 5e-4 * expected;
 }
 
 /// Two blocks of 8 m with 0.9 m between them, open ground above and below.
