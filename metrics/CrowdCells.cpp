@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
-#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -20,14 +18,6 @@ struct Placed {
     return std::tie(a.row, a.column, a.point) < std::tie(b.row, b.column, b.point);
   }
 };
-
-/// Where the ray from the origin meets the line through the segment, as a multiple of the
-/// direction; infinite when it runs beside it.
-double along(const Vec2& direction, const sim2d::Segment& segment) {
-  const double across = base::cross(direction, segment.b - segment.a);
-  return across != 0.0 ? base::cross(segment.a, segment.b - segment.a) / across
-                       : std::numeric_limits<double>::infinity();
-}
 
 /// The part of a wall between the ends of the corridor; all of it where they are not joined.
 std::optional<sim2d::Segment> within(const Seam& seam, const sim2d::Segment& wall) {
@@ -45,20 +35,6 @@ std::optional<sim2d::Segment> within(const Seam& seam, const sim2d::Segment& wal
     return x == end.x() ? end : Vec2(wall.a + (x - wall.a.x()) / whole.x() * whole);
   };
   return sim2d::Segment{cut(wall.a), cut(wall.b)};
-}
-
-/// Where two segments cross each other, if they do.
-std::optional<Vec2> crossing(const sim2d::Segment& first, const sim2d::Segment& second) {
-  const Vec2 a = first.b - first.a;
-  const Vec2 b = second.b - second.a;
-  const double across = base::cross(a, b);
-  if (across == 0.0) {
-    return std::nullopt;
-  }
-  const double s = base::cross(second.a - first.a, b) / across;
-  const double t = base::cross(second.a - first.a, a) / across;
-  return s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0 ? std::optional<Vec2>(first.a + s * a)
-                                                  : std::nullopt;
 }
 
 /// Of the sector from a to b within the circle, with the sign of the turn.
@@ -128,71 +104,22 @@ double areaInCircle(const std::vector<Vec2>& polygon, double radius) {
   return area;
 }
 
-/// Around the circle.
-void CellAreas::takeSquare() {
+/// What of a square around the circle no wall hides from the point.
+void CellAreas::takeVisible() {
   const double r = radius_;
   cell_ = {Vec2(r, r), Vec2(-r, r), Vec2(-r, -r), Vec2(r, -r)};
-}
-
-/// What of the square no wall hides from the point. Between two turns one border comes first.
-void CellAreas::takeVisible() {
-  takeSquare();
-  borders_.clear();
-  std::copy_if(walls_.begin(), walls_.end(), std::back_inserter(borders_),
-               [this](const sim2d::Segment& wall) {
-                 return sim2d::distanceToSegment(wall, Vec2::Zero()) < std::sqrt(2.0) * radius_;
-               });
-  if (borders_.empty()) {
+  if (panorama_.views().empty()) {
     return;
   }
-  for (std::size_t k = 0; k < 4; ++k) {
-    borders_.push_back({cell_[k], cell_[(k + 1) % 4]});
+  std::vector<sim2d::Segment> square;
+  for (std::size_t k = 0; k < cell_.size(); ++k) {
+    square.push_back({cell_[k], cell_[(k + 1) % cell_.size()]});
   }
-  turns_.clear();
-  const auto turnTo = [this](const Vec2& place) {
-    if (place != Vec2::Zero()) {
-      turns_.push_back(std::atan2(place.y(), place.x()));
-    }
-  };
-  for (std::size_t k = 0; k < borders_.size(); ++k) {
-    turnTo(borders_[k].a);
-    turnTo(borders_[k].b);
-    for (std::size_t other = 0; other < k; ++other) {
-      if (const std::optional<Vec2> place = crossing(borders_[k], borders_[other])) {
-        turnTo(*place);
-      }
-    }
-  }
-  std::sort(turns_.begin(), turns_.end());
+  panorama_.add(square);
   cell_.clear();
-  for (std::size_t k = 0; k < turns_.size(); ++k) {
-    const bool isLast = k + 1 == turns_.size();
-    addCorners(turns_[k], isLast ? turns_.front() + 2.0 * base::kPi : turns_[k + 1]);
-  }
-}
-
-/// Both ends of what is seen between two directions.
-void CellAreas::addCorners(double from, double to) {
-  constexpr double kLeastTurn = 1e-12;  // [rad]
-  if (to - from < kLeastTurn) {
-    return;
-  }
-  const Vec2 middle = base::directionOf(0.5 * (from + to));
-  const sim2d::Segment* first = nullptr;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const sim2d::Segment& border : borders_) {
-    const double sideA = base::cross(middle, border.a);
-    const double sideB = base::cross(middle, border.b);
-    const double distance = along(middle, border);
-    if ((sideA > 0.0) != (sideB > 0.0) && distance > 0.0 && distance < nearest) {
-      nearest = distance;
-      first = &border;
-    }
-  }
-  if (first != nullptr) {
-    for (const double turn : {from, to}) {
-      const Vec2 direction = base::directionOf(turn);
-      cell_.push_back(along(direction, *first) * direction);
+  for (const Panorama::View& view : panorama_.views()) {
+    for (const Vec2& direction : {view.from.towards, view.to.towards}) {
+      cell_.push_back(along(direction, panorama_.wall(view)) * direction);
     }
   }
 }
@@ -217,47 +144,45 @@ void CellAreas::cut(const Vec2& other) {
   cell_.swap(part_);
 }
 
-void CellAreas::findWalls(const Vec2& point, const RunContext& context) {
-  walls_.clear();
+/// Walls, and their images beyond the seam, as far as others may take a share.
+std::vector<sim2d::Segment> CellAreas::wallsAround(const Vec2& point,
+                                                   const RunContext& context) const {
+  std::vector<sim2d::Segment> walls;
   if (context.walls == nullptr) {
-    return;
+    return walls;
   }
-  const double reach = 2.0 * radius_;  // of the others who take a share
+  const double reach = 2.0 * radius_;
   const double turn = context.seam.length;
+  std::vector<sim2d::Segment> found;
   for (const double shift : {0.0, turn, -turn}) {
     const Vec2 centre = point - Vec2(shift, 0.0);
-    std::vector<sim2d::Segment> found;
+    found.clear();
     context.walls->segmentsNear(centre, reach, found);
     for (const sim2d::Segment& segment : found) {
       const std::optional<sim2d::Segment> wall = within(context.seam, segment);
       if (wall && sim2d::distanceToSegment(*wall, centre) < reach) {
-        walls_.push_back({wall->a - centre, wall->b - centre});
+        walls.push_back({wall->a - centre, wall->b - centre});
       }
     }
     if (!context.seam.isThere()) {
-      return;
+      break;
     }
   }
-}
-
-/// No wall, nor the image of one, between the point and the place.
-bool CellAreas::isSeen(const Vec2& place) const {
-  return std::none_of(walls_.begin(), walls_.end(), [&](const sim2d::Segment& wall) {
-    const double sideA = base::cross(place, wall.a);
-    const double sideB = base::cross(place, wall.b);
-    const double share = along(place, wall);
-    return (sideA > 0.0) != (sideB > 0.0) && share > 0.0 && share < 1.0;
-  });
+  return walls;
 }
 
 double CellAreas::areaOf(const Vec2& point, const std::vector<Vec2>& others,
                          const RunContext& context) {
-  findWalls(point, context);
-  takeVisible();
+  panorama_.look(wallsAround(point, context));
+  std::vector<Vec2> seen;
   for (const Vec2& other : others) {
-    if (other != point && isSeen(other - point)) {  // two in one place share it
-      cut(other - point);
+    if (other != point && !panorama_.hides(other - point)) {  // two in one place share it
+      seen.push_back(other - point);
     }
+  }
+  takeVisible();
+  for (const Vec2& other : seen) {
+    cut(other);
   }
   return areaInCircle(cell_, radius_);
 }

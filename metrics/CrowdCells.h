@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "metrics/Panorama.h"
 #include "metrics/Samples.h"
 #include "sim2d/map/Obstacles.h"
 
@@ -23,17 +24,13 @@ class CellAreas {
   double areaOf(const Vec2& point, const std::vector<Vec2>& others, const RunContext& context);
 
  private:
-  void findWalls(const Vec2& point, const RunContext& context);
-  void takeSquare();
+  std::vector<sim2d::Segment> wallsAround(const Vec2& point, const RunContext& context) const;
   void takeVisible();
-  bool isSeen(const Vec2& place) const;
-  void addCorners(double from, double to);
   void cut(const Vec2& other);
 
   double radius_;
-  std::vector<Vec2> cell_, part_;                // corners around the point, which is the origin
-  std::vector<sim2d::Segment> walls_, borders_;  // from the point; borders: with the square
-  std::vector<double> turns_;                    // at which another border may come first
+  std::vector<Vec2> cell_, part_;  // corners around the point, which is the origin
+  Panorama panorama_;              // of the walls, from the point
 };
 
 /// Area that a circle around the origin shares with the polygon, whose corners turn to the left.

@@ -263,7 +263,7 @@ Stream Expression::stream() const {
           [](const Accumulator& sums, const Instant& last) {
             return static_cast<const Sums&>(sums).value(last);
           },
-          ""};
+          "", copyOf<Sums>};
 }
 
 base::Result<MetricEntry> entryOf(const UserMetric& metric) {

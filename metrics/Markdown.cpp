@@ -72,9 +72,18 @@ files (`--layout`) have as `inf`. Of several robots the first is measured
 
 Metrics that need a robot are those of its way (`corrected`): N and T count from when it sets off to
 when it arrives, between two samples to the second; parked it neither stands still nor runs into
-anybody. `from` and `until` of the scenario's metrics, where one of them says something else than the
+anybody. It arrives by the event `arrived`; where there is none, where it came to stand
+(`stop_linear_speed`, `stop_angular_speed`) in the region of `completed`, if it does to the end. A
+robot with a goal that does not arrive has failed after `time_limit`: its way ends there, or with the
+record. While a run goes on this is said of it so far. `from` and `until` of the scenario's metrics, where one of them says something else than the
 whole record, are heeded instead of both. Metrics of people alone look at the whole record. A
 recorded reference is that part of its run, of the same robot, or of its first.
+
+Shortest ways are those of a disc of the robot's radius round walls, map and obstacles, doors open:
+pulled tight, of all ways over cells the shortest, unknown ground only where nothing else leads
+there. Cells know 16 directions: another side of some obstacle may be shorter by 3.1 % of the way and
+about a cell at each corner, hence `path_efficiency`, `spl` and `stl` too high by so much, at most. A
+passage less than a cell wider than the robot may count as closed.
 
 The sums 25-34 grow with the recording rate; each is given a second time divided by N, with `_mean`
 at its key. Column rate: largest change when a record of smooth motion is sampled twice

@@ -37,7 +37,8 @@ struct Row {
 constexpr Row kRows[] = {
     {"goal_tolerance", &P::goalTolerance, "m", "added to the radius of the goal",
      "time_to_reach_goal success spl stl"},
-    {"time_limit", &P::timeLimit, "s", "a run of this length is a timeout", "success"},
+    {"time_limit", &P::timeLimit, "s",
+     "a way of this length is a timeout; a robot that does not arrive has failed then", "success"},
     {"contact_distance", &P::contactDistance, "m", "gap below which robot and person touch",
      "success"},
     {"stop_linear_speed", &P::stopLinearSpeed, "m/s", "slower counts as standing", "surprise_"},

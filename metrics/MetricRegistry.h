@@ -83,12 +83,19 @@ class Accumulator {
 };
 using AccumulatorFactory =
     std::function<std::unique_ptr<Accumulator>(const MetricParameters& parameters)>;
+using AccumulatorCopier = std::function<std::unique_ptr<Accumulator>(const Accumulator&)>;
+
+template <class Sum>
+std::unique_ptr<Accumulator> copyOf(const Accumulator& sum) {
+  return std::make_unique<Sum>(static_cast<const Sum&>(sum));
+}
 
 /// How a metric is made from an accumulator.
 struct Stream {
   AccumulatorFactory make;
   std::function<MetricValue(const Accumulator&, const Instant& last)> read;
   std::string shared;  // metrics with the same text share one accumulator
+  AccumulatorCopier copy;
 };
 
 struct MetricEntry {
@@ -147,7 +154,7 @@ Stream streamOf(Read read, const char* why = nullptr) {
             value.why = value.value || why == nullptr ? value.why : why;
             return value;
           },
-          std::to_string(reinterpret_cast<std::uintptr_t>(&kSumTag<Sum>))};
+          std::to_string(reinterpret_cast<std::uintptr_t>(&kSumTag<Sum>)), copyOf<Sum>};
 }
 
 /// One of several values of such an accumulator.

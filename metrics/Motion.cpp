@@ -13,6 +13,11 @@ bool isInGoalRegion(const RunContext& context, const Vec2& position,
   });
 }
 
+bool isStanding(const Robot& robot, const MetricParameters& parameters) {
+  return std::fabs(robot.speed) < parameters.stopLinearSpeed &&
+         std::fabs(robot.omega) < parameters.stopAngularSpeed;
+}
+
 bool isCompleted(const Instant& last) {
   return isInGoalRegion(last.context, last.now.robot.position, last.parameters);
 }

@@ -12,6 +12,8 @@ constexpr char kNoObstacles[] = "the record has no map and no obstacles";
 
 bool isInGoalRegion(const RunContext& context, const Vec2& position,
                     const MetricParameters& parameters);
+/// Neither drives nor turns.
+bool isStanding(const Robot& robot, const MetricParameters& parameters);
 /// At the last sample.
 bool isCompleted(const Instant& last);
 double distanceToGoals(const RunContext& context, const Vec2& position);  // nearest goal; inf: none

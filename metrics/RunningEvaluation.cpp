@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "metrics/Motion.h"
+
 namespace metrics {
 
 namespace {
@@ -60,11 +62,11 @@ void fillLeftOvers(std::vector<MetricResult>& results, const std::vector<MetricR
 /// Puts down where the robot is.
 class Places : public Accumulator {
  public:
-  explicit Places(TimedWay& to) : to_(to) {}
-  void add(const Instant& at) override { to_.emplace_back(at.elapsed(), at.now.robot.position); }
+  void add(const Instant& at) override { way_.emplace_back(at.elapsed(), at.now.robot.position); }
+  const TimedWay& way() const { return way_; }
 
  private:
-  TimedWay& to_;
+  TimedWay way_;
 };
 
 }  // namespace
@@ -82,17 +84,17 @@ SampleFeed::SampleFeed(std::shared_ptr<const RunContext> context, const Selectio
 }
 
 void SampleFeed::addItem(MetricEntry entry, Among among) {
-  Item item{std::move(entry), nullptr};
+  Item item{std::move(entry)};
   const MetricInfo& info = item.entry.info;
   const Stream& stream = item.entry.stream;
   const bool isAsked = among == Among::All || looksAtPeople(info);
   if (stream.make && isAsked && (context_->hasRobot || !info.needs.robot)) {
     Stretch& stretch = info.needs.robot ? way_ : all_;
-    std::unique_ptr<Accumulator>& sum = stretch.sums[stream.shared];
+    std::shared_ptr<Accumulator>& sum = stretch.sums[stream.shared];
     if (!sum) {
       sum = stream.make(parameters_);
     }
-    item.sum = sum.get();
+    item.hasSum = true;
   }
   needsMap_ = needsMap_ || info.needs.map;
   items_.push_back(std::move(item));
@@ -137,9 +139,49 @@ void SampleFeed::lengthen(Stretch& stretch, const std::shared_ptr<Sample>& sampl
   stretch.terms.forget();
 }
 
-void SampleFeed::add(Sample sample, bool isOnWay) {
+/// The end of the way as far as known.
+const SampleFeed::Stretch& SampleFeed::stretchOf(const MetricInfo& info) const {
+  if (!info.needs.robot) {
+    return all_;
+  }
+  return toGoal_ ? *toGoal_ : (inTime_ ? *inTime_ : way_);
+}
+
+SampleFeed::Stretch SampleFeed::copyOfWay() const {
+  Stretch copy = way_;
+  for (const Item& item : items_) {
+    const Stream& stream = item.entry.stream;
+    if (!item.hasSum || !item.entry.info.needs.robot) {
+      continue;
+    }
+    const std::shared_ptr<Accumulator>& sum = way_.sums.at(stream.shared);
+    std::shared_ptr<Accumulator>& its = copy.sums.at(stream.shared);
+    if (its == sum) {
+      its = stream.copy(*sum);
+    }
+  }
+  return copy;
+}
+
+void SampleFeed::keepAside(const OnWay& onWay) {
+  if (!onWay.isAtGoal) {
+    toGoal_.reset();
+  } else if (!toGoal_) {
+    toGoal_ = copyOfWay();
+  }
+  if (onWay.isTooLate && !inTime_) {
+    inTime_ = copyOfWay();
+  }
+}
+
+void SampleFeed::tellArrival() {
+  toGoal_.reset();
+  inTime_.reset();
+}
+
+void SampleFeed::add(Sample sample, const OnWay& onWay) {
   const auto newest = std::make_shared<Sample>(std::move(sample));
-  if (isOnWay) {
+  if (onWay.is) {
     lengthen(way_, newest);
     workOutPairs(*newest, needsMap_ ? &context_->map : nullptr, parameters_);
   }
@@ -153,6 +195,9 @@ void SampleFeed::add(Sample sample, bool isOnWay) {
       }
     }
   }
+  if (onWay.is) {
+    keepAside(onWay);
+  }
 }
 
 MetricValue SampleFeed::valueOf(const Item& item, const std::vector<MetricResult>& before) const {
@@ -164,9 +209,9 @@ MetricValue SampleFeed::valueOf(const Item& item, const std::vector<MetricResult
   if (stretch.count == 0) {
     return undefinedValue("the robot does not set off");
   }
-  return item.sum != nullptr
-             ? entry.stream.read(*item.sum, newestInstant(stretch, nullptr))
-             : meanOver(findResult(before, entry.info.partOf)->value, stretch.count);
+  return item.hasSum ? entry.stream.read(*stretch.sums.at(entry.stream.shared),
+                                         newestInstant(stretch, nullptr))
+                     : meanOver(findResult(before, entry.info.partOf)->value, stretch.count);
 }
 
 /// One value per sample of the run: undefined before the robot sets off and after it has arrived.
@@ -221,6 +266,12 @@ void RunningEvaluation::note(double time, const sim2d::Event& event) {
   const bool isRobot = event.hasId && event.id == context_->robotId;
   if (event.kind == sim2d::EventKind::Arrived && isRobot && !arrival_) {
     arrival_ = time;
+    all_.tellArrival();
+    for (Behavior& behavior : behaviors_) {
+      if (behavior.feed) {
+        behavior.feed->tellArrival();
+      }
+    }
   }
   if (event.kind == sim2d::EventKind::Enter && event.hasId) {
     entered_.insert(event.id);
@@ -230,10 +281,13 @@ void RunningEvaluation::note(double time, const sim2d::Event& event) {
   }
 }
 
-/// A window that says itself where to begin or to end is heeded instead.
+/// A window that says itself where to begin or to end is heeded instead of both ends of the way.
+bool RunningEvaluation::isWholeRecord() const {
+  return isOriginal() || selection_.window.from != "begin" || selection_.window.until != "end";
+}
+
 bool RunningEvaluation::isOnWay(double time) const {
-  const Window& window = selection_.window;
-  if (!context_->hasRobot || isOriginal() || window.from != "begin" || window.until != "end") {
+  if (!context_->hasRobot || isWholeRecord()) {
     return context_->hasRobot;
   }
   const bool isLate = arrival_ && time > *arrival_ + kTimeSlack;
@@ -241,10 +295,20 @@ bool RunningEvaluation::isOnWay(double time) const {
 }
 
 /// Of an arrival between two samples the second is the end of the way.
-bool RunningEvaluation::takesOnWay(double time) {
-  const bool takes = isOnWay(arrival_ && !isAtGoal_ ? std::min(time, *arrival_) : time);
+OnWay RunningEvaluation::onWayOf(const Sample& sample) {
+  const double time = sample.time;
+  OnWay onWay;
+  onWay.is = isOnWay(arrival_ && !isAtGoal_ ? std::min(time, *arrival_) : time);
   isAtGoal_ = isAtGoal_ || (arrival_ && time >= *arrival_ - kTimeSlack);
-  return takes;
+  setOff_ = onWay.is && !setOff_ ? time : setOff_;
+  if (onWay.is && !arrival_ && !isWholeRecord() && !context_->goals.empty()) {
+    const bool stands = isStanding(sample.robot, parameters_);
+    hasMoved_ = hasMoved_ || !stands;
+    onWay.isAtGoal =
+        hasMoved_ && stands && isInGoalRegion(*context_, sample.robot.position, parameters_);
+    onWay.isTooLate = time - *setOff_ >= parameters_.timeLimit;
+  }
+  return onWay;
 }
 
 void RunningEvaluation::markNew(Sample& sample) {
@@ -254,7 +318,7 @@ void RunningEvaluation::markNew(Sample& sample) {
   entered_.clear();
 }
 
-void RunningEvaluation::addToBehaviors(Sample& sample, bool isOnWay) {
+void RunningEvaluation::addToBehaviors(Sample& sample, const OnWay& onWay) {
   const bool anyActive = isActive(sample);
   for (std::size_t k = 0; k < kBehaviors; ++k) {
     Behavior& behavior = behaviors_[k];
@@ -272,7 +336,7 @@ void RunningEvaluation::addToBehaviors(Sample& sample, bool isOnWay) {
       // Of the people of this type; the original looks at everybody.
       behavior.active.push_back((isOriginal() ? anyActive : isActive(part)) ? 1.0 : 0.0);
     }
-    behavior.feed->add(std::move(part), isOnWay);
+    behavior.feed->add(std::move(part), onWay);
   }
 }
 
@@ -289,11 +353,11 @@ void RunningEvaluation::add(Sample sample) {
   if (selection_.series) {
     times_.push_back(sample.time - first_);
   }
-  const bool isOnWay = takesOnWay(sample.time);
+  const OnWay onWay = onWayOf(sample);
   markNew(sample);
-  all_.add(std::move(sample), isOnWay);
+  all_.add(std::move(sample), onWay);
   if (selection_.behaviors) {
-    addToBehaviors(all_.newest(), isOnWay);
+    addToBehaviors(all_.newest(), onWay);
   }
 }
 
@@ -354,8 +418,10 @@ TimedWay wayOf(const sim2d::Trace& trace, const Selection& selection,
   TimedWay way;
   MetricEntry places;
   places.info.key = "way";
-  places.stream.make = [&way](const MetricParameters&) { return std::make_unique<Places>(way); };
-  places.stream.read = [](const Accumulator&, const Instant&) { return MetricValue(); };
+  places.stream = streamOf<Places>([&way](const Places& all) {
+    way = all.way();
+    return MetricValue();
+  });
   Selection only = *selectionOfKeys({});
   only.own = {places};
   only.window = selection.window;

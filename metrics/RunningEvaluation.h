@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -18,8 +19,17 @@ using SeriesSink = std::function<void(const MetricInfo& info, const Series& seri
 /// Whose metrics are summed up.
 enum class Among { All, SomePeople };  // SomePeople: only what looks at people
 
+/// The robot at one sample.
+struct OnWay {
+  bool is = false;         // it has set off and has not arrived
+  bool isAtGoal = false;   // stands in the goal region after it moved, and no arrival was told
+  bool isTooLate = false;  // the time limit is over, and no arrival was told
+};
+
 /// A run that goes on and the metrics of a selection. Of its samples the newest three are kept.
-/// Metrics of the robot look at samples of their own: those of its way. One thread at a time.
+/// Metrics of the robot look at samples of their own: those of its way. It ends with the arrival
+/// that was told, else where it came to stand in the goal region and still does, else with the time
+/// limit: the sums at those two are kept aside. One thread at a time.
 class SampleFeed {
  public:
   SampleFeed(std::shared_ptr<const RunContext> context, const Selection& selection,
@@ -31,8 +41,9 @@ class SampleFeed {
   }
   /// The run has not begun yet.
   void forgetEvents() { noted_.clear(); }
-  /// `isOnWay`: the robot has set off and has not arrived.
-  void add(Sample sample, bool isOnWay);
+  void add(Sample sample, const OnWay& onWay);
+  /// What was kept aside was not the end: the robot has arrived.
+  void tellArrival();
   std::size_t size() const { return all_.count; }
   Sample& newest() { return *all_.now; }
   /// `all`: results among all people; those that do not look at people are taken over.
@@ -44,7 +55,7 @@ class SampleFeed {
  private:
   struct Item {
     MetricEntry entry;
-    const Accumulator* sum = nullptr;  // of the stretch
+    bool hasSum = false;  // in the stretch
   };
   struct Noted {
     double time = 0.0;  // [s]
@@ -58,13 +69,15 @@ class SampleFeed {
     std::size_t count = 0;
     double begin = 0.0;  // [s]
     TermMemory terms;
-    std::map<std::string, std::unique_ptr<Accumulator>> sums;  // by Stream::shared
+    std::map<std::string, std::shared_ptr<Accumulator>> sums;  // by Stream::shared
   };
   void addItem(MetricEntry entry, Among among);
   void lengthen(Stretch& stretch, const std::shared_ptr<Sample>& sample);
   void passEvents();
   Instant newestInstant(const Stretch& stretch, TermMemory* memory) const;
-  const Stretch& stretchOf(const MetricInfo& info) const { return info.needs.robot ? way_ : all_; }
+  Stretch copyOfWay() const;
+  void keepAside(const OnWay& onWay);
+  const Stretch& stretchOf(const MetricInfo& info) const;
   MetricValue valueOf(const Item& item, const std::vector<MetricResult>& before) const;
   void alignSeries(const Item& item, std::optional<Series>& series) const;
 
@@ -75,7 +88,9 @@ class SampleFeed {
   std::vector<Item> items_;
   bool needsMap_ = false;
   Stretch all_, way_;
-  std::vector<Noted> noted_;  // since the newest sample
+  std::optional<Stretch> toGoal_;  // the way until it came to stand in the goal region
+  std::optional<Stretch> inTime_;  // until the time limit
+  std::vector<Noted> noted_;       // since the newest sample
 };
 
 /// An evaluation that is fed while the record is made: the same results as evaluate() of the whole
@@ -101,10 +116,11 @@ class RunningEvaluation {
     bool isMet = false;          // somebody of the type was there
     std::vector<double> active;  // 0/1 per sample
   };
-  void addToBehaviors(Sample& sample, bool isOnWay);
+  void addToBehaviors(Sample& sample, const OnWay& onWay);
   void markNew(Sample& sample);
   bool isOnWay(double time) const;
-  bool takesOnWay(double time);
+  OnWay onWayOf(const Sample& sample);
+  bool isWholeRecord() const;
   bool isOriginal() const { return parameters_.profile == Profile::Hunav2; }
 
   std::shared_ptr<const RunContext> context_;
@@ -117,6 +133,8 @@ class RunningEvaluation {
   bool isOver_ = false;            // no more samples will be taken
   std::optional<double> arrival_;  // of the robot [s]
   bool isAtGoal_ = false;          // a sample at or after the arrival was taken
+  std::optional<double> setOff_;   // first sample of the way [s]
+  bool hasMoved_ = false;          // on the way
   std::set<int> entered_;          // people, since the newest sample that was taken
   SampleFeed all_;
   std::array<Behavior, kBehaviors> behaviors_;  // of types 1..6; no feed: not wanted

@@ -34,6 +34,10 @@ Seam seamOf(const sim2d::TraceHeader& header) {
                                   : Seam();
 }
 
+bool hasJumped(const Vec2& before, const Person& now, const Seam& seam) {
+  return now.isNew || seam.nearest(now.position, before) != now.position;
+}
+
 const Person* findPerson(const Sample& sample, int id) {
   for (const Person& person : sample.people) {
     if (person.id == id) {
@@ -98,7 +102,7 @@ class Routes {
       planner_ = std::make_unique<sim2d::PathPlanner>(
           std::make_shared<const sim2d::DistanceField>(map_, *obstacles_, bounds,
                                                        std::numeric_limits<double>::infinity()),
-          robotRadius_);
+          robotRadius_, sim2d::Prices::Length);
     }
     // The field of distances is kept per goal, and it is the start that stays the same.
     std::vector<Vec2> path = planner_->plan(to, from);

@@ -105,6 +105,8 @@ struct RunContext {
 };
 
 Seam seamOf(const sim2d::TraceHeader& header);
+/// Did not walk from where it was at the sample before: came anew or over the seam.
+bool hasJumped(const Vec2& before, const Person& now, const Seam& seam);
 
 /// Turns frames into samples: radii and behaviours from the header, obstacle points from its
 /// outlines by the function that the world uses.

@@ -10,7 +10,8 @@ namespace metrics {
 
 namespace {
 
-/// Turns that each person and the robot made around each other, with their sense.
+/// Turns that each person and the robot made around each other, with their sense. A jump is no
+/// turn: the bearing begins anew.
 class Winding : public Accumulator {
  public:
   void add(const Instant& at) override {
@@ -20,8 +21,11 @@ class Winding : public Accumulator {
     for (const Person& person : at.now.people) {
       const double bearing = person.pair.bearing;
       const Turned* then = findInOrder(before_, next, person.id);
-      Turned turned{person.id, bearing, then != nullptr ? then->angle : angleOf(person.id)};
-      turned.angle += then != nullptr ? base::angleDiff(bearing, then->bearing) : 0.0;
+      Turned turned{person.id, person.position, bearing, 0.0};
+      turned.angle = then != nullptr ? then->angle : angleOf(person.id);
+      if (then != nullptr && !hasJumped(then->position, person, at.context.seam)) {
+        turned.angle += base::angleDiff(bearing, then->bearing);
+      }
       now_.push_back(turned);
     }
     keepLost();
@@ -41,6 +45,7 @@ class Winding : public Accumulator {
  private:
   struct Turned {
     int id = 0;
+    Vec2 position = Vec2::Zero();
     double bearing = 0.0, angle = 0.0;
   };
 
@@ -151,7 +156,8 @@ class StoppedDistance : public Accumulator {
 
 constexpr char kMetrics[] = R"(
 = Social Behavior|neutral|robot, people|Mavrogiannis and Knepper 2019
-topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi
+topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi,
+  but for steps over the seam of wrap_x
 = Navigation Performance|lower|robot|Arena; MRPB
 replanning_count|New plans of the robot||0, 1, ...|number of events replan of the robot
 = Navigation Performance|lower|nothing|Francis et al. 2025

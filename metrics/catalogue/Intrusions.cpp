@@ -163,8 +163,9 @@ double side(const Vec2& a, const Vec2& b, const Vec2& point) {
   return base::cross(b - a, point - a);
 }
 
-/// Between two samples the robot passed between two members.
-bool passesBetween(const Sample& before, const Sample& now, const Person& a, const Person& b) {
+/// Between two samples the robot passed between two members, who did not jump.
+bool passesBetween(const Sample& before, const Sample& now, const Seam& seam, const Person& a,
+                   const Person& b) {
   const Vec2 line = b.position - a.position;
   const double place = line.dot(now.robot.position - a.position);
   if (!(place >= 0.0 && place <= line.squaredNorm())) {
@@ -172,7 +173,8 @@ bool passesBetween(const Sample& before, const Sample& now, const Person& a, con
   }
   const Person* const a0 = findPerson(before, a.id);
   const Person* const b0 = findPerson(before, b.id);
-  if (a0 == nullptr || b0 == nullptr) {
+  if (a0 == nullptr || b0 == nullptr || hasJumped(a0->position, a, seam) ||
+      hasJumped(b0->position, b, seam)) {
     return false;
   }
   const double then = side(a0->position, b0->position, before.robot.position);
@@ -200,13 +202,14 @@ bool isInside(const Members& members, const Vec2& position) {
   return true;
 }
 
-bool isCrossing(const Sample* before, const Sample& now, const Members& members) {
+bool isCrossing(const Instant& at, const Members& members) {
+  const Sample& now = at.now;
   if (isInside(members, now.robot.position)) {
     return true;
   }
-  for (std::size_t k = 0; before != nullptr && k < members.size(); ++k) {
+  for (std::size_t k = 0; at.before != nullptr && k < members.size(); ++k) {
     for (std::size_t m = k + 1; m < members.size(); ++m) {
-      if (passesBetween(*before, now, *members[k], *members[m])) {
+      if (passesBetween(*at.before, now, at.context.seam, *members[k], *members[m])) {
         return true;
       }
     }
@@ -218,7 +221,7 @@ class GroupCrossings : public Accumulator {
  public:
   void add(const Instant& at) override {
     forEachGroup(at, [&](int group, const Members& members) {
-      const bool now = isCrossing(at.before, at.now, members);
+      const bool now = isCrossing(at, members);
       bool& crossed = crossed_[group];
       count_ += now && !crossed ? 1.0 : 0.0;
       crossed = now;

@@ -115,13 +115,15 @@ double bend(const Figures& bends, const Instant& last) {
   return bends.count() > 0.0 || last.count() < 3 ? (bends.*kRead)() : 0.0;
 }
 
+/// Of who turns back the ends lie close to each other: the longest side bounds it.
 double roughness(const Instant& at) {
   if (!isMotion(at)) {
     return kNaN;
   }
   const Triple bend(at);
-  const double span = lengthOf(bend.a - bend.c);
-  return span > 0.0 ? bend.twiceArea() / (span * span) : 0.0;
+  const double longest =
+      std::max({lengthOf(bend.a - bend.c), lengthOf(bend.b - bend.a), lengthOf(bend.c - bend.b)});
+  return longest > 0.0 ? bend.twiceArea() / (longest * longest) : 0.0;
 }
 
 constexpr char kMetrics[] = R"(
@@ -142,7 +144,7 @@ angle_over_length|Turning per metre|rad/m|[0, inf)|cumulative_heading_changes / 
 curvature_avg|Mean curvature|1/m|[0, inf)|mean over triples of positions of 4A/(d01 d12 d20), where d01 and d12 >= stop_linear_speed dt;
   0 if it never moves so
 curvature_max|Largest curvature|1/m|[0, inf)|max over the same triples
-roughness_avg|Mean roughness||[0, inf)|mean over the same triples of 2A/d20^2
+roughness_avg|Mean roughness||[0, 0.87]|mean over the same triples of 2A/max(d01, d12, d20)^2
 )";
 
 }  // namespace

@@ -42,7 +42,7 @@ class Resolution : public Accumulator {
     bool isBusy = false;
     for (const Person& person : at.before->people) {
       const Person* const after = findInOrder(at.now.people, next, person.id);
-      if (after != nullptr) {
+      if (after != nullptr && !after->isNew) {
         isBusy = addPair(at, person, *after) || isBusy;
       }
     }

@@ -93,15 +93,15 @@ double lengthOfWay(const Vec2& from, const std::vector<Vec2>& way, std::size_t f
   return length;
 }
 
-PathPlanner::PathPlanner(std::shared_ptr<const DistanceField> field, double radius)
-    : space_(std::move(field), radius) {
+PathPlanner::PathPlanner(std::shared_ptr<const DistanceField> field, double radius, Prices prices)
+    : space_(std::move(field), radius), prices_(prices) {
   assert(radius >= 0.0);
 }
 
 /// Made when first asked for: bodies of many radii walk straight.
 WayFinder& PathPlanner::finder() {
   if (finder_ == nullptr) {
-    finder_ = makeWayFinder(space_);
+    finder_ = makeWayFinder(space_, prices_);
   }
   return *finder_;
 }

@@ -8,6 +8,7 @@ namespace sim2d {
 namespace {
 
 constexpr std::uint32_t kDiagonal = 17;  // 17 / 12 is the root of two to 0.2 %
+constexpr std::uint32_t kLeap = 27;      // 27 / 12 that of five to 0.7 %
 constexpr double kCheapest = 6.0;
 
 }  // namespace
@@ -52,6 +53,25 @@ Terrain::Terrain(const DistanceField& field, double radius, Cell low, Cell high)
       price_[index] = static_cast<std::uint8_t>(isUnknown ? price | kUnknown : price);
     }
   }
+}
+
+void Terrain::makePricesEqual() {
+  for (std::uint8_t& price : price_) {
+    price = price != 0 ? static_cast<std::uint8_t>(1U | (price & kUnknown)) : price;
+  }
+}
+
+EvenTerrain::EvenTerrain(const DistanceField& field, double radius) : Terrain(field, radius) {
+  makePricesEqual();
+  const Index up = stride();
+  leaps_ = {{{2 + up, kLeap, 1, 1 + up},
+             {2 - up, kLeap, 1, 1 - up},
+             {2 * up + 1, kLeap, up, up + 1},
+             {2 * up - 1, kLeap, up, up - 1},
+             {up - 2, kLeap, -1, up - 1},
+             {-up - 2, kLeap, -1, -up - 1},
+             {1 - 2 * up, kLeap, -up, 1 - up},
+             {-1 - 2 * up, kLeap, -up, -1 - up}}};
 }
 
 }  // namespace sim2d

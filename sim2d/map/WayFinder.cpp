@@ -90,13 +90,16 @@ std::vector<std::int32_t> openParts(const Terrain& terrain) {
   return parts;
 }
 
-void appendWay(const Terrain& terrain, const GoalField& field, Cell from, std::vector<Cell>& way) {
+template <class Ground>
+void appendWay(const Ground& terrain, const GoalSearch<Ground>& field, Cell from,
+               std::vector<Cell>& way) {
   for (Terrain::Index at = terrain.indexOf(from); at != field.goal();) {
     at = field.next(at);
     way.push_back(terrain.cellOf(at));
   }
 }
 
+template <class Ground>
 class CellWays : public WayFinder {
  public:
   explicit CellWays(const WalkSpace& space)
@@ -110,7 +113,8 @@ class CellWays : public WayFinder {
   }
 
   std::vector<Cell> way(Cell from, Cell to) override {
-    const GoalField* const field = searches_.reached(terrain_.indexOf(from), terrain_.indexOf(to));
+    const GoalSearch<Ground>* const field =
+        searches_.reached(terrain_.indexOf(from), terrain_.indexOf(to));
     if (field == nullptr) {
       return {};
     }
@@ -129,8 +133,8 @@ class CellWays : public WayFinder {
     return parts_[static_cast<std::size_t>(terrain_.indexOf(cell))];
   }
 
-  Terrain terrain_;
-  Searches<Terrain> searches_;
+  Ground terrain_;
+  Searches<Ground> searches_;
   std::vector<std::int32_t> parts_;
 };
 
@@ -202,11 +206,14 @@ class BlockWays : public WayFinder {
 
 }  // namespace
 
-std::unique_ptr<WayFinder> makeWayFinder(const WalkSpace& space) {
+std::unique_ptr<WayFinder> makeWayFinder(const WalkSpace& space, Prices prices) {
+  if (prices == Prices::Length) {
+    return std::make_unique<CellWays<EvenTerrain>>(space);
+  }
   if (space.field().isLarge()) {
     return std::make_unique<BlockWays>(space);
   }
-  return std::make_unique<CellWays>(space);
+  return std::make_unique<CellWays<Terrain>>(space);
 }
 
 }  // namespace sim2d

@@ -7,6 +7,9 @@
 
 namespace sim2d {
 
+/// By what a way is chosen: by how much room it has, as bodies like it, or by its length alone.
+enum class Prices { Room, Length };
+
 /// Ways over the open cells of a walk space. Thread: one at a time.
 class WayFinder {
  public:
@@ -19,7 +22,8 @@ class WayFinder {
   virtual std::size_t bytes() const = 0;
 };
 
-/// Over all cells, or over blocks of them where the map is large. `space` lives longer.
-std::unique_ptr<WayFinder> makeWayFinder(const WalkSpace& space);
+/// Over all cells, or over blocks of them where the map is large and not the length alone counts.
+/// `space` lives longer.
+std::unique_ptr<WayFinder> makeWayFinder(const WalkSpace& space, Prices prices);
 
 }  // namespace sim2d

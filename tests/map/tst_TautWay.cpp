@@ -48,7 +48,7 @@ class TautWayTest : public QObject {
     const double expected = std::sqrt(from.squaredNorm() - radius * radius) + radius * arc +
                             std::sqrt(to.squaredNorm() - radius * radius);
     const double length = lengthOfWay(way);
-    QVERIFY2(std::fabs(length - expected) < 1e-3 * expected,
+    QVERIFY2(std::fabs(length - expected) < 2e-4 * expected,
              qPrintable(QStringLiteral("%1 instead of %2").arg(length).arg(expected)));
     for (std::size_t k = 1; k < way.size(); ++k) {
       for (const auto& [a, b] : {std::pair(Vec2(0, -10), Vec2(0, 0)), {Vec2(0, 0), Vec2(10, 0)}}) {
@@ -66,7 +66,7 @@ class TautWayTest : public QObject {
         0.0);
     const double expected = Vec2(2, 0.5).norm() + 0.2 + (Vec2(4, -0.5) - Vec2(2.2, 0.5)).norm() +
                             0.2 + (Vec2(6, 0) - Vec2(4.2, -0.5)).norm();
-    QVERIFY2(std::fabs(lengthOfWay(way) - expected) < 2e-3,
+    QVERIFY2(std::fabs(lengthOfWay(way) - expected) < 2e-4 * expected,
              qPrintable(QString::number(lengthOfWay(way)) + QLatin1Char(' ') +
                         QString::number(expected)));
   }

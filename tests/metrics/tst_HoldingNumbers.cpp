@@ -314,11 +314,33 @@ class HoldingNumbersTest : public QObject {
     QVERIFY(std::fabs(valueOf(run, "curvature_avg") - 0.5) < 1e-3);
   }
 
-  void pathEfficiency_neverExceedsOne() {
+  void pathEfficiency_onOpenGround_isByTheStraightLine() {
     SampledRun run = recordingOfSamples({sampleAt(0, 0, 0), sampleAt(1, 3, 4)});
     QCOMPARE(valueOf(run, "path_efficiency"), 1.0);
     run.samples.push_back(sampleAt(2, 3, 0));
     QVERIFY(isNear(valueOf(run, "path_efficiency"), 3.0 / 9.0));
+  }
+
+  /// From below to above a block of 2 m by 6 m, whose corner lies 1 m ahead and 1 m aside.
+  void pathEfficiency_roundABlock_isByTheWayRound() {
+    const double radius = 0.2;
+    sim2d::TraceHeader header;
+    sim2d::Outline block;
+    block.points = {Vec2(1.0, -5.0), Vec2(3.0, -5.0), Vec2(3.0, 1.0), Vec2(1.0, 1.0)};
+    header.obstacles.push_back({"block", false, false, {}, {block}});
+    header.robots.push_back({});
+    header.robots[0].radius = radius;
+    SampledRun run;
+    static_cast<RunContext&>(run) = SampleBuilder(header).context();
+    // Straight to the circle round the corner, along it, 2 m level, and the same down.
+    const double side = std::sqrt(2.0 - radius * radius) +
+                        radius * (kPi / 4.0 + std::asin(radius / std::sqrt(2.0)));
+    run.samples = {sampleAt(0, 0, 0), sampleAt(1, 0, 3), sampleAt(2, 4, 3), sampleAt(3, 4, 0)};
+    const double efficiency = valueOf(run, "path_efficiency");
+    QVERIFY2(std::fabs(efficiency - (2.0 + 2.0 * side) / 10.0) < 1e-3,
+             std::to_string(efficiency).c_str());
+    run.goals = {{1, Vec2(4.0, 0.0), 0.2}};
+    QVERIFY(std::fabs(valueOf(run, "spl") - efficiency) < 1e-12);
   }
 
   void responsibility_ofWhoNeverTurns_isUndefined() {

@@ -1,0 +1,166 @@
+#include "metrics/Panorama.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace metrics {
+
+using base::Vec2;
+
+namespace {
+
+using Turn = Panorama::Turn;
+using View = Panorama::View;
+
+Turn turnTo(const Vec2& place) {
+  return {std::atan2(place.y(), place.x()), place.normalized()};
+}
+
+/// Where two segments cross each other, if they do.
+std::optional<Vec2> crossing(const sim2d::Segment& first, const sim2d::Segment& second) {
+  const Vec2 a = first.b - first.a;
+  const Vec2 b = second.b - second.a;
+  const double across = base::cross(a, b);
+  if (across == 0.0) {
+    return std::nullopt;
+  }
+  const double s = base::cross(second.a - first.a, b) / across;
+  const double t = base::cross(second.a - first.a, a) / across;
+  return s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0 ? std::optional<Vec2>(first.a + s * a)
+                                                  : std::nullopt;
+}
+
+/// Goes on with the view before where that is of the same wall.
+void append(const Turn& from, const Turn& to, std::size_t wall, std::vector<View>& views) {
+  if (!(from.angle < to.angle)) {
+    return;
+  }
+  if (!views.empty() && views.back().wall == wall && views.back().to.angle == from.angle) {
+    views.back().to = to;
+  } else {
+    views.push_back({from, to, wall});
+  }
+}
+
+}  // namespace
+
+double along(const Vec2& direction, const sim2d::Segment& segment) {
+  const double across = base::cross(direction, segment.b - segment.a);
+  return across != 0.0 ? base::cross(segment.a, segment.b - segment.a) / across
+                       : std::numeric_limits<double>::infinity();
+}
+
+void Panorama::look(std::vector<sim2d::Segment> walls) {
+  walls_ = std::move(walls);
+  views_ = viewsOf(0, walls_.size());
+}
+
+void Panorama::add(const std::vector<sim2d::Segment>& walls) {
+  const std::size_t before = walls_.size();
+  walls_.insert(walls_.end(), walls.begin(), walls.end());
+  views_ = nearest(views_, viewsOf(before, walls_.size()));
+}
+
+bool Panorama::hides(const Vec2& place) const {
+  constexpr double kAside = 1e-9;  // [rad] where two views meet both are asked
+  const double angle = std::atan2(place.y(), place.x());
+  const auto isBetween = [&](const View& view) {
+    const sim2d::Segment& border = wall(view);
+    const double share = along(place, border);
+    return (base::cross(place, border.a) > 0.0) != (base::cross(place, border.b) > 0.0) &&
+           share > 0.0 && share < 1.0;
+  };
+  const auto first = std::partition_point(views_.begin(), views_.end(), [&](const View& view) {
+    return view.to.angle < angle - kAside;
+  });
+  const auto end = std::partition_point(
+      first, views_.end(), [&](const View& view) { return view.from.angle <= angle + kAside; });
+  const bool isBehind = base::kPi - std::fabs(angle) <= kAside;  // where the views begin and end
+  return std::any_of(first, end, isBetween) ||
+         (isBehind && !views_.empty() && (isBetween(views_.front()) || isBetween(views_.back())));
+}
+
+Panorama::Views Panorama::viewsOf(std::size_t first, std::size_t end) const {
+  if (end - first < 2) {
+    return first < end ? viewsOfOne(first) : Views();
+  }
+  const std::size_t middle = first + (end - first) / 2;
+  return nearest(viewsOf(first, middle), viewsOf(middle, end));
+}
+
+/// None of a wall that is seen edge-on.
+Panorama::Views Panorama::viewsOfOne(std::size_t wall) const {
+  const sim2d::Segment& its = walls_[wall];
+  const double side = base::cross(its.a, its.b);
+  if (side == 0.0) {
+    return {};
+  }
+  const Turn from = turnTo(side > 0.0 ? its.a : its.b);
+  const Turn to = turnTo(side > 0.0 ? its.b : its.a);
+  Views views;
+  if (from.angle < to.angle) {
+    append(from, to, wall, views);
+  } else {
+    append({-base::kPi, -Vec2::UnitX()}, to, wall, views);
+    append(from, {base::kPi, -Vec2::UnitX()}, wall, views);
+  }
+  return views;
+}
+
+Panorama::Views Panorama::nearest(const Views& a, const Views& b) const {
+  Views views;
+  views.reserve(a.size() + b.size());
+  Turn at{-HUGE_VAL, Vec2::UnitX()};
+  const auto later = [](const Turn& one, const Turn& other) {
+    return one.angle < other.angle ? other : one;
+  };
+  std::size_t i = 0;
+  std::size_t k = 0;
+  while (i < a.size() || k < b.size()) {
+    const bool isA = i < a.size();
+    const bool isB = k < b.size();
+    const Turn fromA = isA ? later(a[i].from, at) : Turn{HUGE_VAL, Vec2::UnitX()};
+    const Turn fromB = isB ? later(b[k].from, at) : Turn{HUGE_VAL, Vec2::UnitX()};
+    if (fromA.angle < fromB.angle) {
+      const Turn& to = fromB.angle < a[i].to.angle ? fromB : a[i].to;
+      append(fromA, to, a[i].wall, views);
+      at = to;
+    } else if (fromB.angle < fromA.angle) {
+      const Turn& to = fromA.angle < b[k].to.angle ? fromA : b[k].to;
+      append(fromB, to, b[k].wall, views);
+      at = to;
+    } else {
+      const Turn& to = a[i].to.angle < b[k].to.angle ? a[i].to : b[k].to;
+      appendNearer(a[i], b[k], fromA, to, views);
+      at = to;
+    }
+    i += isA && a[i].to.angle <= at.angle ? 1 : 0;
+    k += isB && b[k].to.angle <= at.angle ? 1 : 0;
+  }
+  return views;
+}
+
+/// Of two walls that cross each other each is the nearer one on its side.
+void Panorama::appendNearer(const View& a, const View& b, const Turn& from, const Turn& to,
+                            Views& views) const {
+  Turn middle = to;
+  if (const std::optional<Vec2> place = crossing(walls_[a.wall], walls_[b.wall])) {
+    const Turn there = turnTo(*place);
+    middle = there.angle > from.angle && there.angle < to.angle ? there : to;
+  }
+  append(from, middle, nearer(a.wall, b.wall, from, middle), views);
+  if (middle.angle < to.angle) {
+    append(middle, to, nearer(a.wall, b.wall, middle, to), views);
+  }
+}
+
+/// In the middle between two turns.
+std::size_t Panorama::nearer(std::size_t a, std::size_t b, const Turn& from, const Turn& to) const {
+  const Vec2 middle = from.towards + to.towards;
+  return along(middle, walls_[b]) < along(middle, walls_[a]) ? b : a;
+}
+
+}  // namespace metrics

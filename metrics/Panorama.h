@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sim2d/map/Obstacles.h"
+
+namespace metrics {
+
+/// What stands nearest to the origin in each direction, exact but for rounding. Of n walls, which
+/// may cross each other, in about n log n.
+class Panorama {
+ public:
+  struct Turn {
+    double angle = 0.0;  // [-pi, pi]
+    base::Vec2 towards = base::Vec2::UnitX();
+  };
+  /// Between two turns nothing is nearer than this wall.
+  struct View {
+    Turn from, to;
+    std::size_t wall = 0;
+  };
+
+  /// Forgets the walls before.
+  void look(std::vector<sim2d::Segment> walls);
+  /// Others as well.
+  void add(const std::vector<sim2d::Segment>& walls);
+  /// By their turns, from -pi to pi; where there is none, no wall stands.
+  const std::vector<View>& views() const { return views_; }
+  const sim2d::Segment& wall(const View& view) const { return walls_[view.wall]; }
+  /// A wall between the origin and the place.
+  bool hides(const base::Vec2& place) const;
+
+ private:
+  using Views = std::vector<View>;
+  Views viewsOf(std::size_t first, std::size_t end) const;
+  Views viewsOfOne(std::size_t wall) const;
+  Views nearest(const Views& a, const Views& b) const;
+  void appendNearer(const View& a, const View& b, const Turn& from, const Turn& to,
+                    Views& views) const;
+  std::size_t nearer(std::size_t a, std::size_t b, const Turn& from, const Turn& to) const;
+
+  std::vector<sim2d::Segment> walls_;
+  Views views_;
+};
+
+/// Where the ray from the origin meets the line through the segment, as a multiple of the
+/// direction; infinite when it runs beside it.
+double along(const base::Vec2& direction, const sim2d::Segment& segment);
+
+}  // namespace metrics
