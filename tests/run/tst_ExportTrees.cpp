@@ -276,7 +276,7 @@ class ExportTreesTest : public QObject {
 <include path="inner.xml"/><BehaviorTree ID="A"><SubTree ID="B" id="{id}"/></BehaviorTree></root>)";
     const char* const inner = R"(<root BTCPP_format="4"><include path="inmost.xml"/>
 <BehaviorTree ID="B"><GoTo agent_id="{id}" goal_id="12" time_step="0.05"/></BehaviorTree></root>)";
-    const char* const inmost = R"(<root BTCPP_format="4"><include path="inner.xml"/>
+    const char* const inmost = R"(<root BTCPP_format="4">
 <BehaviorTree ID="C"><GoTo agent_id="{id}" goal_id="5" time_step="0.05"/></BehaviorTree></root>)";
     const std::string folder = folder_.path().toStdString();
     std::string scenario = kYard;
@@ -290,8 +290,9 @@ class ExportTreesTest : public QObject {
     app::ExportRequest request;
     request.target = "isaac";  // goals 1 to 4
     request.folder = "/nowhere";
-    const app::ExportPlan plan =
-        app::planExport(sourceOf(folder_.filePath(QStringLiteral("outer.yaml"))), request);
+    const app::Bundle source = sourceOf(folder_.filePath(QStringLiteral("outer.yaml")));
+    QVERIFY(source.hasScenario());
+    const app::ExportPlan plan = app::planExport(source, request);
     std::map<std::string, Values> numbers;
     for (const app::ExportPlan::File& file : plan.files) {
       const std::string& path = file.content.path;
