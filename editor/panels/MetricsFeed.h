@@ -80,7 +80,7 @@ class MetricsFeed : public QObject {
   LatestTask<MetricSnapshot> task_;
   std::shared_ptr<Work> pastWork_;
   std::optional<Past> past_;
-  std::size_t pastWanted_ = 0;                                                    // index
+  std::size_t pastWanted_ = 0;                                                     // index
   std::shared_ptr<base::StopFlag> pastStop_ = std::make_shared<base::StopFlag>();  // what is begun
   LatestTask<Past> pastTask_;
 };

@@ -118,7 +118,8 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     }
     const editor::MapView& view = window_->workspace().view();
     const QWidget& canvas = *view.viewport();
-    QCOMPARE(canvas.visibleRegion().boundingRect(), canvas.rect());  // it does not go on below a panel
+    QCOMPARE(canvas.visibleRegion().boundingRect(),
+             canvas.rect());  // it does not go on below a panel
     window_->docks().dock(QStringLiteral("metrics"))->raise();
     QCoreApplication::processEvents();
     const auto& metrics = window_->docks().panel<editor::MetricsDock>();
