@@ -75,9 +75,10 @@ when it arrives, between two samples to the second; parked it neither stands sti
 anybody. It arrives by the event `arrived`; where there is none, where it came to stand
 (`stop_linear_speed`, `stop_angular_speed`) in the region of `completed`, if it does to the end. A
 robot with a goal that does not arrive has failed after `time_limit`: its way ends there, or with the
-record. While a run goes on this is said of it so far. `from` and `until` of the scenario's metrics, where one of them says something else than the
-whole record, are heeded instead of both. Metrics of people alone look at the whole record. A
-recorded reference is that part of its run, of the same robot, or of its first.
+record. While a run goes on this is said of it so far. `from` and `until` of the scenario's metrics,
+where one of them says something else than the whole record, are heeded instead of both. Metrics of
+people alone look at the whole record. A recorded reference is that part of its run, of the same
+robot, or of its first.
 
 Shortest ways are those of a disc of the robot's radius round walls, map and obstacles, doors open:
 pulled tight, of all ways over cells the shortest, unknown ground only where nothing else leads

@@ -23,9 +23,8 @@ double lengthOfWay(const Vec2& from, const std::vector<Vec2>& way, std::size_t f
 /// map (`DistanceField::isLarge`) the way is chosen among blocks of cells, so that it may be longer
 /// than the best one, by up to about 8 %; it exists where one does and keeps its clearance. With
 /// `Prices::Length` the shortest is taken, to 3.1 % and about a cell at each corner, by cells on
-/// maps of any size; to be pulled tight. The
-/// result depends on the arguments alone, not on earlier calls. Thread: any; asking throws
-/// `base::Stopped` when the field's flag says so.
+/// maps of any size; to be pulled tight. The result depends on the arguments alone, not on earlier
+/// calls. Thread: any; asking throws `base::Stopped` when the field's flag says so.
 class PathPlanner {
  public:
   PathPlanner(std::shared_ptr<const DistanceField> field, double radius,

@@ -106,6 +106,9 @@ class Monkey : public QObject {
     // What opens a dialog does not come back before it is closed: later, so that the timer goes on.
     const int what = draw(10);
     QTimer::singleShot(0, this, [this, what] {
+      if (left_ < 0) {
+        return;  // it is leaving: nobody would close what this opened
+      }
       if (what < 5) {
         click();
       } else if (what < 6) {
