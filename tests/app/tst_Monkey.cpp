@@ -85,6 +85,7 @@ class Monkey : public QObject {
   void play() {
     timer_.start();
     loop_.exec();
+    timer_.stop();
   }
 
  private:
@@ -126,8 +127,7 @@ class Monkey : public QObject {
       top->close();
       return;
     }
-    timer_.stop();
-    loop_.quit();
+    loop_.quit();  // and on: a dialog may be about to open
   }
 
   /// The popup or dialog that has the input, else the window.
