@@ -7,12 +7,12 @@
 
 namespace metrics {
 
-/// What stands nearest to the origin in each direction, exact but for rounding. Of n walls, which
-/// may cross each other, in about n log n.
+/// What stands nearest to the origin in each direction, exact but for rounding. Of n walls [m, as
+/// seen from the origin], which may cross each other, in about n log n. Thread: one at a time.
 class Panorama {
  public:
   struct Turn {
-    double angle = 0.0;  // [-pi, pi]
+    double angle = 0.0;  // [rad], -pi to pi
     base::Vec2 towards = base::Vec2::UnitX();
   };
   /// Between two turns nothing is nearer than this wall.

@@ -4,6 +4,7 @@
 #include <clocale>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 
 #include <CLI/CLI.hpp>
 
@@ -41,11 +42,12 @@ int tellWrongWords(const CommandRegistry& commands, const std::string& said) {
   return ExitWrongCommandLine;
 }
 
-/// Words that no option takes.
+/// Words that no option takes; the first is a mistyped command, unless it is a scenario.
 std::string extrasText(const CommandRegistry& commands, const std::string& firstWord) {
   const CLI::App& root = commands.root();
   const std::optional<std::string> meant = base::nearestName(firstWord, commands.names());
-  if (root.get_subcommands().empty() && meant) {
+  std::error_code ignored;
+  if (root.get_subcommands().empty() && meant && !std::filesystem::exists(firstWord, ignored)) {
     return "there is no command '" + firstWord + "' (did you mean '" + *meant + "'?)";
   }
   return "not expected: " + base::join(root.remaining(true), " ");
@@ -192,7 +194,7 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
     return tellWrongWords(commands, problem.what());
   } catch (const std::exception& problem) {  // no memory, a file that nobody foresaw
     if (commands.wantsJson()) {
-      printJson({base::error("option.wrong", {problem.what()})});
+      printJson({base::error("program.failed", {problem.what()})});
     }
     printError(std::string("error: ") + problem.what());
     return ExitBadInput;

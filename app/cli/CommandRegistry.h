@@ -90,9 +90,9 @@ class CommandRegistry {
   bool quiet_ = false, json_ = false;
 };
 
-/// -o, --output for a folder. "-" is none: it means the standard output, which takes one file.
 /// For check(): a word that is one of these; else the nearest is named.
 CLI::Validator oneOf(const std::vector<std::string>& names);
+/// -o, --output for a folder. "-" is none: it means the standard output, which takes one file.
 CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::string& help);
 /// The options of `run`, which the window has too.
 void addRunOptions(CLI::App& command, RunOptions& options);

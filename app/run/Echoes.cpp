@@ -44,11 +44,13 @@ base::Diagnostics withoutEchoes(const base::Diagnostics& some, const base::Diagn
 }
 
 base::Diagnostics notYetTold(const base::Diagnostics& told, const base::Diagnostics& more) {
+  std::set<std::string> lines;
+  for (const base::Diagnostic& problem : told) {
+    lines.insert(problem.text());
+  }
   base::Diagnostics rest;
-  std::copy_if(more.begin(), more.end(), std::back_inserter(rest), [&](const auto& problem) {
-    return std::none_of(told.begin(), told.end(),
-                        [&](const auto& other) { return other.text() == problem.text(); });
-  });
+  std::copy_if(more.begin(), more.end(), std::back_inserter(rest),
+               [&lines](const auto& problem) { return lines.count(problem.text()) == 0; });
   return rest;
 }
 

@@ -47,7 +47,8 @@ class PersonItem : public EntityItem {
     PersonFigure figure;
     figure.look = look_;
     figure.kind = human_.ours.kind.value_or(sim2d::PersonKind::Adult);
-    figure.radiusPx = std::max(radius_ * pixelsPerMetreOf(*painter), mapScene().leastPersonPx());
+    figure.radiusPx =
+        std::max(radius_ * pixelsPerMetreOf(*painter), mapScene().leastFigurePx(EntityKind::Human));
     figure.headingDeg = degrees(human_.initPose.heading);
     const PixelFrame frame(*painter, place());
     if (isSelectedEntity()) {
@@ -77,7 +78,9 @@ class PersonItem : public EntityItem {
 
  private:
   QPointF place() const { return toScene(human_.initPose.position); }
-  double reach() const { return std::max(radius_, metres(mapScene().leastPersonPx())); }
+  double reach() const {
+    return std::max(radius_, metres(mapScene().leastFigurePx(EntityKind::Human)));
+  }
 
   sim2d::Human human_;
   double radius_ = 0.35;  // [m]

@@ -157,6 +157,11 @@ const FrameLayer::Body* FrameLayer::body(int id) const {
   return found == places_.end() ? nullptr : &bodies_[found->second];
 }
 
+double FrameLayer::figureRadiusPx(const Body& body, double pixelsPerMetre) const {
+  const EntityKind kind = body.isRobot() ? EntityKind::Robot : EntityKind::Human;
+  return std::max(body.agent->radius * pixelsPerMetre, mapScene().leastFigurePx(kind));
+}
+
 bool FrameLayer::isChosen(const Body& body) const {
   return body.agent->entity ? document().isSelected(body.agent->entity)
                             : mapScene().guest() == body.id;
@@ -184,7 +189,7 @@ std::optional<int> FrameLayer::agentAt(const Vec2& world) const {
 std::vector<QRectF> FrameLayer::solidParts() const {
   std::vector<QRectF> parts;
   for (const Body& body : bodies_) {
-    const double radius = body.agent->radius;
+    const double radius = metres(figureRadiusPx(body, mapScene().pixelsPerMetre()));
     parts.push_back(around(toScene(body.pose.position), (body.isRobot() ? 1.0 : 0.9) * radius));
     if (!options().forces || !isChosen(body)) {
       continue;
@@ -202,8 +207,7 @@ std::vector<Label> FrameLayer::labels() const {
   std::vector<Label> labels;
   const bool showAll = options().names && frame_->humans.size() <= kMostNames;
   for (const Body& body : bodies_) {
-    const double leastPx = body.isRobot() ? kLeastFigurePx : mapScene().leastPersonPx();
-    const double radiusPx = std::max(body.agent->radius * mapScene().pixelsPerMetre(), leastPx);
+    const double radiusPx = figureRadiusPx(body, mapScene().pixelsPerMetre());
     Label label;
     label.text = body.agent->name;
     label.centre = toScene(body.pose.position);
@@ -266,7 +270,7 @@ PersonFigure FrameLayer::figureOf(const Body& person, double pixelsPerMetre) con
   PersonFigure figure;
   figure.look = person.agent->look;
   figure.kind = person.agent->kind;
-  figure.radiusPx = std::max(person.agent->radius * pixelsPerMetre, mapScene().leastPersonPx());
+  figure.radiusPx = figureRadiusPx(person, pixelsPerMetre);
   figure.headingDeg = degrees(person.pose.heading);
   if (person.isMoving) {
     figure.stride = std::sin(2.0 * base::kPi * trails_.walked(person.id) / kStrideMetres);
@@ -352,7 +356,7 @@ void FrameLayer::paintTrails(QPainter& painter) const {
 void FrameLayer::paintForces(QPainter& painter, const Body& person) const {
   const double pixelsPerMetre = pixelsPerMetreOf(painter);
   const PixelFrame frame(painter, toScene(person.pose.position));
-  const double ring = person.agent->radius * pixelsPerMetre + 7.0;
+  const double ring = figureRadiusPx(person, pixelsPerMetre) + 7.0;
   for (const ForceArrow& arrow : forcesOn(*frame_, person.id)) {
     const double length = arrow.force.norm() * kMetresPerForce * pixelsPerMetre;
     if (length < 2.0) {
@@ -369,7 +373,7 @@ void FrameLayer::paintForces(QPainter& painter, const Body& person) const {
 
 void FrameLayer::paintBubble(QPainter& painter, const Body& speaker, const Speech& speech) const {
   const double left = speech.since + kSpeechSeconds - frame_->time;
-  const double radiusPx = speaker.agent->radius * pixelsPerMetreOf(painter);
+  const double radiusPx = figureRadiusPx(speaker, pixelsPerMetreOf(painter));
   const PixelFrame frame(painter, toScene(speaker.pose.position));
   painter.setOpacity(std::clamp(left / kSpeechFade, 0.0, 1.0));
   const QFont font = theme().font(9.0);

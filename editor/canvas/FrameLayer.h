@@ -67,6 +67,7 @@ class FrameLayer : public FullLayer {
   const Body* body(int id) const;
   const Agent& agent(int id) const;
   bool isChosen(const Body& body) const;
+  double figureRadiusPx(const Body& body, double pixelsPerMetre) const;
   PersonFigure figureOf(const Body& person, double pixelsPerMetre) const;
   void paintTrails(QPainter& painter) const;
   void paintRobotPaths(QPainter& painter) const;

@@ -110,7 +110,7 @@ void GroupLayer::paintGroup(QPainter& painter, const QColor& color,
                                        : std::optional(human->initPose.position);
     if (at) {
       places.push_back(*at);
-      radii.push_back(mapScene().bodyRadius(*value));
+      radii.push_back(mapScene().figureRadius(*value));
     }
   }
   QPen pen(color, 1.5, Qt::CustomDashLine, Qt::RoundCap);
@@ -207,11 +207,7 @@ void SelectionLayer::paintFrame(QPainter& painter, const Entity& entity,
   } else if (frame.size() > 2) {
     painter.drawPolygon(frame);
   } else if (kindOf(entity) == EntityKind::Human || kindOf(entity) == EntityKind::Robot) {
-    const double pixelsPerMetre = pixelsPerMetreOf(painter);
-    const double leastPx =
-        kindOf(entity) == EntityKind::Human ? mapScene().leastPersonPx() : kLeastFigurePx;
-    const double radius =
-        std::max(mapScene().bodyRadius(entity), leastPx / pixelsPerMetre) + 4.0 / pixelsPerMetre;
+    const double radius = mapScene().figureRadius(entity) + 4.0 / pixelsPerMetreOf(painter);
     painter.drawEllipse(toScene(*positionOf(entity)), radius, radius);
   }
 }

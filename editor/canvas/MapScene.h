@@ -128,8 +128,9 @@ class MapScene : public QGraphicsScene {
   bool isDoorOpen(EntityId id, const sim2d::Door& door) const;  // in the frame shown, else at start
   double bodyRadius(const Entity& entity) const;                // people and robots [m]
   bool isSizable(const Entity& entity) const;  // not a person whose model has its own radius
-  /// Radius of the smallest figure of a person: where there are few, they catch the eye.
-  double leastPersonPx() const;
+  /// Of the smallest figures [px]: people are larger where there are few, they catch the eye.
+  double leastFigurePx(EntityKind kind) const;
+  double figureRadius(const Entity& entity) const;  // as it is painted [m]
   std::vector<Label> labels() const;
   std::vector<QRectF> solidParts() const;  // what labels keep off, scene
 

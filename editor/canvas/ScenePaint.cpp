@@ -150,11 +150,18 @@ bool MapScene::isSizable(const Entity& entity) const {
   return human == nullptr || !ownRadius(resolvedPerson(document_.scenario(), *human));
 }
 
-double MapScene::leastPersonPx() const {
+double MapScene::leastFigurePx(EntityKind kind) const {
+  if (kind != EntityKind::Human) {
+    return kLeastFigurePx;
+  }
   const sim2d::Frame* frame = frameLayer_->frame();
   const std::size_t people =
       frame != nullptr ? frame->humans.size() : document_.scenario().humans.size();
   return std::clamp(kFewFigurePx * kFewPeople / double(people + 1), kLeastFigurePx, kFewFigurePx);
+}
+
+double MapScene::figureRadius(const Entity& entity) const {
+  return std::max(bodyRadius(entity), leastFigurePx(kindOf(entity)) / pixelsPerMetre());
 }
 
 std::vector<Label> MapScene::labels() const {

@@ -481,6 +481,7 @@ constexpr ProblemText kTexts[] = {
     {"export.over-source", "the scenario itself would be replaced (give another folder)"},
 
     // Command line.
+    {"program.failed", "{said}"},
     {"option.wrong", "{said}"},
     {"option.window-input", "the window opens files, not the standard input"},
     {"option.size", "--size takes WIDTHxHEIGHT, such as 1280x800"},

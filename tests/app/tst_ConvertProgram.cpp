@@ -5,10 +5,10 @@
 #include <QJsonObject>
 #include <QRegularExpression>
 #include <QTemporaryDir>
-#include <QXmlStreamReader>
 #include <QtTest>
 
 #include "tests/app/RunFiles.h"
+#include "tests/support/TreeAttributes.h"
 
 using outside::bytesOf;
 using outside::Finished;
@@ -60,23 +60,6 @@ YAML::Node loaderOf(const QString& path) {
 
 QString shipped(const char* name) {
   return utf8(SOURCE_DIR "/maps/") + utf8(name);
-}
-
-QStringList attributesIn(const QString& path, const char* attribute) {
-  QXmlStreamReader xml(bytesOf(path));
-  QStringList values;
-  bool isModel = false;
-  while (!xml.atEnd()) {
-    xml.readNext();
-    if (xml.name() == QLatin1String("TreeNodesModel")) {
-      isModel = xml.isStartElement();
-    }
-    const auto value = xml.attributes().value(QLatin1String(attribute));
-    if (xml.isStartElement() && !isModel && !value.isNull()) {
-      values << value.toString();
-    }
-  }
-  return xml.hasError() ? QStringList{xml.errorString()} : values;
 }
 
 /// A scenario with all that must be mended: gaps, ids from 7, names with blanks, nobody's goal.
@@ -249,10 +232,10 @@ void ConvertProgramTest::convert_ownTree_followsTheNewGoalNumbers() {
   const Finished found = convert(path, folder.filePath(QStringLiteral("out")), "gazebo-classic");
   QVERIFY2(found.exitCode == 0, qPrintable(found.err));
   const QString tree = folder.filePath(QStringLiteral("out/behavior_trees/odd__agent_1_bt.xml"));
-  QCOMPARE(attributesIn(tree, "goal_id"), (QStringList{utf8("2"), utf8("1")}));
-  QCOMPARE(attributesIn(tree, "target_id"), QStringList{utf8("2")});
-  QCOMPARE(attributesIn(tree, "observer_id"), QStringList{utf8("1")});
-  QVERIFY(attributesIn(tree, "agent_id").contains(utf8("{id}")));
+  QCOMPARE(attributesIn(bytesOf(tree), "goal_id"), (QStringList{utf8("2"), utf8("1")}));
+  QCOMPARE(attributesIn(bytesOf(tree), "target_id"), QStringList{utf8("2")});
+  QCOMPARE(attributesIn(bytesOf(tree), "observer_id"), QStringList{utf8("1")});
+  QVERIFY(attributesIn(bytesOf(tree), "agent_id").contains(utf8("{id}")));
   QVERIFY2(found.err.contains(QStringLiteral("WanderInArea")), qPrintable(found.err));
 }
 

@@ -1,3 +1,4 @@
+#include <QScopeGuard>
 #include <QStandardPaths>
 
 #include "app/window/FileDialogs.h"
@@ -95,23 +96,22 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
     bool isEdited = true;
     bool isDeleteOffered = true;
     quiet::answerDialog<QFileDialog>([&](QFileDialog& dialog) {
+      const auto leave = qScopeGuard([&dialog] { dialog.reject(); });
       dialog.setViewMode(view == QLatin1String("listView") ? QFileDialog::List
                                                            : QFileDialog::Detail);
       auto& files = *dialog.findChild<QAbstractItemView*>(view);
-      QTRY_VERIFY(files.model()->rowCount(files.rootIndex()) > 0);
-      const QModelIndex row =
-          files.model()
-              ->match(files.model()->index(0, 0, files.rootIndex()), Qt::DisplayRole,
-                      QFileInfo(precious).fileName(), 1, Qt::MatchExactly)
-              .value(0);
+      const auto rowOf = [&files](const QString& name) {  // the folder is read beside the window
+        const QModelIndex first = files.model()->index(0, 0, files.rootIndex());
+        return files.model()->match(first, Qt::DisplayRole, name, 1, Qt::MatchExactly).value(0);
+      };
+      QTRY_VERIFY(rowOf(QFileInfo(precious).fileName()).isValid());
+      const QModelIndex row = rowOf(QFileInfo(precious).fileName());
       files.setFocus();
       files.setCurrentIndex(row);
       QTest::keyClick(&files, Qt::Key_F2);
       isEdited = files.indexWidget(row) != nullptr;
       QTest::keyClick(&files, Qt::Key_Delete);
       isDeleteOffered = dialog.findChild<QAction*>(QStringLiteral("qt_delete_action"))->isVisible();
-      QCOMPARE(row.data().toString(), QFileInfo(precious).fileName());
-      dialog.reject();
     });
     QVERIFY(window_->open(copyOfDemo()));
     window_->actions().saveAs->trigger();

@@ -1,8 +1,8 @@
 #include <QTemporaryDir>
-#include <QXmlStreamReader>
 #include <QtTest>
 
 #include "tests/app/RunFiles.h"
+#include "tests/support/TreeAttributes.h"
 
 using outside::Finished;
 
@@ -36,23 +36,12 @@ QString ofTheOriginal(const QString& file) {
   return outside::interop(QStringLiteral("hunavsim2/") + file);
 }
 
-/// Goal ids of the SetGoal nodes of a tree file, in order, by a reader of the tests' own.
+/// Goal ids of the SetGoal nodes of a tree file, in order.
 QStringList goalsIn(const QString& path) {
-  QXmlStreamReader xml(outside::bytesOf(path));
-  QStringList goals;
-  bool isModel = false;
-  while (!xml.atEnd()) {
-    xml.readNext();
-    if (xml.name() == QLatin1String("TreeNodesModel")) {
-      isModel = xml.isStartElement();
-    }
-    const QString id = xml.attributes().value(QStringLiteral("ID")).toString();
-    const bool isSetGoal = xml.name() == QLatin1String("SetGoal") || id == QLatin1String("SetGoal");
-    if (xml.isStartElement() && !isModel && isSetGoal) {
-      goals << xml.attributes().value(QStringLiteral("goal_id")).toString();
-    }
-  }
-  return xml.hasError() ? QStringList{xml.errorString()} : goals;
+  return attributesIn(outside::bytesOf(path), "goal_id", [](const QXmlStreamReader& xml) {
+    return xml.name() == QLatin1String("SetGoal") ||
+           xml.attributes().value(QStringLiteral("ID")) == QLatin1String("SetGoal");
+  });
 }
 
 QStringList makeWords(const QString& scenario, const QString& folder, const char* style) {

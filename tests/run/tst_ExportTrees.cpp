@@ -6,13 +6,13 @@
 
 #include <QDirIterator>
 #include <QTemporaryDir>
-#include <QXmlStreamReader>
 #include <QtTest>
 
 #include "app/run/Export.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "tests/support/Interop.h"
+#include "tests/support/TreeAttributes.h"
 
 using base::Vec2;
 
@@ -56,23 +56,11 @@ const char kTree[] = R"(<root BTCPP_format="4"><BehaviorTree ID="Walk"><Sequence
 using Values = std::vector<std::string>;
 using Places = std::vector<std::optional<Vec2>>;  // nothing: there is no such goal
 
-/// Of the ports of this name in the trees of a file, in order, by a reader of the test's own.
+/// Of the ports of this name in the trees of a file, in order.
 Values portsOf(const std::string& xml, const char* port) {
-  QXmlStreamReader reader(QByteArray::fromStdString(xml));
   Values values;
-  bool isTree = false;
-  while (!reader.atEnd()) {
-    reader.readNext();
-    if (reader.name() == QLatin1String("BehaviorTree")) {
-      isTree = reader.isStartElement();
-    }
-    const QXmlStreamAttributes attributes = reader.attributes();
-    if (reader.isStartElement() && isTree && attributes.hasAttribute(QLatin1String(port))) {
-      values.push_back(attributes.value(QLatin1String(port)).toString().toStdString());
-    }
-  }
-  if (reader.hasError()) {
-    qFatal("%s", qPrintable(reader.errorString()));
+  for (const QString& value : attributesIn(QByteArray::fromStdString(xml), port)) {
+    values.push_back(value.toStdString());
   }
   return values;
 }

@@ -32,6 +32,10 @@ class Written {
   bool written_ = true;
 };
 
+inline base::Result<TrackFile> read(const std::string& path, const ForeignOptions& options = {}) {
+  return sim2d::readForeign(path, options);
+}
+
 inline base::Result<Trace> traceOf(const std::string& path, const ForeignOptions& options = {},
                                    const TrackOptions& tracks = {}) {
   const base::Result<TrackFile> file = sim2d::readForeign(path, options);

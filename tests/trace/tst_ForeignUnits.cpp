@@ -10,10 +10,6 @@ constexpr char kDay[] =
     "1351651345.000,1,2000,-3000,1700,1000,0.0,0.5\n"
     "1351651345.040,1,2040,-3000,1700,1000,0.0,0.5\n";
 
-base::Result<TrackFile> read(const std::string& path, const ForeignOptions& options = {}) {
-  return sim2d::readForeign(path, options);
-}
-
 }  // namespace
 
 /// Units of lengths, times and angles: those of the format, of the file and of the user.

@@ -6,14 +6,6 @@
 
 using namespace foreign;
 
-namespace {
-
-base::Result<TrackFile> read(const std::string& path, const ForeignOptions& options = {}) {
-  return sim2d::readForeign(path, options);
-}
-
-}  // namespace
-
 /// Files of other data sets, recognised by what is in them; units, rates and ids of others.
 class OtherDataTest : public QObject {
   Q_OBJECT
