@@ -81,6 +81,7 @@ play_monkey() {
 check_everything_else() {
   unset HUNAV_ALL_TESTS  # the long ones ran in dev; under a sanitizer they would take hours
   need_packages "${packages_to_tidy[@]}"
+  build_preset tidy  # first: it says most of what is wrong
   build_preset asan
   run_tests asan
   play_monkey
@@ -88,7 +89,6 @@ check_everything_else() {
   build_preset tsan core_tests thread_tests
   run_tests tsan -L '^(core|threads)$'
   launcher=()
-  build_preset tidy
   build_preset bench benchmarks
   if [ -d "$root/tests/bench" ]; then
     run_tests bench -L '^bench$' --parallel 1
