@@ -33,6 +33,31 @@ std::optional<Vec2> crossing(const sim2d::Segment& first, const sim2d::Segment& 
                                                   : std::nullopt;
 }
 
+const Turn& later(const Turn& one, const Turn& other) {
+  return one.angle < other.angle ? other : one;
+}
+const Turn& sooner(const Turn& one, const Turn& other) {
+  return other.angle < one.angle ? other : one;
+}
+
+/// Goes through views in their order.
+class Walk {
+ public:
+  explicit Walk(const std::vector<View>& views) : views_(views) {}
+
+  bool isOver() const { return next_ == views_.size(); }
+  const View& view() const { return views_[next_]; }
+  /// Where the view begins, seen from `at` on; never when there is none.
+  Turn from(const Turn& at) const {
+    return isOver() ? Turn{HUGE_VAL, Vec2::UnitX()} : later(view().from, at);
+  }
+  void pass(const Turn& at) { next_ += !isOver() && view().to.angle <= at.angle ? 1 : 0; }
+
+ private:
+  const std::vector<View>& views_;
+  std::size_t next_ = 0;
+};
+
 /// Goes on with the view before where that is of the same wall.
 void append(const Turn& from, const Turn& to, std::size_t wall, std::vector<View>& views) {
   if (!(from.angle < to.angle)) {
@@ -114,31 +139,21 @@ Panorama::Views Panorama::nearest(const Views& a, const Views& b) const {
   Views views;
   views.reserve(a.size() + b.size());
   Turn at{-HUGE_VAL, Vec2::UnitX()};
-  const auto later = [](const Turn& one, const Turn& other) {
-    return one.angle < other.angle ? other : one;
-  };
-  std::size_t i = 0;
-  std::size_t k = 0;
-  while (i < a.size() || k < b.size()) {
-    const bool isA = i < a.size();
-    const bool isB = k < b.size();
-    const Turn fromA = isA ? later(a[i].from, at) : Turn{HUGE_VAL, Vec2::UnitX()};
-    const Turn fromB = isB ? later(b[k].from, at) : Turn{HUGE_VAL, Vec2::UnitX()};
-    if (fromA.angle < fromB.angle) {
-      const Turn& to = fromB.angle < a[i].to.angle ? fromB : a[i].to;
-      append(fromA, to, a[i].wall, views);
-      at = to;
-    } else if (fromB.angle < fromA.angle) {
-      const Turn& to = fromA.angle < b[k].to.angle ? fromA : b[k].to;
-      append(fromB, to, b[k].wall, views);
-      at = to;
+  Walk one(a);
+  Walk other(b);
+  while (!one.isOver() || !other.isOver()) {
+    const Turn fromOne = one.from(at);
+    const Turn fromOther = other.from(at);
+    if (fromOne.angle == fromOther.angle) {
+      at = sooner(other.view().to, one.view().to);
+      appendNearer(one.view(), other.view(), fromOne, at, views);
     } else {
-      const Turn& to = a[i].to.angle < b[k].to.angle ? a[i].to : b[k].to;
-      appendNearer(a[i], b[k], fromA, to, views);
-      at = to;
+      const View& first = (fromOne.angle < fromOther.angle ? one : other).view();
+      at = sooner(first.to, later(fromOne, fromOther));
+      append(sooner(fromOne, fromOther), at, first.wall, views);
     }
-    i += isA && a[i].to.angle <= at.angle ? 1 : 0;
-    k += isB && b[k].to.angle <= at.angle ? 1 : 0;
+    one.pass(at);
+    other.pass(at);
   }
   return views;
 }

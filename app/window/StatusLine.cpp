@@ -57,6 +57,47 @@ QString endOf(const SimulationRunner& runner) {
              : QString();
 }
 
+/// What the line says of the state, and what can be done.
+struct Telling {
+  Role color = Role::TextSecondary;
+  QString state, hint;
+};
+
+Telling lookingBack(const SimulationRunner& runner) {
+  if (runner.state() == SimulationRunner::State::Running) {
+    return {Role::Past, StatusLine::tr("Playing back"),
+            StatusLine::tr("Space pauses · End shows the last step")};
+  }
+  return {Role::Past, StatusLine::tr("Looking back"),
+          runner.isFinished()
+              ? StatusLine::tr("Space plays on from here · Ctrl+R goes back to editing")
+              : StatusLine::tr("Space goes on from now · End returns to the newest step")};
+}
+
+/// `runEnd`: what ends the run; may be empty.
+Telling tellingOf(const SimulationRunner& runner, const QString& runEnd) {
+  if (runner.isRecorded()) {
+    return {Role::Past, StatusLine::tr("Recorded run"),
+            StatusLine::tr("Space plays and pauses · . and , step · Ctrl+R leaves it")};
+  }
+  if (runner.isLookingBack()) {
+    return lookingBack(runner);
+  }
+  if (runner.state() == SimulationRunner::State::Running) {
+    const QString end =
+        runEnd.isEmpty() ? runEnd : editor::capitalized(runEnd) + QStringLiteral(" · ");
+    return {Role::Ok, StatusLine::tr("Running"),
+            end + StatusLine::tr("Space pauses · Click a person to watch them · Drag the timeline "
+                                 "to look back")};
+  }
+  if (runner.isFinished()) {
+    return {Role::WarningMark, StatusLine::tr("Finished"),
+            endOf(runner) + StatusLine::tr("Space plays it again · Ctrl+R goes back to editing")};
+  }
+  return {Role::WarningMark, StatusLine::tr("Paused"),
+          StatusLine::tr("Space runs on · . steps · Ctrl+R goes back to editing")};
+}
+
 }  // namespace
 
 StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
@@ -151,50 +192,26 @@ QString StatusLine::watched() const {
 }
 
 void StatusLine::showState() {
-  const SimulationRunner& runner = workspace_.runner();
-  const auto state = runner.state();
+  const auto state = workspace_.runner().state();
   const bool isRun = state != SimulationRunner::State::Editing;
   if (isRun && !std::exchange(isRun_, isRun)) {  // what is edited later is not of this run
     runEnd_ = editor::runEndText(workspace_.document().scenario());
   }
   isRun_ = isRun;
-  Role color = Role::TextSecondary;
-  QString words = tr("Editing");
-  QString hint;
-  if (const editor::Tool* tool = workspace_.tools().current()) {
-    hint = tool->statusText();
-  }
+  const editor::Tool* tool = workspace_.tools().current();
+  Telling telling{Role::TextSecondary, tr("Editing"),
+                  tool != nullptr ? tool->statusText() : QString()};
   if (idle_) {
-    words = tr("Ready");
-    hint = tr("Click a demo to open it · Space runs it");
-  } else if (runner.isRecorded()) {
-    color = Role::Past;
-    words = tr("Recorded run");
-    hint = tr("Space plays and pauses · . and , step · Ctrl+R leaves it");
-  } else if (runner.isLookingBack()) {
-    color = Role::Past;
-    words = state == SimulationRunner::State::Running ? tr("Playing back") : tr("Looking back");
-    hint = state == SimulationRunner::State::Running ? tr("Space pauses · End shows the last step")
-           : runner.isFinished() ? tr("Space plays on from here · Ctrl+R goes back to editing")
-                                 : tr("Space goes on from now · End returns to the newest step");
-  } else if (state == SimulationRunner::State::Running) {
-    color = Role::Ok;
-    words = tr("Running");
-    hint = tr("Space pauses · Click a person to watch them · Drag the timeline to look back");
-    hint.prepend(runEnd_.isEmpty() ? runEnd_ : editor::capitalized(runEnd_) + tr(" · "));
-  } else if (state == SimulationRunner::State::Paused) {
-    color = Role::WarningMark;
-    words = runner.isFinished() ? tr("Finished") : tr("Paused");
-    hint = runner.isFinished()
-               ? endOf(runner) + tr("Space plays it again · Ctrl+R goes back to editing")
-               : tr("Space runs on · . steps · Ctrl+R goes back to editing");
+    telling = {Role::TextSecondary, tr("Ready"), tr("Click a demo to open it · Space runs it")};
+  } else if (isRun) {
+    telling = tellingOf(workspace_.runner(), runEnd_);
   }
   if (isRun) {
-    hint.prepend(watched());
+    telling.hint.prepend(watched());
   }
-  dot_->setPixmap(dotPixmap(workspace_.theme().color(color)));
-  state_->setText(words);
-  hint_->setWords(tip_.isEmpty() ? hint : tip_);
+  dot_->setPixmap(dotPixmap(workspace_.theme().color(telling.color)));
+  state_->setText(telling.state);
+  hint_->setWords(tip_.isEmpty() ? telling.hint : tip_);
   showNumbers();
 }
 

@@ -85,7 +85,11 @@ std::size_t tagLength(std::string_view text) {
     if (quote == 0 && c == '>') {
       return at + 1;
     }
-    quote = quote == c ? 0 : (quote == 0 && (c == '"' || c == '\'')) ? c : quote;
+    if (quote == c) {
+      quote = 0;
+    } else if (quote == 0 && (c == '"' || c == '\'')) {
+      quote = c;
+    }
   }
   return text.size();
 }
@@ -169,7 +173,7 @@ std::vector<XmlPiece> shallowPieces(std::string_view text) {
                                : isMarkup   ? tagLength(text)
                                             : std::min(text.find('<'), text.size());
     const std::string_view part = text.substr(0, length);
-    const char second = part.size() > 1 ? part[1] : 0;
+    const char second = part.size() > 1 ? part[1] : '\0';
     if (!isMarkup || verbatim > 0 || second == '?' || second == '!') {
       pieces.add(part);
     } else if (second == '/') {

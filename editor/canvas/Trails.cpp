@@ -21,7 +21,7 @@ constexpr double kLongTrails = 100;  // bodies; trails of more are together as l
 /// were shown: every how many of its frames.
 std::size_t strideOf(const sim2d::Recording& recording) {
   const double gap = recording.size() > 1 ? recording.timeOf(1) - recording.timeOf(0) : kTrailGap;
-  return gap > 0.0 ? std::max<std::size_t>(1, std::lround(kTrailGap / gap)) : 1;
+  return gap > 0.0 ? static_cast<std::size_t>(std::max(1L, std::lround(kTrailGap / gap))) : 1;
 }
 
 }  // namespace

@@ -184,7 +184,7 @@ void FormSection::addRow(const QString& label, QWidget* field) {
   field->setAccessibleName(label);
   QSizePolicy policy = field->sizePolicy();
   Qt::Alignment alignment = Qt::AlignVCenter;
-  if ((policy.horizontalPolicy() & QSizePolicy::GrowFlag) != 0) {
+  if ((static_cast<int>(policy.horizontalPolicy()) & QSizePolicy::GrowFlag) != 0) {
     policy.setHorizontalPolicy(QSizePolicy::Ignored);  // a wide one would widen the page, which
     field->setSizePolicy(policy);                      // does not scroll sideways, and cut all
   } else {

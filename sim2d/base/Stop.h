@@ -41,6 +41,8 @@ class NeededWork {
   ~NeededWork() { --flag_->needs_; }
   NeededWork(const NeededWork&) = delete;
   NeededWork& operator=(const NeededWork&) = delete;
+  NeededWork(NeededWork&&) = delete;
+  NeededWork& operator=(NeededWork&&) = delete;
 
  private:
   const StopFlagPtr flag_;

@@ -255,7 +255,8 @@ void BlockGraph::numberParts() {
 
 Index BlockGraph::nodeOf(Cell cell) const {
   const Cell low{cell.column / side_ * side_, cell.row / side_ * side_};
-  const auto block = static_cast<std::size_t>(cell.row / side_ * columns_ + cell.column / side_);
+  const int number = cell.row / side_ * columns_ + cell.column / side_;
+  const auto block = static_cast<std::size_t>(number);
   const Index first = firstNode_[block];
   if (firstNode_[block + 1] - first == 1) {
     return first;

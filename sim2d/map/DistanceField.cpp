@@ -242,8 +242,8 @@ double DistanceField::unknownDistance(Cell cell) const {
   }
   constexpr double kHalfDiagonal = 0.7072;  // [blocks]
   const int blocks = blocksOf(grid_.width());
-  const auto block =
-      static_cast<std::size_t>(cell.row / kUnknownBlock * blocks + cell.column / kUnknownBlock);
+  const int number = cell.row / kUnknownBlock * blocks + cell.column / kUnknownBlock;
+  const auto block = static_cast<std::size_t>(number);
   const double least = kUnknownBlock * (static_cast<double>(toUnknown_[block]) - kHalfDiagonal);
   return grid_.isUnknown(cell) ? 0.0 : std::max(1.0, least);
 }

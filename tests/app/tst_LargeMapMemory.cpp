@@ -21,7 +21,7 @@ sim2d::OccupancyGrid hall() {
       const bool isShelf = row % 400 < 8 && column % 500 < 320;
       const bool isUnknown = row > 8000 && column > 8000;
       cells[std::size_t{kSide} * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)] =
-          isBorder || isShelf ? 100 : (isUnknown ? -1 : 0);
+          static_cast<std::int8_t>(isBorder || isShelf ? 100 : (isUnknown ? -1 : 0));
     }
   }
   return {kSide, kSide, 0.05, {}, std::move(cells)};

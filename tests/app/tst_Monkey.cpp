@@ -75,11 +75,16 @@ class Testers {
 
 /// Presses what it finds: mouse, wheel and keys, in the window and in whatever it opens.
 class Monkey : public QObject {
+  Q_OBJECT
  public:
   Monkey(QWidget& window, Testers& testers, int seed, int events)
-      : window_(window), testers_(testers), rng_(seed, 1), left_(events) {
+      : window_(window),
+        testers_(testers),
+        rng_(static_cast<std::uint64_t>(seed), 1),
+        left_(events) {
     timer_.setInterval(0);
     connect(&timer_, &QTimer::timeout, this, [this] { step(); });
+    connect(this, &Monkey::wants, this, &Monkey::act, Qt::QueuedConnection);
   }
 
   void play() {
@@ -87,6 +92,9 @@ class Monkey : public QObject {
     loop_.exec();
     timer_.stop();
   }
+
+ Q_SIGNALS:
+  void wants(int what);
 
  private:
   static constexpr int kBetweenLooks = 10;  // events
@@ -105,21 +113,22 @@ class Monkey : public QObject {
       testers_.meetAll();
     }
     // What opens a dialog does not come back before it is closed: later, so that the timer goes on.
-    const int what = draw(10);
-    QTimer::singleShot(0, this, [this, what] {
-      if (left_ < 0) {
-        return;  // it is leaving: nobody would close what this opened
-      }
-      if (what < 5) {
-        click();
-      } else if (what < 6) {
-        drag();
-      } else if (what < 7) {
-        turnWheel();
-      } else {
-        type();
-      }
-    });
+    Q_EMIT wants(draw(10));
+  }
+
+  void act(int what) {
+    if (left_ < 0) {
+      return;  // it is leaving: nobody would close what this opened
+    }
+    if (what < 5) {
+      click();
+    } else if (what < 6) {
+      drag();
+    } else if (what < 7) {
+      turnWheel();
+    } else {
+      type();
+    }
   }
 
   void leave() {

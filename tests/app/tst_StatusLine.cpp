@@ -90,14 +90,17 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
   void hint_thatDoesNotFit_losesItsMiddleAndHasATooltip() {
     window_->resize(window_->minimumSize());
     runner().play();
-    editor::ElidedLabel* hint = nullptr;
+    QVector<editor::ElidedLabel*> hints;
     for (QLabel* label : window_->statusBar()->findChildren<QLabel*>()) {
-      hint = hint == nullptr ? dynamic_cast<editor::ElidedLabel*>(label) : hint;
+      if (auto* elided = dynamic_cast<editor::ElidedLabel*>(label)) {
+        hints << elided;
+      }
     }
-    QVERIFY(hint != nullptr);
+    QVERIFY(!hints.isEmpty());
     QCoreApplication::processEvents();
-    QVERIFY(hint->shownWords().size() < hint->text().size());
-    QCOMPARE(hint->toolTip(), hint->text());
+    const editor::ElidedLabel& hint = *hints.front();
+    QVERIFY(hint.shownWords().size() < hint.text().size());
+    QCOMPARE(hint.toolTip(), hint.text());
   }
 };
 

@@ -33,7 +33,8 @@ OccupancyGrid hall() {
       const bool isBorder = std::min(row, column) < 8 || std::max(row, column) >= kSize - 8;
       const bool isShelf =
           row % 100 >= 40 && row % 100 < 60 && column % 250 >= 60 && column % 250 < 220;
-      cells[static_cast<std::size_t>(row * kSize + column)] = isBorder || isShelf ? 100 : 0;
+      const int cell = row * kSize + column;
+      cells[static_cast<std::size_t>(cell)] = isBorder || isShelf ? 100 : 0;
     }
   }
   return {kSize, kSize, 0.05, {Vec2(-25.0, -25.0), 0.0}, std::move(cells)};

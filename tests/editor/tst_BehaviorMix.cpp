@@ -79,15 +79,15 @@ class BehaviorMixTest : public QObject {
     document_->setSelection({CanvasTester::person(1), CanvasTester::person(2)});
     const std::vector<BehaviorType> before = types();
     QWidget window;
-    auto* dialog = new MixDialog(*document_, editor::Theme::light(), &window);
-    for (editor::NumberField* field : dialog->findChildren<editor::NumberField*>()) {
+    MixDialog dialog(*document_, editor::Theme::light(), &window);
+    for (editor::NumberField* field : dialog.findChildren<editor::NumberField*>()) {
       field->setValue(field->accessibleName() == QStringLiteral("Scared") ? 100.0 : 0.0);
     }
     QCOMPARE(document_->undoStack().count(), 1);
     QVERIFY(types()[0] == BehaviorType::Scared && types()[1] == BehaviorType::Scared);
     QVERIFY(document_->scenario().humans[0].behavior.safeDistance.has_value());
     QVERIFY(std::equal(before.begin() + 2, before.end(), types().begin() + 2));
-    dialog->reject();
+    dialog.reject();
     QVERIFY(types() == before);
     QVERIFY(document_->scenario() == small::scenario());
   }
@@ -97,8 +97,8 @@ class BehaviorMixTest : public QObject {
     editor::pushMove(*document_, {person}, {1.0, 0.0});
     document_->undoStack().undo();
     QWidget window;
-    auto* dialog = new MixDialog(*document_, editor::Theme::light(), &window);
-    dialog->reject();
+    MixDialog dialog(*document_, editor::Theme::light(), &window);
+    dialog.reject();
     QVERIFY(document_->undoStack().canRedo());
     document_->undoStack().redo();
     QVERIFY(document_->scenario() != small::scenario());
@@ -106,16 +106,16 @@ class BehaviorMixTest : public QObject {
 
   void dialog_cancelled_leavesWhatOthersChanged() {
     QWidget window;
-    auto* dialog = new MixDialog(*document_, editor::Theme::light(), &window);
-    for (editor::NumberField* field : dialog->findChildren<editor::NumberField*>()) {
+    MixDialog dialog(*document_, editor::Theme::light(), &window);
+    for (editor::NumberField* field : dialog.findChildren<editor::NumberField*>()) {
       field->setValue(field->accessibleName() == QStringLiteral("Scared") ? 100.0 : 0.0);
     }
     editor::pushRemove(*document_, {CanvasTester::person(1)});
-    dialog->reject();
+    dialog.reject();
     QCOMPARE(document_->scenario().humans.size(), std::size_t{5});
-    auto* again = new MixDialog(*document_, editor::Theme::light(), &window);
+    MixDialog again(*document_, editor::Theme::light(), &window);
     editor::pushRemove(*document_, {CanvasTester::person(2)});
-    again->accept();  // without who has gone
+    again.accept();  // without who has gone
     QCOMPARE(document_->scenario().humans.size(), std::size_t{4});
   }
 
@@ -138,10 +138,10 @@ class BehaviorMixTest : public QObject {
     document_->setSelection(document_->entities(base::EntityKind::Goal));
     QCOMPARE(editor::peopleMeant(*document_).size(), std::size_t{6});
     QWidget window;
-    auto* dialog = new MixDialog(*document_, editor::Theme::light(), &window);
-    QCOMPARE(dialog->windowTitle(), QStringLiteral("Behaviours of 6 people"));
+    MixDialog dialog(*document_, editor::Theme::light(), &window);
+    QCOMPARE(dialog.windowTitle(), QStringLiteral("Behaviours of 6 people"));
     QCOMPARE(document_->undoStack().index(), 0);
-    dialog->accept();
+    dialog.accept();
     QVERIFY(types() == editor::mixedBehaviors({}, 6));
     QCOMPARE(document_->undoStack().index(), 1);
     document_->undoStack().undo();

@@ -18,8 +18,9 @@ std::shared_ptr<const sim2d::OccupancyGrid> patterned() {
   std::vector<std::int8_t> cells(std::size_t{kSide} * kSide);
   for (int row = 0; row < kSide; ++row) {
     for (int column = 0; column < kSide; ++column) {
+      const int cell = row * kSide + column;
       const int value = (7 * column + 13 * row + column * row / 64) % 102 - 1;
-      cells[static_cast<std::size_t>(row * kSide + column)] = static_cast<std::int8_t>(value);
+      cells[static_cast<std::size_t>(cell)] = static_cast<std::int8_t>(value);
     }
   }
   return std::make_shared<const sim2d::OccupancyGrid>(kSide, kSide, kResolution, Pose2{},

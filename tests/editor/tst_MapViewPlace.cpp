@@ -26,7 +26,8 @@ class MapViewPlaceTest : public QObject, protected CanvasTester {
     std::vector<std::int8_t> cells(static_cast<std::size_t>(kSize) * kSize, -1);
     for (int row = 180; row < 220; ++row) {
       for (int column = 160; column < 220; ++column) {
-        cells[static_cast<std::size_t>(row * kSize + column)] = 0;
+        const int cell = row * kSize + column;
+        cells[static_cast<std::size_t>(cell)] = 0;
       }
     }
     document_.load(sim2d::Scenario());

@@ -254,7 +254,7 @@ void DistanceFieldTest::construct_largeMap_findsTheNearestWall() {
 /// Those of the same map give the same field; those of another one show that they are not worked
 /// out again.
 void DistanceFieldTest::construct_wallsGiven_takesThem() {
-  std::vector<std::int8_t> cells(100 * 100, 0);
+  std::vector<std::int8_t> cells(10000, 0);
   std::fill(cells.begin(), cells.begin() + 100, std::int8_t{100});
   const OccupancyGrid grid(100, 100, 0.05, {}, cells);
   const Obstacles obstacles = obstaclesOf({circleOutline({2.5, 3.0}, 0.4)});

@@ -18,7 +18,9 @@ sim2d::Event arrivedOf(int id) {
 /// 5 m, its radius 0.2 m, somebody stands far away.
 SampledRun driveTo(double end, double step, double duration) {
   std::vector<Sample> samples;
-  for (double t = 0.0; t <= duration; t += step) {
+  const int last = static_cast<int>(duration / step + 1e-9);
+  for (int k = 0; k <= last; ++k) {
+    const double t = k * step;
     samples.push_back(sampleAt(t, std::min(t, end), 0.0, t < end ? 1.0 : 0.0));
     samples.back().people = {personAt(1, 20.0, 20.0)};
   }

@@ -27,9 +27,10 @@ SampledRun ringOf(const std::vector<std::vector<Vec2>>& places, const Vec2& robo
 
 /// Somebody on y = 0 from 0.5 m to 11.5 m, again and again.
 std::vector<std::vector<Vec2>> rounds(int count) {
-  std::vector<std::vector<Vec2>> places;
-  for (int k = 0; k < 12 * count; ++k) {
-    places.push_back({Vec2(0.5 + k % 12, 0.0)});
+  std::vector<std::vector<Vec2>> places(static_cast<std::size_t>(12) *
+                                        static_cast<std::size_t>(count));
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    places[k] = {Vec2(0.5 + static_cast<double>(k % 12), 0.0)};
   }
   return places;
 }

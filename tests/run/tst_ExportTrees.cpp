@@ -266,14 +266,14 @@ class ExportTreesTest : public QObject {
 <BehaviorTree ID="B"><GoTo agent_id="{id}" goal_id="12" time_step="0.05"/></BehaviorTree></root>)";
     const char* const inmost = R"(<root BTCPP_format="4">
 <BehaviorTree ID="C"><GoTo agent_id="{id}" goal_id="5" time_step="0.05"/></BehaviorTree></root>)";
-    const std::string folder = folder_.path().toStdString();
+    const std::string folder = folder_.path().toStdString() + "/";
     std::string scenario = kYard;
     scenario.replace(scenario.find("ana.xml"), 7, "outer.xml");
     for (const auto& [name, text] : std::map<std::string, std::string>{{"outer.xml", outer},
                                                                        {"inner.xml", inner},
                                                                        {"inmost.xml", inmost},
                                                                        {"outer.yaml", scenario}}) {
-      QVERIFY(base::writeFileAtomically(folder + "/" + name, text).empty());
+      QVERIFY(base::writeFileAtomically(std::string(folder).append(name), text).empty());
     }
     app::ExportRequest request;
     request.target = "isaac";  // goals 1 to 4

@@ -85,7 +85,10 @@ class OtherDataTest : public QObject {
                         "1,0.00,1000,2000,1700,0,0\n2,0.01,1010,2000,1700,,\n"));
     QVERIFY(file);
     const Track* person = trackOf(*file, 2);
-    QVERIFY(person != nullptr && !person->isRobot);
+    if (person == nullptr) {
+      QFAIL("the person is missing");
+    }
+    QVERIFY(!person->isRobot);
     QVERIFY(isNear(person->points[1].position.x(), 1.01));
     QCOMPARE(std::count_if(file->tracks.begin(), file->tracks.end(),
                            [](const Track& track) { return track.isRobot; }),

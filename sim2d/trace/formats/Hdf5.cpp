@@ -21,6 +21,8 @@ class Handle {
   }
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
+  Handle(Handle&&) = delete;
+  Handle& operator=(Handle&&) = delete;
   bool isGood() const { return id_ >= 0; }
   operator hid_t() const { return id_; }  // NOLINT: for the functions of the library
 
