@@ -6,6 +6,7 @@
 #include "metrics/Report.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlMap.h"
+#include "sim2d/base/yaml/YamlText.h"
 
 namespace metrics {
 
@@ -259,24 +260,15 @@ class FileReader {
   base::ReadReport report_;
 };
 
-/// A text that YAML reads back as a text.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    result += c == '\'' ? "''" : std::string(1, c);
-  }
-  return result + "'";
-}
-
 std::string ownText(const std::vector<MetricEntry>& own) {
   std::string text;
   for (const MetricEntry& entry : own) {
     const MetricInfo& info = entry.info;
     text += text.empty() ? std::string("hunavsim_metrics:\n  ros__parameters:\n") : std::string();
     text += "    " + info.key + ":\n";
-    text += "      expression: " + quoted(info.formula) + "\n";
-    text += "      name: " + quoted(info.name) + "\n";
-    text += "      unit: " + quoted(info.unit) + "\n";
+    text += "      expression: " + base::quotedText(info.formula) + "\n";
+    text += "      name: " + base::quotedText(info.name) + "\n";
+    text += "      unit: " + base::quotedText(info.unit) + "\n";
     text += std::string("      better: ") + betterName(info.better) + "\n";
   }
   return text;
@@ -360,7 +352,7 @@ std::string writeMetricsFile(const MetricsFile& file, const MetricRegistry& regi
   std::string text = "hunav_evaluator_node:\n  ros__parameters:\n";
   text += std::string("    use_sim_time: ") + boolText(file.useSimTime) + "\n";
   text += "    frequency: " + base::formatDecimals(selection.window.frequency, 1) + "\n";
-  text += "    result_file: " + quoted(file.resultFile) + "\n";
+  text += "    result_file: " + base::quotedText(file.resultFile) + "\n";
   text += "    metrics:\n";
   for (const MetricEntry& entry : registry.entries()) {
     const bool on = selection.selects(entry.info);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlText.h"
 #include "sim2d/map/MapReader.h"
 
 namespace sim2d {
@@ -89,18 +90,6 @@ OccupancyGrid gridOf(int columns, int rows, [[maybe_unused]] std::size_t pixels,
   return OccupancyGrid(columns, rows, description.resolution, description.origin, std::move(cells));
 }
 
-/// As a YAML scalar that every reader takes for a string.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      result += '\\';
-    }
-    result += c;
-  }
-  return result + '"';
-}
-
 bool needsQuotes(const std::string& name) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
@@ -155,7 +144,7 @@ base::Result<std::vector<base::FileContent>> mapFileContents(const OccupancyGrid
   const std::filesystem::path path(yamlPath);
   const std::string name = path.stem().string() + ".pgm";
   const Pose2& origin = grid.origin();
-  const std::string text = "image: " + (needsQuotes(name) ? quoted(name) : name) +
+  const std::string text = "image: " + (needsQuotes(name) ? base::quotedText(name) : name) +
                            "\nmode: trinary\nresolution: " + withPoint(grid.resolution()) +
                            "\norigin: [" + withPoint(origin.position.x()) + ", " +
                            withPoint(origin.position.y()) + ", " + withPoint(origin.heading) +

@@ -171,7 +171,7 @@ class MetricsChoicePanelTest : public QObject {
     QTemporaryDir folder;
     QByteArray text =
         "hunav_evaluator_node:\n  ros__parameters:\n    frequency: 2.5\n"
-        "    result_file: 'metrics'\n    metrics:\n";
+        "    result_file: \"metrics\"\n    metrics:\n";
     for (std::size_t i = 0; i < keys.size(); ++i) {
       text += "      " + QByteArray::fromStdString(keys[i]) + (i % 2 == 0 ? ": true" : ": false") +
               "\n";

@@ -324,6 +324,11 @@ void MapReaderTest::writeMap_roundTrip_isEqual() {
   QVERIFY2(map, textOf(map.diagnostics()).c_str());
   QVERIFY(map->grid == grid);
   QCOMPARE(QString::fromStdString(map->description.image), QStringLiteral("my map.pgm"));
+  const std::string odd = files_->path("sub/two\nlines \"and\" quotes\\.yaml").toStdString();
+  QVERIFY(writeMap(grid, odd).empty());
+  const auto oddMap = readMap(odd, nullptr);
+  QVERIFY2(oddMap, textOf(oddMap.diagnostics()).c_str());
+  QVERIFY(oddMap->grid == grid);
 }
 
 void MapReaderTest::writeMap_troubles_areTold() {

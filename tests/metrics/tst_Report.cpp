@@ -258,7 +258,7 @@ void ReportTest::writeMetricsFile_readBack_isEqual() {
   file.selection.keys->off = {"social_work", "path_length"};
   file.selection.keys->on = {"spl"};
   file.selection.window.frequency = 1.0;
-  file.resultFile = "it's";
+  file.resultFile = "it's \"two\"\nlines\\";
   const std::string text = writeMetricsFile(file);
   QVERIFY(contains(text, "      path_length: false\n") && contains(text, "frequency: 1.0\n"));
   const base::Result<MetricsFile> read = parseMetricsFile(text, "m.yaml");

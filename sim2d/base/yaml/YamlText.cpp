@@ -1,3 +1,5 @@
+#include "sim2d/base/yaml/YamlText.h"
+
 #include <algorithm>
 #include <array>
 
@@ -53,29 +55,6 @@ bool hasPlainShape(std::string_view text) {
     }
   }
   return true;
-}
-
-std::string quotedText(std::string_view text) {
-  static constexpr std::string_view kHex = "0123456789ABCDEF";
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (c == '\n') {
-      result += "\\n";
-    } else if (c == '\t') {
-      result += "\\t";
-    } else if (byte < 0x20 || byte == 0x7F) {
-      result += "\\x";
-      result += kHex[byte >> 4U];
-      result += kHex[byte & 15U];
-    } else {
-      result += c;
-    }
-  }
-  return result + '"';
 }
 
 std::string scalarText(const YamlNode& node) {
@@ -174,6 +153,29 @@ class CommentCounter {
 };
 
 }  // namespace
+
+std::string quotedText(std::string_view text) {
+  static constexpr std::string_view kHex = "0123456789ABCDEF";
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (c == '\n') {
+      result += "\\n";
+    } else if (c == '\t') {
+      result += "\\t";
+    } else if (byte < 0x20 || byte == 0x7F) {
+      result += "\\x";
+      result += kHex[byte >> 4U];
+      result += kHex[byte & 15U];
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
 
 bool needsQuotes(std::string_view text) {
   return !hasPlainShape(text) || isReservedWord(text) || looksLikeNumber(text);
