@@ -233,7 +233,12 @@ void DocumentGuard::tellMap() {
 }
 
 void DocumentGuard::tellExported(const QString& folder, int files) {
-  const auto show = [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); };
+  const auto show = [this, folder] {
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) {
+      notices_.warn(kExport, tr("No program of this desktop shows folders. The files are in %1.")
+                                 .arg(QDir::toNativeSeparators(folder)));
+    }
+  };
   notices_.inform(
       kExport,
       tr("%1 were exported to %2.")

@@ -88,8 +88,7 @@ TextViewer::TextViewer(const Theme& theme, QWidget* parent)
   outside->setAutoDefault(false);
   buttons->button(QDialogButtonBox::Close)->setDefault(true);
   outside->setToolTip(tr("Open the file with the program of the desktop"));
-  connect(outside, &QPushButton::clicked, this,
-          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(path_)); });
+  connect(outside, &QPushButton::clicked, this, &TextViewer::openOutside);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = arranged(new QVBoxLayout(this), {16, 16, 16, 16}, 8, {place_, text_, buttons});
   layout->setStretchFactor(text_, 1);
@@ -117,6 +116,12 @@ QString TextViewer::showFile(const QString& path, int line) {
   raise();
   markLine();
   return {};
+}
+
+void TextViewer::openOutside() {
+  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(path_))) {
+    place_->setText(tr("No program of this desktop opens %1").arg(path_));
+  }
 }
 
 void TextViewer::markLine() {

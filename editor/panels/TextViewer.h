@@ -22,6 +22,7 @@ class TextViewer : public QDialog {
   int line() const { return line_; }
 
  private:
+  void openOutside();
   void markLine();
   Theme theme_;
   QString path_;

@@ -172,6 +172,9 @@ class FileTroublesTest : public QObject, protected quiet::InFolder {
     QCOMPARE(told("export").text,
              utf8("%1 files were exported to %2.").arg(plan.files.size()).arg(at("out")));
     quiet::shoot(*window_, "exported");
+    window_->notices().choose(utf8("export"), 0);  // there is no desktop here
+    QVERIFY(told("export").isWarning);
+    QVERIFY(told("export").text.endsWith(utf8("The files are in %1.").arg(at("out"))));
     QVERIFY(!window_->docks().panel<editor::IssuesPanel>().hasErrors());
   }
 

@@ -5,6 +5,7 @@
 #include <QAbstractItemModelTester>
 #include <QAbstractScrollArea>
 #include <QComboBox>
+#include <QDesktopServices>
 #include <QFileDialog>
 #include <QMenu>
 #include <QScrollBar>
@@ -286,8 +287,15 @@ class Monkey : public QObject {
 class MonkeyTest : public QObject {
   Q_OBJECT
 
+ public Q_SLOTS:
+  /// Other programs are not started.
+  void showOutside(const QUrl& /*place*/) {}
+
  private Q_SLOTS:
-  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void initTestCase() {
+    editor::dressApplication(editor::Theme::light());
+    QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "showOutside");
+  }
 
   void window_underRandomEvents_stands_data() {
     QTest::addColumn<int>("seed");

@@ -1,3 +1,7 @@
+#include <algorithm>
+
+#include <QLabel>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTextBlock>
 #include <QtTest>
@@ -11,6 +15,20 @@ using editor::IssuesPanel;
 using editor::ScenarioDocument;
 
 namespace {
+
+QPushButton* outsideButton(const editor::TextViewer& viewer) {
+  const QList<QPushButton*> buttons = viewer.findChildren<QPushButton*>();
+  const auto found = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
+    return button->text().startsWith(QStringLiteral("Open with"));
+  });
+  return found == buttons.end() ? nullptr : *found;
+}
+
+bool saysThat(const QWidget& widget, const QString& text) {
+  const QList<QLabel*> labels = widget.findChildren<QLabel*>();
+  return std::any_of(labels.begin(), labels.end(),
+                     [&](const QLabel* label) { return label->text() == text; });
+}
 
 sim2d::Scenario personWithUnknownGoal() {
   sim2d::Scenario scenario;
@@ -217,6 +235,8 @@ class IssuesPanelTest : public QObject {
     QVERIFY(viewer.isVisible());
     QCOMPARE(viewer.text().textCursor().block().text(), QStringLiteral("two"));
     QVERIFY(viewer.text().isReadOnly());
+    QTest::mouseClick(outsideButton(viewer), Qt::LeftButton);  // there is no desktop here
+    QVERIFY(saysThat(viewer, QStringLiteral("No program of this desktop opens %1").arg(path)));
     QVERIFY(viewer.showFile(folder.filePath(QStringLiteral("no.yaml")), 1)
                 .contains(QStringLiteral("no.yaml")));
   }

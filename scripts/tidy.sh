@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# clang-tidy for CMake (CMAKE_CXX_CLANG_TIDY): scripts/tidy.sh TIDY [OPTIONS] SOURCE -- COMPILER …
+# A source that has passed before, with all that it includes and the same checks, is not looked at
+# again: what has passed is kept in the cache of the compiler.
+set -euo pipefail
+
+words=("$@")
+tidy=$1
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd -P)
+passed=${CCACHE_DIR:-$root/build/ccache}/tidy
+
+command=()  # of the compiler
+while [ "$#" -gt 0 ] && [ "$1" != -- ]; do
+  source=$1
+  shift
+done
+shift
+while [ "$#" -gt 0 ]; do
+  case $1 in
+    -o | -MT | -MF) shift ;;
+    -c | -MD) ;;
+    -Xclang) # a precompiled header hides what it was made of
+      if [ "$2" = -include-pch ]; then
+        shift 3
+      else
+        command+=("$1")
+      fi
+      ;;
+    *) command+=("$1") ;;
+  esac
+  shift
+done
+
+# Comments count: they switch checks off.
+if sum=$({
+  "$tidy" --version
+  "$tidy" --dump-config "$source"
+  "${command[@]}" -E -C
+} 2>/dev/null | sed "s|$root/||g" | sha256sum); then
+  sum=${sum%% *}
+  if [ -e "$passed/$sum" ]; then
+    exit 0
+  fi
+else
+  sum=
+fi
+"${words[@]}"
+if [ -n "$sum" ]; then
+  mkdir -p "$passed"
+  : >"$passed/$sum"
+fi
