@@ -91,6 +91,9 @@ void RouteEditor::show(const std::vector<int>& goals) {
 }
 
 void RouteEditor::rebuild() {
+  if (menu_) {
+    menu_->close();  // it is about the route of before
+  }
   for (QWidget* part : parts_) {
     part->hide();
     part->deleteLater();
@@ -147,6 +150,7 @@ void RouteEditor::resizeEvent(QResizeEvent*) {
 void RouteEditor::offerGoals(QWidget* button) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu_ = menu;
   for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
     const QString words = goalName(goal.id) + QStringLiteral("   ") + placeOf(goal);
     menu->addAction(words, this, [this, id = goal.id] {
@@ -164,6 +168,7 @@ void RouteEditor::offerGoals(QWidget* button) {
 void RouteEditor::offerMoves(QWidget* chip, int index) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu_ = menu;
   const int id = goals_[static_cast<std::size_t>(index)];
   const int last = static_cast<int>(goals_.size()) - 1;
   menu->addAction(tr("Select goal %1").arg(id), this, [this, id] {
@@ -182,6 +187,9 @@ void RouteEditor::offerMoves(QWidget* chip, int index) {
 
 /// The keyboard stays in the row.
 void RouteEditor::removeGoal(int index) {
+  if (!has(index)) {
+    return;
+  }
   const bool hasKeyboard = isAncestorOf(QApplication::focusWidget());
   std::vector<int> route = goals_;
   route.erase(route.begin() + index);
@@ -193,6 +201,9 @@ void RouteEditor::removeGoal(int index) {
 }
 
 void RouteEditor::moveGoal(int from, int to) {
+  if (!has(from) || !has(to)) {
+    return;
+  }
   std::vector<int> route = goals_;
   std::swap(route[static_cast<std::size_t>(from)], route[static_cast<std::size_t>(to)]);
   Q_EMIT edited(route);

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <QMenu>
+#include <QPointer>
 #include <QWidget>
 
 #include "editor/document/ScenarioDocument.h"
@@ -33,12 +35,14 @@ class RouteEditor : public QWidget {
   int place(int width, bool apply) const;
   void offerGoals(QWidget* button);
   void offerMoves(QWidget* chip, int index);
+  bool has(int index) const { return index >= 0 && index < static_cast<int>(goals_.size()); }
   void removeGoal(int index);
   void moveGoal(int from, int to);
 
   ScenarioDocument& document_;
   std::vector<int> goals_;
   std::vector<QWidget*> parts_;
+  QPointer<QMenu> menu_;  // of a chip or the button, while it is open
 };
 
 }  // namespace editor

@@ -266,9 +266,12 @@ void ScenarioPanel::rename(EntityId id) {
   if (!filter_->indexOf(id).isValid()) {
     filterField_->clear();
   }
-  tree_->scrollTo(filter_->indexOf(id));
-  tree_->setFocus();
-  tree_->edit(filter_->indexOf(id));
+  const QModelIndex row = filter_->indexOf(id);
+  if (row.isValid()) {  // a menu may be older than what has become of the thing
+    tree_->scrollTo(row);
+    tree_->setFocus();
+    tree_->edit(row);
+  }
 }
 
 void ScenarioPanel::switchEye(const QModelIndex& index) {
