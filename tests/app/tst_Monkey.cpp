@@ -74,6 +74,53 @@ class Testers {
   std::map<QAbstractItemModel*, QPointer<QAbstractItemModelTester>> testers_;  // gone: theirs too
 };
 
+/// What was done, to be read after a crash: HUNAV_MONKEY_DIARY names the file of the last seed.
+class Diary {
+ public:
+  Diary() : file_(qEnvironmentVariable("HUNAV_MONKEY_DIARY")) {
+    if (file_.fileName().isEmpty()) {
+      return;
+    }
+    isKept_ = file_.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered);
+    if (!isKept_) {
+      qWarning("cannot write the diary: %s", qPrintable(file_.errorString()));
+    }
+  }
+
+  void begin(int left) { write(QByteArray("\n") + QByteArray::number(left)); }
+  void note(const QWidget& part, const QEvent& event) {
+    if (isKept_) {
+      write(' ' + nameOf(event.type()) + " on " + pathOf(part));
+    }
+  }
+  void note(const QWindow& window, int key) {
+    if (isKept_) {
+      write(" key " + QByteArray::number(key, 16) + " on " + window.objectName().toUtf8());
+    }
+  }
+
+ private:
+  static QByteArray nameOf(QEvent::Type type) {
+    return QMetaEnum::fromType<QEvent::Type>().valueToKey(type);
+  }
+  static QByteArray pathOf(const QWidget& part) {
+    QByteArray path;
+    for (const QWidget* each = &part; each != nullptr; each = each->parentWidget()) {
+      path +=
+          QByteArray(each->metaObject()->className()) + '(' + each->objectName().toUtf8() + ")<";
+    }
+    return path;
+  }
+  void write(const QByteArray& text) {
+    if (isKept_) {
+      file_.write(text);
+    }
+  }
+
+  QFile file_;
+  bool isKept_ = false;
+};
+
 /// Presses what it finds: mouse, wheel and keys, in the window and in whatever it opens.
 class Monkey : public QObject {
   Q_OBJECT
@@ -121,6 +168,7 @@ class Monkey : public QObject {
     if (left_ < 0) {
       return;  // it is leaving: nobody would close what this opened
     }
+    diary_.begin(left_);
     if (what < 5) {
       click();
     } else if (what < 6) {
@@ -170,10 +218,15 @@ class Monkey : public QObject {
     return kAll[draw(5)];
   }
 
+  void send(QWidget& part, QEvent& event) {
+    diary_.note(part, event);
+    QApplication::sendEvent(&part, &event);
+  }
+
   void send(QWidget& part, QEvent::Type type, const QPoint& at, Qt::MouseButton button,
             Qt::MouseButtons buttons, Qt::KeyboardModifiers keys) {
     QMouseEvent event(type, at, part.mapToGlobal(at), button, buttons, keys);
-    QApplication::sendEvent(&part, &event);
+    send(part, event);
   }
 
   void click() {
@@ -185,7 +238,7 @@ class Monkey : public QObject {
     send(*part, QEvent::MouseButtonPress, at, button, button, keys);
     if (part && button == Qt::RightButton) {
       QContextMenuEvent menu(QContextMenuEvent::Mouse, at, part->mapToGlobal(at));
-      QApplication::sendEvent(part, &menu);
+      send(*part, menu);
     }
     if (part) {
       send(*part, QEvent::MouseButtonRelease, at, button, {}, keys);
@@ -218,7 +271,7 @@ class Monkey : public QObject {
     const QPoint by(0, draw(2) == 0 ? 120 : -120);
     QWheelEvent event(at, part->mapToGlobal(at), {}, by, Qt::NoButton, modifiers(),
                       Qt::NoScrollPhase, false);
-    QApplication::sendEvent(part, &event);
+    send(*part, event);
   }
 
   void type() {
@@ -267,6 +320,7 @@ class Monkey : public QObject {
     const QPointer<QWindow> window = topmost()->windowHandle();
     for (const bool isPress : {true, false}) {
       if (window) {  // it may close at the press
+        diary_.note(*window, key.key);
         QTest::simulateEvent(window, isPress, key.key, key.modifiers, {}, false, -1);
       }
     }
@@ -279,6 +333,7 @@ class Monkey : public QObject {
   int left_;
   QTimer timer_;
   QEventLoop loop_;
+  Diary diary_;
 };
 
 }  // namespace
