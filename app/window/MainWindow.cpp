@@ -21,6 +21,7 @@
 #include "app/window/ShortcutsDialog.h"
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
+#include "editor/look/DeleteWhenClosed.h"
 #include "editor/look/Form.h"
 #include "editor/look/HouseStyle.h"
 #include "editor/look/Icons.h"
@@ -314,7 +315,7 @@ void MainWindow::tellAbout() {
 void MainWindow::showShortcuts() {
   if (keysDialog_ == nullptr) {
     keysDialog_ = new ShortcutsDialog(*menuBar(), this);
-    keysDialog_->setAttribute(Qt::WA_DeleteOnClose);
+    editor::deleteWhenClosed(*keysDialog_);
   }
   keysDialog_->show();  // beside the window, to try the keys out
   keysDialog_->raise();

@@ -9,6 +9,7 @@
 
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/DeleteWhenClosed.h"
 #include "editor/look/Form.h"
 #include "editor/tools/CrowdOptions.h"
 
@@ -125,7 +126,7 @@ void MixDialog::takeBack() {
 
 void openMix(ScenarioDocument& document, const Theme& theme, QWidget* parent) {
   auto* dialog = new MixDialog(document, theme, parent->window());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  deleteWhenClosed(*dialog);
   dialog->open();
 }
 

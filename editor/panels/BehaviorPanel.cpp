@@ -15,6 +15,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/Groups.h"
 #include "editor/document/TreeFiles.h"
+#include "editor/look/DeleteWhenClosed.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/FileDialog.h"
 #include "editor/panels/BlockDialog.h"
@@ -108,7 +109,7 @@ void BehaviorPanel::makeLinks(QVBoxLayout& layout) {
   };
   add_ = link(tr("+ Block…"), tr("Add a block of behaviour"), [this] {
     auto* dialog = new BlockDialog(document_, theme_, window());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    deleteWhenClosed(*dialog);
     dialog->open();
   });
   QToolButton* open = link(tr("Open…"), tr("Take a tree from a file"), [this] { askForTree(); });

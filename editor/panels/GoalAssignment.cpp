@@ -8,6 +8,7 @@
 
 #include "editor/document/EntityModel.h"
 #include "editor/document/Groups.h"
+#include "editor/look/DeleteWhenClosed.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
@@ -223,7 +224,7 @@ void GoalAssignment::accept() {
 
 void openGoalAssignment(ScenarioDocument& document, const Theme& theme, QWidget* parent) {
   auto* dialog = new GoalAssignment(document, theme, parent->window());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  deleteWhenClosed(*dialog);
   dialog->open();
 }
 

@@ -152,6 +152,25 @@ class GoalAssignmentTest : public QObject {
     QVERIFY(dialog_->route().goals().empty());
   }
 
+  /// The loop is that of a drag out of one of its lists, which comes back to the list.
+  void dialog_closedWithinALoop_isDeletedAfterIt() {
+    QWidget window;
+    window.show();
+    editor::openGoalAssignment(*document_, editor::Theme::light(), &window);
+    const QPointer<GoalAssignment> dialog = window.findChild<GoalAssignment*>();
+    QVERIFY(QTest::qWaitForWindowExposed(dialog));
+    QEventLoop loop;
+    bool isThere = false;
+    QTimer::singleShot(0, dialog, [dialog] { dialog->reject(); });
+    QTimer::singleShot(200, &window, [&] {
+      isThere = !dialog.isNull();
+      loop.quit();
+    });
+    loop.exec();
+    QVERIFY(isThere);
+    QTRY_VERIFY(!dialog);
+  }
+
   void cancel_changesNothing() {
     open();
     click(dialog_->people(), 2);
