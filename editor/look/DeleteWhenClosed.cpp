@@ -1,21 +1,16 @@
 #include "editor/look/DeleteWhenClosed.h"
 
 #include <QDialog>
-#include <QThread>
-#include <QTimer>
+#include <QDrag>
 
 namespace editor {
 
 void deleteWhenClosed(QDialog& dialog) {
-  constexpr int kLookMs = 20;
-  const int level = QThread::currentThread()->loopLevel();
-  auto* timer = new QTimer(&dialog);
-  timer->setInterval(kLookMs);
-  QObject::connect(&dialog, &QDialog::finished, timer, [timer] { timer->start(); });
-  QObject::connect(timer, &QTimer::timeout, &dialog, [&dialog, timer, level] {
-    if (dialog.isVisible()) {
-      timer->stop();
-    } else if (QThread::currentThread()->loopLevel() <= level) {
+  QObject::connect(&dialog, &QDialog::finished, &dialog, [&dialog] {
+    // Its parent is where it began; Qt deletes it when it has come back there.
+    if (const auto* drag = dialog.findChild<QDrag*>()) {
+      QObject::connect(drag, &QObject::destroyed, &dialog, &QObject::deleteLater);
+    } else {
       dialog.deleteLater();
     }
   });
