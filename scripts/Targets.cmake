@@ -7,7 +7,7 @@ target_compile_options(hunav_flags INTERFACE
   -ffp-contract=off  # the same bits on every x86-64
   $<$<BOOL:${HUNAV_WERROR}>:-Werror>)
 find_program(HUNAV_GOLD ld.gold)  # of binutils, as ld is; five times as fast
-if(HUNAV_GOLD AND HUNAV_TESTS AND NOT HUNAV_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+if(HUNAV_GOLD AND HUNAV_TESTS AND NOT HUNAV_SANITIZE)
   target_link_options(hunav_flags INTERFACE -fuse-ld=gold)
 endif()
 if(HUNAV_SANITIZE)
@@ -58,8 +58,8 @@ endfunction()
 
 # Headers that nearly every file reads, parsed once per target: with units of eight files a quarter of
 # the time of a cold build. A file that forgets a standard header is told by
-# layering.standard_includes; one that lives on names of its neighbours in a unit by asan, whose
-# preset has no units.
+# layering.standard_includes; one that lives on names of its neighbours in a unit by the preset debug,
+# which has no units.
 function(hunav_precompile target)
   if(NOT HUNAV_FAST)
     return()

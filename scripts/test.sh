@@ -68,26 +68,50 @@ without_randomisation() {
   fi
 }
 
-# The window of the asan build under a real X server: what is random in tst_Monkey, for long. It has
-# a home of its own and gives up root, so the server asks nobody for a key (-ac). It does not load
-# Mesa, which leaks and is gone when leaks are told. Memory that is freed is overwritten: Qt, which is
-# not under asan, stumbles over it. The diary tells the last events.
+# The window of the asan build under a real X server: what is random in tst_Monkey, for long, one half
+# of the seeds beside the other. It has a home of its own and gives up root, so the server asks nobody
+# for a key (-ac). It does not load Mesa, which leaks and is gone when leaks are told. Memory that is
+# freed is overwritten: Qt, which is not under asan, stumbles over it. The diaries tell the last events.
 play_monkey() {
-  local diary=$logs/monkey-diary.log
+  local first play half=10 plays=() stands=yes
   say "pressing everything (asan)"
+  for first in 1 $((1 + half)); do
+    play_seeds "$first" "$half" &
+    plays+=($!)
+  done
+  for play in "${plays[@]}"; do
+    wait "$play" || stands=no
+  done
+  [ "$stands" = yes ] || exit 1
+}
+
+# play_seeds FIRST COUNT
+play_seeds() {
+  local diary=$logs/monkey-diary-$1.log
   : >"$diary"
   chmod 666 "$diary"
-  logged "$logs/monkey.log" xvfb-run -a -s "-ac -nolisten tcp -screen 0 1600x1200x24" \
+  logged "$logs/monkey-$1.log" xvfb-run -a -s "-ac -nolisten tcp -screen 0 1600x1200x24" \
     env QT_QPA_PLATFORM=xcb QT_XCB_GL_INTEGRATION=none QTEST_FUNCTION_TIMEOUT=3600000 \
     UBSAN_OPTIONS=print_stacktrace=1 HUNAV_MONKEY_DIARY="$diary" \
     ASAN_OPTIONS=max_free_fill_size=1000000:free_fill_byte=221 \
     LSAN_OPTIONS="suppressions=$root/tests/lsan.supp" \
-    HUNAV_MONKEY_SEEDS=20 HUNAV_MONKEY_EVENTS=3000 "$build/asan/tests/tst_Monkey"
+    HUNAV_MONKEY_FIRST="$1" HUNAV_MONKEY_SEEDS="$2" HUNAV_MONKEY_EVENTS=3000 \
+    "$build/asan/tests/tst_Monkey"
+}
+
+# What tidy.sh hands to clang-tidy.
+build_own_code() {
+  local plugin=$build/OwnCode.so
+  if [ ! "$plugin" -nt "$root/scripts/OwnCode.cpp" ]; then
+    logged "$logs/own-code.log" g++ -std=c++17 -O1 -fno-rtti -fPIC -shared \
+      -isystem /usr/lib/llvm-14/include "$root/scripts/OwnCode.cpp" -o "$plugin"
+  fi
 }
 
 check_everything_else() {
   unset HUNAV_ALL_TESTS  # the long ones ran in dev; under a sanitizer they would take hours
   need_packages "${packages_to_tidy[@]}"
+  build_own_code
   build_preset tidy  # first: it says most of what is wrong
   build_preset asan
   run_tests asan
