@@ -382,21 +382,26 @@ class MonkeyTest : public QObject {
   }
 };
 
-/// A file dialog reaches the whole machine: nobody in particular presses the keys.
+/// A file dialog reaches the whole machine: nobody in particular presses the keys. Home lies deep,
+/// so that "up" leads to folders that stand still: Qt's list of files can fall over one that
+/// vanishes while it sorts.
 int main(int argc, char** argv) {
-  QTemporaryDir home(QStringLiteral("/tmp/monkey-XXXXXX"));
-  qputenv("HOME", home.path().toLocal8Bit());
-  for (const char* place :
-       {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR", "TMPDIR"}) {
-    qputenv(place, home.path().toLocal8Bit());
-  }
+  QTemporaryDir ground(QStringLiteral("/tmp/monkey-XXXXXX"));
   constexpr uid_t kNobody = 65534;
-  if (::geteuid() == 0 && ::chown(home.path().toLocal8Bit().constData(), kNobody, kNobody) == 0) {
+  if (::geteuid() == 0 && ::chown(ground.path().toLocal8Bit().constData(), kNobody, kNobody) == 0) {
     const bool isNobody =
         ::setgroups(0, nullptr) == 0 && ::setgid(kNobody) == 0 && ::setuid(kNobody) == 0;
     if (!isNobody) {
       return 1;
     }
+  }
+  const QString home = ground.filePath(QStringLiteral("a/house/of/nobody"));
+  if (!QDir().mkpath(home)) {
+    return 1;
+  }
+  for (const char* place : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME",
+                            "XDG_RUNTIME_DIR", "TMPDIR"}) {
+    qputenv(place, home.toLocal8Bit());
   }
   QApplication app(argc, argv);
   MonkeyTest test;
