@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/world/ReciprocalVelocity.h"
+#include "sim2d/nav/ReciprocalVelocity.h"
 
 namespace sim2d {
 namespace {
@@ -228,10 +228,10 @@ void boundByWalls(const Pedestrian& self, const std::vector<Obstacles::Point>& p
 
 }  // namespace
 
-ParameterTable<DensityParameters> densityTable() {
+base::ParameterTable<DensityParameters> densityTable() {
   using P = DensityParameters;
   constexpr base::Range kShare{0.0, 1.0};
-  ParameterTable<DensityParameters> table;
+  base::ParameterTable<DensityParameters> table;
   table.include(&P::social, forceTable())
       .add(&P::timeGap, "time_gap", "s", base::kPositive, "T: to whoever is straight ahead.",
            "Tordeux, Chraibi & Seyfried 2016")

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim2d/world/SocialForce.h"
+#include "sim2d/nav/SocialForce.h"
 
 /// The density-aware social force model as pure functions: the forces of SocialForce.h for lone
 /// pairs, groups and walls, and beyond them what crowds need. The distance to those ahead limits
@@ -29,7 +29,7 @@ struct DensityParameters {
   double mateTurnWidth = 0.1;   // [rad]; mates side by side do not circle round each other
 };
 
-ParameterTable<DensityParameters> densityTable();
+base::ParameterTable<DensityParameters> densityTable();
 
 /// What `sfm` has no use for: where somebody wants to go and how fast.
 struct DesiredMotion {

@@ -1,8 +1,10 @@
 #include "sim2d/world/Registries.h"
 
+#include "sim2d/nav/RobotTypes.h"
+
 namespace sim2d {
 
-// Written by CMake, from the files of models/ and planners/.
+// Written by CMake, from the files of models/ and of nav/planners/.
 void addAllModels(ModelRegistry& to);
 void addAllPlanners(PlannerRegistry& to);
 
@@ -10,7 +12,9 @@ Registries programRegistries() {
   Registries all;
   addAllPlanners(all.planners);
   addAllModels(all.models);
-  all.robotTypes.add("generic", {}, {});
+  for (const RobotType& type : robotTypes()) {
+    all.robotTypes.add(type.name, {}, {});
+  }
   return all;
 }
 

@@ -2,9 +2,9 @@
 
 #include <variant>
 
+#include "sim2d/nav/Planner.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/world/models/PedestrianModel.h"
-#include "sim2d/world/planners/RobotController.h"
 
 namespace sim2d {
 
@@ -12,7 +12,7 @@ namespace sim2d {
 struct Registries {
   PlannerRegistry planners;
   ModelRegistry models;
-  Registry<std::monostate> robotTypes;  // their numbers are keys of the robot
+  base::Registry<std::monostate> robotTypes;  // their numbers are keys of the robot
 };
 /// All of this program.
 Registries programRegistries();

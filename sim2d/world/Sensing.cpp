@@ -44,16 +44,6 @@ void forEachBeamOn(const Pose2& sensor, const SeenBody& body, int beamCount, Vis
 
 }  // namespace
 
-bool isInView(const Pose2& eye, const Vec2& point, double range, double halfAngle,
-              const Obstacles& obstacles) {
-  const Vec2 sight = point - eye.position;
-  if (sight.norm() > range) {
-    return false;
-  }
-  const double bearing = base::angleDiff(base::headingOf(sight), eye.heading);
-  return std::fabs(bearing) <= halfAngle && obstacles.isVisible(eye.position, point);
-}
-
 Scan scan(const Pose2& sensor, const Obstacles& obstacles, const std::vector<SeenBody>& bodies,
           int beamCount, double range) {
   Scan result;

@@ -2,15 +2,11 @@
 
 #include <vector>
 
-#include "sim2d/world/SocialForce.h"
+#include "sim2d/nav/SocialForce.h"
 
 namespace sim2d {
 
 using SeenBody = Walker;
-
-/// `point` lies within `range` and within `halfAngle` of the heading, and nothing solid is between.
-bool isInView(const Pose2& eye, const Vec2& point, double range, double halfAngle,
-              const Obstacles& obstacles);
 
 /// A turn of a lidar: distances to the nearest wall or body, counter-clockwise from the heading.
 struct Scan {

@@ -42,7 +42,7 @@ RunningWorld::RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> mind
       behavior_(std::move(minds)),
       motion_(model_.threads),
       population_(model_),
-      robots_(std::move(parts.controllers)) {
+      robots_(std::move(parts.planners)) {
   partNames_ = partNames(*model_.environment);
   const Obstacles& obstacles = surroundings_.obstacles;
   for (int part = 0; part < obstacles.partCount(); ++part) {
@@ -195,7 +195,7 @@ bool RunningWorld::step(const StepInputs& inputs) {
   motion_.expectWork();
   decide();
   watch.lap(StepPhase::Trees);
-  const std::vector<base::Twist2>& commands = robots_.command(frozen_, state_);
+  const std::vector<BodyTwist>& commands = robots_.command(frozen_, state_);
   watch.lap(StepPhase::Robots);
   motion_.chooseLegs(frozen_, intents_, state_);
   watch.lap(StepPhase::Ways);
@@ -244,7 +244,10 @@ void RunningWorld::decide() {
   intents_.events().clear();
 }
 
-std::string RunningWorld::trouble(const std::vector<base::Twist2>& commands) const {
+std::string RunningWorld::trouble(const std::vector<BodyTwist>& commands) const {
+  if (!robots_.failure().empty()) {
+    return robots_.failure();
+  }
   const std::string when = " in step " + std::to_string(state_.step + 1);
   for (std::size_t i = 0; !motion_.isSound() && i < model_.people.size(); ++i) {
     if (state_.present[i] != 0 &&
@@ -255,7 +258,8 @@ std::string RunningWorld::trouble(const std::vector<base::Twist2>& commands) con
     }
   }
   for (std::size_t i = 0; i < commands.size(); ++i) {
-    if (!isSound({commands[i].linear, commands[i].angular})) {
+    if (!isSound({commands[i].linear, commands[i].angular}) ||
+        !isSound({commands[i].lateral, 0.0})) {
       return "robot '" + model_.robots[i].name + "' (id " + std::to_string(model_.robots[i].id) +
              ") diverged" + when + ": the command is not finite or above 1000";
     }

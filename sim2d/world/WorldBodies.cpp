@@ -65,6 +65,17 @@ bool stopAtEachOther(MovingDisc& first, MovingDisc& second, const Vec2& shift, d
   return true;
 }
 
+/// In the world's frame, of a robot whose heading is `chord` on average.
+Vec2 velocityAlong(const Vec2& chord, const BodyTwist& twist) {
+  const Vec2 ahead = twist.linear * chord;
+  return twist.lateral == 0.0 ? ahead : Vec2(ahead + twist.lateral * Vec2(-chord.y(), chord.x()));
+}
+
+/// Who is pushed from behind does not drive faster, who is blocked drives slower.
+double heldByWheels(double speed, double commanded) {
+  return std::clamp(speed, std::min(commanded, 0.0), std::max(commanded, 0.0));
+}
+
 }  // namespace
 
 void keepApart(std::vector<MovingDisc>& discs, const std::vector<DiscPair>& pairs, double dt) {
@@ -82,7 +93,7 @@ void keepApart(std::vector<MovingDisc>& discs, const std::vector<DiscPair>& pair
   }
 }
 
-void RunningWorld::placeDiscs(const std::vector<base::Twist2>& commands) {
+void RunningWorld::placeDiscs(const std::vector<BodyTwist>& commands) {
   discs_.resize(commands.size() + humans_.size());
   chords_.assign(commands.size(), Vec2::Zero());
   robotWalls_.resize(commands.size());
@@ -91,14 +102,14 @@ void RunningWorld::placeDiscs(const std::vector<base::Twist2>& commands) {
     const ResolvedRobot& constants = model_.robots[i];
     const double middle = robot.pose.heading + commands[i].angular * model_.dt / 2.0;
     chords_[i] = base::directionOf(base::wrapToPi(middle));
-    const bool stands = commands[i].linear == 0.0 && commands[i].angular == 0.0;
+    const bool stands = commands[i] == BodyTwist{};
     physics_.setBraked(static_cast<int>(i), stands);
     robotWalls_[i].clear();
     if (constants.footprint.empty()) {
       surroundings_.obstacles.boundaryPoints(robot.pose.position, robotWalls_[i],
                                              constants.radius + 1.0);
     }
-    discs_[i] = {robot.pose.position, commands[i].linear * chords_[i], constants.radius,
+    discs_[i] = {robot.pose.position, velocityAlong(chords_[i], commands[i]), constants.radius,
                  constants.mass * (stands ? kBrakedMass : 1.0), &robotWalls_[i]};
   }
   for (std::size_t k = 0; k < humans_.size(); ++k) {
@@ -112,13 +123,12 @@ void RunningWorld::placeDiscs(const std::vector<base::Twist2>& commands) {
   }
 }
 
-Vec2 RunningWorld::wantedVelocity(std::size_t body,
-                                  const std::vector<base::Twist2>& commands) const {
-  return isRobot(body) ? Vec2(commands[body].linear * chords_[body])
+Vec2 RunningWorld::wantedVelocity(std::size_t body, const std::vector<BodyTwist>& commands) const {
+  return isRobot(body) ? velocityAlong(chords_[body], commands[body])
                        : motion_.wanted()[humanOf(body)];
 }
 
-void RunningWorld::moveBodies(const std::vector<base::Twist2>& commands) {
+void RunningWorld::moveBodies(const std::vector<BodyTwist>& commands) {
   placeDiscs(commands);
   findPairs();
   keepApart(discs_, pairs_, model_.dt);
@@ -278,17 +288,14 @@ Vec2 RunningWorld::aroundTheRing(std::size_t human, const Pose2& pose) {
   return inside;
 }
 
-void RunningWorld::readRobots(const std::vector<base::Twist2>& commands) {
+void RunningWorld::readRobots(const std::vector<BodyTwist>& commands) {
   for (std::size_t i = 0; i < commands.size(); ++i) {
     RobotState& robot = state_.robots[i];
     const int body = static_cast<int>(i);
     robot.pose = physics_.pose(body);
     robot.velocity = physics_.velocity(body);
-    // The wheels hold: who is pushed from behind does not drive faster, who is blocked drives
-    // slower.
-    const double commanded = commands[i].linear;
-    robot.linear = std::clamp(robot.velocity.dot(chords_[i]), std::min(commanded, 0.0),
-                              std::max(commanded, 0.0));
+    robot.linear = heldByWheels(robot.velocity.dot(chords_[i]), commands[i].linear);
+    robot.lateral = heldByWheels(base::cross(chords_[i], robot.velocity), commands[i].lateral);
     robot.omega = physics_.omega(body);
   }
 }
@@ -299,7 +306,7 @@ int RunningWorld::idOf(std::size_t body) const {
 
 /// When two bodies, or a body and an obstacle, begin to touch: one event per pair until they have
 /// parted, with the speed at which contacts stopped them.
-void RunningWorld::tellContacts(const std::vector<base::Twist2>& commands) {
+void RunningWorld::tellContacts(const std::vector<BodyTwist>& commands) {
   std::swap(touchesBefore_, touches_);
   touches_.reserve(discs_.size());
   physics_.touches(touchesBefore_, touches_);

@@ -22,7 +22,7 @@ bool isNotNegative(double value) {
 
 /// Null, and told: there is no such entry.
 template <class Maker>
-auto needEntry(const Registry<Maker>& registry, const std::string& name, const char* code,
+auto needEntry(const base::Registry<Maker>& registry, const std::string& name, const char* code,
                ProblemsOf& found) {
   const auto* const entry = registry.find(name);
   if (entry == nullptr) {
@@ -112,23 +112,29 @@ void checkRobot(const Registries& registries, const ResolvedRobot& robot, Proble
 }
 
 /// Null when there is a problem.
-std::shared_ptr<RobotController> makeController(const PlannerRegistry& planners,
-                                                const ResolvedRobot& robot, EntityId key,
-                                                ProblemsOf& found, base::Diagnostics& problems) {
-  const auto* const planner = needEntry(planners, robot.planner, "world.unknown-planner", found);
-  bool isFine = planner != nullptr;
-  for (std::size_t i = 0; planner != nullptr && i < robot.plannerParameters.size(); ++i) {
+std::shared_ptr<Planner> makePlanner(const WorldModel& model, const ResolvedRobot& robot,
+                                     EntityId key, ProblemsOf& found, base::Diagnostics& problems) {
+  const auto* const entry =
+      needEntry(model.registries->planners, robot.planner, "world.unknown-planner", found);
+  bool isFine = entry != nullptr;
+  for (std::size_t i = 0; entry != nullptr && i < robot.plannerParameters.size(); ++i) {
     isFine &=
-        needParameter(*planner, robot.plannerParameters[i].first, "world.unknown-parameter", found);
+        needParameter(*entry, robot.plannerParameters[i].first, "world.unknown-parameter", found);
   }
   if (!isFine) {
     return nullptr;
   }
-  const base::Result<std::shared_ptr<RobotController>> controller = planner->make(robot);
-  for (const base::Diagnostic& diagnostic : controller.diagnostics()) {
+  PlannerSetup setup;
+  setup.robot = robot.name;
+  setup.body = bodyOf(robot);
+  setup.parameters = robot.plannerParameters;
+  setup.seed = model.seed;
+  setup.robotId = robot.id;
+  const base::Result<std::shared_ptr<Planner>> planner = entry->make(setup);
+  for (const base::Diagnostic& diagnostic : planner.diagnostics()) {
     ProblemsOf(key, {}, problems).add(diagnostic);
   }
-  return controller ? *controller : nullptr;
+  return planner ? *planner : nullptr;
 }
 
 void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& problems) {
@@ -143,8 +149,7 @@ void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& p
     parts.model.robotKeys.push_back(robot.key);
     ProblemsOf found(robot.key, "robot '" + resolved.name + "'", problems);
     checkRobot(registries, resolved, found);
-    parts.controllers.push_back(
-        makeController(registries.planners, resolved, robot.key, found, problems));
+    parts.planners.push_back(makePlanner(parts.model, resolved, robot.key, found, problems));
   }
   if (!parts.model.robots.empty() && parts.model.ring.isClosed()) {
     problems.push_back(base::warning("world.robot-on-ring"));

@@ -20,7 +20,7 @@ struct WorldParts {
   WorldModel model;
   Surroundings surroundings;
   std::unique_ptr<NavigationMap> navigation;
-  std::vector<std::shared_ptr<RobotController>> controllers;  // one per robot
+  std::vector<std::shared_ptr<Planner>> planners;  // one per robot
 };
 
 /// Resolves the scenario, moves starts and goals to where bodies fit, and leaves out goals that
@@ -98,21 +98,21 @@ class RunningWorld : public World {
 
   void decide();
   /// What a failed step says; empty: all numbers are fine.
-  std::string trouble(const std::vector<base::Twist2>& commands) const;
+  std::string trouble(const std::vector<BodyTwist>& commands) const;
   /// Of a body, before contacts.
-  Vec2 wantedVelocity(std::size_t body, const std::vector<base::Twist2>& commands) const;
-  void moveBodies(const std::vector<base::Twist2>& commands);
-  void placeDiscs(const std::vector<base::Twist2>& commands);
+  Vec2 wantedVelocity(std::size_t body, const std::vector<BodyTwist>& commands) const;
+  void moveBodies(const std::vector<BodyTwist>& commands);
+  void placeDiscs(const std::vector<BodyTwist>& commands);
   void findPairs();
   void findNearness();
   bool isNearWallOrRobot(const MovingDisc& person) const;
   int subSteps() const;
   bool meetsSomething(std::size_t robot) const;
   bool mayMeet(const DiscPair& pair) const;
-  void tellContacts(const std::vector<base::Twist2>& commands);
+  void tellContacts(const std::vector<BodyTwist>& commands);
   void readPeople();
   Vec2 aroundTheRing(std::size_t human, const Pose2& pose);
-  void readRobots(const std::vector<base::Twist2>& commands);
+  void readRobots(const std::vector<BodyTwist>& commands);
   void publish();
 
   /// Bodies are those of the robots, then of people as they came in.

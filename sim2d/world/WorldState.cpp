@@ -45,12 +45,22 @@ ResolvedHuman resolvePerson(const WorldModel& world, const Human& human) {
   return person;
 }
 
+RobotBody bodyOf(const ResolvedRobot& robot) {
+  RobotBody body;
+  body.kinematics = robot.kinematics;
+  body.footprint = {robot.radius, robot.footprint};
+  body.limits.maxVel = robot.maxVel;
+  body.limits.maxReverse = robot.maxReverse;
+  body.limits.turningRadius = robot.turningRadius;
+  body.limits.maxAcc = robot.maxAcc;
+  body.limits.maxOmega = robot.maxOmega;
+  body.limits.maxAlpha = robot.maxAlpha;
+  body.mass = robot.mass;
+  return body;
+}
+
 double reachOf(const ResolvedRobot& robot) {
-  double reach = robot.footprint.empty() ? robot.radius : 0.0;
-  for (const Vec2& corner : robot.footprint) {
-    reach = std::max(reach, corner.norm());
-  }
-  return reach;
+  return reachOf(Footprint{robot.radius, robot.footprint});
 }
 
 Obstacles::Point nearestPointOf(const ResolvedRobot& robot, const Pose2& pose, const Vec2& point) {

@@ -82,6 +82,7 @@ struct RobotState {
   Pose2 pose;
   Vec2 velocity = Vec2::Zero();  // [m/s]
   double linear = 0.0;           // of the wheels, along the heading [m/s]
+  double lateral = 0.0;          // idem, to the left [m/s]
   double omega = 0.0;            // [rad/s]
   std::size_t goal = 0;          // index of the current one
   double arrivedAt = -1.0;       // [s]; < 0: on the way
@@ -124,6 +125,8 @@ struct FrozenWorld {
 /// unless the scenario says otherwise.
 ResolvedHuman resolvePerson(const WorldModel& model, const Human& human);
 
+/// What its own software may know of a robot.
+RobotBody bodyOf(const ResolvedRobot& robot);
 /// The footprint's, or the disc's, largest extent from the centre [m].
 double reachOf(const ResolvedRobot& robot);
 /// Point of the robot's outline nearest to `point`; `inside`: the point is within the outline.

@@ -40,8 +40,8 @@ sim2d::Registries withDogs() {
   sim2d::Registries registries = sim2d::programRegistries();
   registries.planners.add(
       "dog", {specOf("tail_wag", "1/s", 8.0, 2.5, "How often its `tail` goes")},
-      [](const sim2d::ResolvedRobot&) {
-        return base::Result<std::shared_ptr<sim2d::RobotController>>(base::Diagnostics{});
+      [](const sim2d::PlannerSetup&) {
+        return base::Result<std::shared_ptr<sim2d::Planner>>(base::Diagnostics{});
       });
   return registries;
 }

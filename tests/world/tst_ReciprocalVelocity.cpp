@@ -2,7 +2,7 @@
 
 #include <QtTest>
 
-#include "sim2d/world/ReciprocalVelocity.h"
+#include "sim2d/nav/ReciprocalVelocity.h"
 #include "sim2d/world/realism/RealismTest.h"
 
 using namespace sim2d;

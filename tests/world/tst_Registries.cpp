@@ -14,6 +14,9 @@ class RegistriesTest : public QObject {
 
  private Q_SLOTS:
   void create_ownPlannerAndModel_moveRobotAndPeople();
+  void step_omnidirectional_goesSideways();
+  void step_differential_doesNotGoSideways();
+  void step_ackermann_turnsNoTighterThanItsSteering();
   void create_worldsOfDifferentRegistries_liveSideBySide();
   void table_oneRow_isInSpecsValuesAndCheck();
   void modelParameters_setByPath_countInTheRunAndAreChecked();
@@ -28,18 +31,18 @@ struct CircleParameters {
   double turn = 0.2;   // [rad/s]
 };
 
-ParameterTable<CircleParameters> circleTable() {
-  ParameterTable<CircleParameters> table;
+base::ParameterTable<CircleParameters> circleTable() {
+  base::ParameterTable<CircleParameters> table;
   table.add(&CircleParameters::speed, "speed", "m/s", {0.0, 1.0}, "Along the circle.")
       .add(&CircleParameters::turn, "turn", "rad/s", base::kAnyNumber, "How fast it turns.");
   return table;
 }
 
-class Circle : public RobotController {
+class Circle : public Planner {
  public:
   explicit Circle(const CircleParameters& parameters) : parameters_(parameters) {}
-  base::Twist2 command(const Observation& /*observation*/) override {
-    return {parameters_.speed, parameters_.turn};
+  base::Result<BodyTwist> command(const Observation& /*observation*/) override {
+    return BodyTwist{parameters_.speed, parameters_.turn};
   }
 
  private:
@@ -57,13 +60,12 @@ class Drift : public PedestrianModel {
 
 std::shared_ptr<const Registries> ownRegistries() {
   auto own = std::make_shared<Registries>(programRegistries());
-  own->planners.add(
-      "circle", circleTable().specs(),
-      [](const ResolvedRobot& robot) -> base::Result<std::shared_ptr<RobotController>> {
-        CircleParameters parameters;
-        circleTable().set(parameters, robot.plannerParameters);
-        return std::shared_ptr<RobotController>(std::make_shared<Circle>(parameters));
-      });
+  own->planners.add("circle", circleTable().specs(),
+                    [](const PlannerSetup& setup) -> base::Result<std::shared_ptr<Planner>> {
+                      CircleParameters parameters;
+                      circleTable().set(parameters, setup.parameters);
+                      return std::shared_ptr<Planner>(std::make_shared<Circle>(parameters));
+                    });
   own->models.add("drift", {},
                   [](const ResolvedHuman& /*person*/) { return std::make_unique<Drift>(); });
   return own;
@@ -99,6 +101,69 @@ void RegistriesTest::create_ownPlannerAndModel_moveRobotAndPeople() {
   const RobotColumns& robots = (*world)->frame().robots;
   QCOMPARE(Vec2(robots.vx[0], robots.vy[0]).norm(), 0.5);
   QCOMPARE(robots.omega[0], 0.4);
+}
+
+namespace {
+
+/// A planner that always wants the same of its robot.
+class Wish : public Planner {
+ public:
+  explicit Wish(const BodyTwist& twist) : twist_(twist) {}
+  base::Result<BodyTwist> command(const Observation& /*observation*/) override { return twist_; }
+
+ private:
+  BodyTwist twist_;
+};
+
+std::unique_ptr<World> worldOfWish(const char* type, const BodyTwist& wish) {
+  auto own = std::make_shared<Registries>(programRegistries());
+  own->planners.add(
+      "wish", {}, [wish](const PlannerSetup& /*setup*/) -> base::Result<std::shared_ptr<Planner>> {
+        return std::shared_ptr<Planner>(std::make_shared<Wish>(wish));
+      });
+  Scenario scenario;
+  Robot& robot = addRobot(scenario, {0.0, 0.0}, {50.0, 0.0});
+  robot.type = type;
+  robot.planner = "wish";
+  robot.maxVel = 0.5;
+  base::Result<std::unique_ptr<World>> world = worldOf(scenario, own);
+  return world ? *std::move(world) : nullptr;
+}
+
+}  // namespace
+
+/// Four seconds at 0.3 m/s with 1 m/s²: 1.2 m less 0.3²/2.
+void RegistriesTest::step_omnidirectional_goesSideways() {
+  const auto world = worldOfWish("pepper", {0.0, 0.0, 0.3});
+  QVERIFY(world);
+  advance(*world, 80);
+  const Pose2 pose = world->view().robotPose(0);
+  const double acceleration = robotOfType("pepper").maxAcc;
+  QVERIFY(std::fabs(pose.position.y() - (1.2 - 0.3 * 0.3 / 2.0 / acceleration)) < 0.02);
+  QVERIFY(std::fabs(pose.position.x()) < 1e-6);
+}
+
+void RegistriesTest::step_differential_doesNotGoSideways() {
+  const auto world = worldOfWish("tiago", {0.0, 0.0, 0.3});
+  QVERIFY(world);
+  advance(*world, 80);
+  QVERIFY(world->view().robotPose(0).position.norm() < 1e-9);
+}
+
+/// Half of the tightest circle takes pi R / v.
+void RegistriesTest::step_ackermann_turnsNoTighterThanItsSteering() {
+  const auto world = worldOfWish("ackermann_car", {0.5, 10.0});
+  QVERIFY(world);
+  double highest = 0.0;
+  for (int i = 0; i < 120; ++i) {
+    QVERIFY(world->step());
+    highest = std::max(highest, world->view().robotPose(0).position.y());
+  }
+  QVERIFY(std::fabs(highest - 2.0 * 0.65) < 0.05);
+  const auto standing = worldOfWish("ackermann_car", {0.0, 10.0});
+  QVERIFY(standing);
+  advance(*standing, 40);
+  QVERIFY(std::fabs(standing->view().robotPose(0).heading) < 1e-9);
 }
 
 void RegistriesTest::create_worldsOfDifferentRegistries_liveSideBySide() {

@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "sim2d/nav/Sight.h"
 #include "sim2d/world/NeighborGrid.h"
 #include "sim2d/world/Physics.h"
 #include "sim2d/world/Sensing.h"

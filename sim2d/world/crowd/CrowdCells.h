@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim2d/world/SocialForce.h"
+#include "sim2d/nav/SocialForce.h"
 #include "sim2d/world/WorkerPool.h"
 #include "sim2d/world/crowd/CrowdKernel.h"
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim2d/world/SocialForce.h"
+#include "sim2d/nav/SocialForce.h"
 #include "sim2d/world/WorkerPool.h"
 #include "sim2d/world/crowd/CrowdCells.h"
 

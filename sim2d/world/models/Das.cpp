@@ -19,7 +19,7 @@ DensityParameters parametersOf(const ResolvedHuman& person) {
   parameters.social.goalFactor = person.goalFactor;
   parameters.social.obstacleFactor = person.obstacleFactor;
   parameters.social.socialFactor = person.socialFactor;
-  static const ParameterTable<DensityParameters> kTable = densityTable();
+  static const base::ParameterTable<DensityParameters> kTable = densityTable();
   kTable.set(parameters, person.modelParameters);
   return parameters;
 }

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "sim2d/base/Math.h"
-#include "sim2d/world/ReciprocalVelocity.h"
+#include "sim2d/nav/ReciprocalVelocity.h"
 #include "sim2d/world/models/PedestrianModel.h"
 
 namespace sim2d {
@@ -19,10 +19,10 @@ struct OrcaParameters {
   double sidePreference = 0.05;  // [rad]
 };
 
-ParameterTable<OrcaParameters> orcaTable() {
+base::ParameterTable<OrcaParameters> orcaTable() {
   using P = OrcaParameters;
   const std::string source = "van den Berg et al. 2011";
-  ParameterTable<OrcaParameters> table;
+  base::ParameterTable<OrcaParameters> table;
   table
       .add(&P::horizon, "horizon", "s", base::kPositive,
            "tau: velocities keep people apart for so long.", source)
@@ -41,7 +41,7 @@ ParameterTable<OrcaParameters> orcaTable() {
 class Orca : public PedestrianModel {
  public:
   explicit Orca(const ResolvedHuman& person) {
-    static const ParameterTable<OrcaParameters> kTable = orcaTable();
+    static const base::ParameterTable<OrcaParameters> kTable = orcaTable();
     kTable.set(parameters_, person.modelParameters);
   }
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "sim2d/base/Registry.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/world/DensityForce.h"
-#include "sim2d/world/Registry.h"
 
 namespace sim2d {
 
@@ -78,6 +78,6 @@ class PedestrianModel {
 
 /// Makes the model of people like this one. A file in this folder registers its own in `add<File>`.
 using ModelMaker = std::function<std::unique_ptr<PedestrianModel>(const ResolvedHuman& person)>;
-using ModelRegistry = Registry<ModelMaker>;
+using ModelRegistry = base::Registry<ModelMaker>;
 
 }  // namespace sim2d

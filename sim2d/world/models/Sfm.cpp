@@ -14,7 +14,7 @@ ForceParameters parametersOf(const ResolvedHuman& person, bool isOriginal) {
   parameters.goalFactor = person.goalFactor;
   parameters.obstacleFactor = person.obstacleFactor;
   parameters.socialFactor = person.socialFactor;
-  static const ParameterTable<ForceParameters> kTable = forceTable();
+  static const base::ParameterTable<ForceParameters> kTable = forceTable();
   kTable.set(parameters, person.modelParameters);
   return parameters;
 }

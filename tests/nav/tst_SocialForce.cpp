@@ -3,7 +3,7 @@
 
 #include <QtTest>
 
-#include "sim2d/world/SocialForce.h"
+#include "sim2d/nav/SocialForce.h"
 
 using namespace sim2d;
 

@@ -8,7 +8,7 @@
 
 #include "sim2d/base/ParameterSpec.h"
 
-namespace sim2d {
+namespace base {
 
 /// What can be chosen by name, in the order of registration: planners, models, types of robots.
 template <class Maker>
@@ -16,11 +16,11 @@ class Registry {
  public:
   struct Entry {
     std::string name;
-    std::vector<base::ParameterSpec> parameters;  // what can be set of it
+    std::vector<ParameterSpec> parameters;  // what can be set of it
     Maker make;
   };
 
-  void add(std::string name, std::vector<base::ParameterSpec> parameters, Maker make) {
+  void add(std::string name, std::vector<ParameterSpec> parameters, Maker make) {
     entries_.push_back({std::move(name), std::move(parameters), std::move(make)});
   }
   const std::vector<Entry>& entries() const { return entries_; }
@@ -47,9 +47,9 @@ class Registry {
 template <class Values>
 class ParameterTable {
  public:
-  ParameterTable& add(double Values::*member, std::string key, std::string unit, base::Range range,
+  ParameterTable& add(double Values::*member, std::string key, std::string unit, Range range,
                       std::string help, std::string source = {}) {
-    base::ParameterSpec spec;
+    ParameterSpec spec;
     spec.key = std::move(key);
     spec.unit = std::move(unit);
     spec.range = range;
@@ -72,12 +72,12 @@ class ParameterTable {
 
   struct Row {
     std::function<double&(Values&)> at;
-    base::ParameterSpec spec;
+    ParameterSpec spec;
   };
   const std::vector<Row>& rows() const { return rows_; }
 
-  std::vector<base::ParameterSpec> specs(Values defaults = {}) const {
-    std::vector<base::ParameterSpec> specs;
+  std::vector<ParameterSpec> specs(Values defaults = {}) const {
+    std::vector<ParameterSpec> specs;
     for (const Row& row : rows_) {
       specs.push_back(row.spec);
       specs.back().fallback = row.at(defaults);
@@ -99,4 +99,4 @@ class ParameterTable {
   std::vector<Row> rows_;
 };
 
-}  // namespace sim2d
+}  // namespace base

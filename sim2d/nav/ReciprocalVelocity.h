@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim2d/world/SocialForce.h"
+#include "sim2d/nav/SocialForce.h"
 
 /// Optimal reciprocal collision avoidance (van den Berg, Guy, Lin & Manocha 2011, "Reciprocal
 /// n-body collision avoidance") as pure functions. World frame, SI. Thread: any.

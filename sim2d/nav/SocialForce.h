@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "sim2d/base/Registry.h"
 #include "sim2d/map/Obstacles.h"
-#include "sim2d/world/Registry.h"
 
 /// The social force model as pure functions. Forces are accelerations [m/s²], world frame. Sources:
 /// Helbing & Molnár 1995 (goal, walls), Moussaïd et al. 2009 (between people) and 2010 (groups), in
@@ -28,7 +28,7 @@ struct ForceParameters {
 };
 
 /// Without the factors that are keys of a person.
-ParameterTable<ForceParameters> forceTable();
+base::ParameterTable<ForceParameters> forceTable();
 
 /// How one person feels the others in a crowd. Without parameters the person is felt, but feels
 /// nothing.

@@ -1,4 +1,4 @@
-#include "sim2d/world/ReciprocalVelocity.h"
+#include "sim2d/nav/ReciprocalVelocity.h"
 
 #include <algorithm>
 #include <cmath>

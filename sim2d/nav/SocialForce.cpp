@@ -1,4 +1,4 @@
-#include "sim2d/world/SocialForce.h"
+#include "sim2d/nav/SocialForce.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,12 +39,12 @@ double sideOf(double theta, double width) {
 
 }  // namespace
 
-ParameterTable<ForceParameters> forceTable() {
+base::ParameterTable<ForceParameters> forceTable() {
   using P = ForceParameters;
   const std::string walls = "Helbing & Molnár 1995";
   const std::string people = "Moussaïd et al. 2009";
   const std::string groups = "Moussaïd et al. 2010";
-  ParameterTable<ForceParameters> table;
+  base::ParameterTable<ForceParameters> table;
   table
       .add(&P::relaxationTime, "relaxation_time", "s", base::kPositive,
            "tau: time in which the velocity comes near the wanted one.", walls)

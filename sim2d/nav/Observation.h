@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sim2d/map/NavigationMap.h"
+#include "sim2d/nav/Body.h"
+
+/// What a robot knows when it decides. World frame, SI, radians.
+namespace sim2d {
+
+/// One turn of a lidar: distances counter-clockwise from `angleMin`, in the sensor's frame.
+struct LaserScan {
+  Pose2 sensor;                   // where the robot takes its sensor to be [m], [rad]
+  double time = 0.0;              // [s]
+  double angleMin = 0.0;          // [rad], of the first beam
+  double perBeam = 0.0;           // [rad] between neighbours
+  double range = 30.0;            // [m]; beams without a hit have it
+  std::vector<double> distances;  // [m]
+};
+
+enum class BodyKind : std::uint8_t { Person, Robot };
+
+/// Somebody the robot knows of: by its detector, or as it is (ground truth).
+struct TrackedBody {
+  int id = 0;  // of the track; the detector may swap them
+  BodyKind kind = BodyKind::Person;
+  Vec2 position = Vec2::Zero();  // [m]
+  Vec2 velocity = Vec2::Zero();  // [m/s]
+  double heading = 0.0;          // [rad]
+  double radius = 0.35;          // [m]
+};
+
+/// The world as it was when the step began, as far as the robot's sensors tell. Pointers are valid
+/// during the call.
+struct Observation {
+  Pose2 pose;                                 // by odometry
+  BodyTwist motion;                           // own, by odometry
+  Vec2 goal = Vec2::Zero();                   // the current one [m]
+  double goalRadius = 0.2;                    // arrived = centre inside [m]
+  double time = 0.0, dt = 0.05;               // [s]
+  std::vector<TrackedBody> bodies;            // people, then other robots, by id
+  const LaserScan* scan = nullptr;            // null: no lidar, or not turned yet
+  const Obstacles* obstacles = nullptr;       // walls of the known map; never null
+  const NavigationMap* navigation = nullptr;  // routes over them; never null
+};
+
+}  // namespace sim2d

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim2d/base/Registry.h"
+#include "sim2d/base/Result.h"
+#include "sim2d/nav/Observation.h"
+
+/// Local planners of robots, and how they are chosen by name.
+namespace sim2d {
+
+/// A way that a planner has weighed, for display.
+struct Candidate {
+  std::vector<Vec2> points;  // [m], the robot's place first
+  double cost = 0.0;         // the less the better; infinite: would hit something
+  bool isChosen = false;
+};
+
+/// A local planner of one robot. Thread: one at a time. Equal observations in the same order give
+/// equal commands, to the bit.
+class Planner {
+ public:
+  virtual ~Planner() = default;
+  Planner() = default;
+  Planner(const Planner&) = delete;
+  Planner& operator=(const Planner&) = delete;
+  Planner(Planner&&) = delete;
+  Planner& operator=(Planner&&) = delete;
+
+  /// Called once per step while the robot has a goal. The world limits the command to what the
+  /// drive can do. An error ends the run.
+  virtual base::Result<BodyTwist> command(const Observation& observation) = 0;
+  /// What it follows now, for display; the robot's place first.
+  virtual std::vector<Vec2> path() const { return {}; }
+  /// What it weighed in the last call, for display; a sample of it when there is much.
+  virtual std::vector<Candidate> candidates() const { return {}; }
+  /// It planned anew, or does not get on, since the last call.
+  virtual bool takeReplanned() { return false; }
+};
+
+/// All that a planner is made of.
+struct PlannerSetup {
+  std::string robot;  // its name, for errors
+  RobotBody body;
+  std::vector<std::pair<std::string, double>> parameters;  // given ones, checked against the specs
+  std::vector<std::pair<std::string, std::string>> texts;  // idem, of specs of type Text
+  std::uint64_t seed = 1;
+  int robotId = -1;        // with the seed: whose draws
+  bool allowCode = false;  // programs and libraries of others may run
+};
+
+/// A file in planners/ registers its own in `add<File>`; errors name the robot.
+using PlannerMaker = std::function<base::Result<std::shared_ptr<Planner>>(const PlannerSetup&)>;
+using PlannerRegistry = base::Registry<PlannerMaker>;
+
+}  // namespace sim2d
