@@ -19,6 +19,11 @@ enum class Draw : std::uint32_t {
   GoalChoice = 5,
   Sensor = 6,
   Test = 7,
+  Odometry = 8,
+  Lidar = 9,  // index = beam
+  Detector = 10,
+  Mppi = 11,
+  Variation = 12,  // of a scenario, between the runs of a batch
 };
 
 class AgentRng {
