@@ -1,0 +1,325 @@
+#include "sim2d/nav/PeopleDetector.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "sim2d/base/Math.h"
+#include "sim2d/base/Rng.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kAllAround = 2.0 * base::kPi;
+constexpr double kHeadingSpeed = 0.2;   // [m/s]; slower tracks keep their heading
+constexpr double kTimeRounding = 1e-9;  // [s], rounding of the steps' times
+
+enum class DetectorDraw : std::uint32_t { Miss, ErrorX, ErrorY, Swap };
+
+std::uint32_t detectorIndex(DetectorDraw purpose, std::uint32_t what) {
+  return kDetectorDraws | (static_cast<std::uint32_t>(purpose) << 28U) | (what & 0xFFFFFFFU);
+}
+
+std::uint32_t bodyIndex(DetectorDraw purpose, const SensedBody& body) {
+  const std::uint32_t kind = body.kind == BodyKind::Robot ? 1U << 27U : 0U;
+  return detectorIndex(purpose, kind | (static_cast<std::uint32_t>(body.id) & 0x7FFFFFFU));
+}
+
+/// Two ids do not fit into one index: mixed, so that pairs hardly ever share theirs.
+std::uint32_t pairIndex(int first, int second) {
+  const auto mixed = base::philox4x32(
+      {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(second), 0U, 0U}, {0U, 0U});
+  return detectorIndex(DetectorDraw::Swap, mixed[0]);
+}
+
+bool isTrackBefore(const TrackedBody& a, const TrackedBody& b) {
+  return std::tie(a.kind, a.id) < std::tie(b.kind, b.id);
+}
+
+/// Pairs of people closer to each other than that, as (lower, higher id), ascending.
+std::vector<std::pair<int, int>> closePairs(std::vector<const SensedBody*> people,
+                                            double distance) {
+  std::sort(people.begin(), people.end(), [](const SensedBody* a, const SensedBody* b) {
+    return a->position.x() < b->position.x();
+  });
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t i = 0; i < people.size(); ++i) {
+    const Vec2& place = people[i]->position;
+    for (std::size_t j = i + 1; j < people.size() && people[j]->position.x() - place.x() < distance;
+         ++j) {
+      if ((people[j]->position - place).norm() < distance) {
+        pairs.push_back(std::minmax({people[i]->id, people[j]->id}));
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace
+
+DetectorParameters groundTruth() {
+  DetectorParameters parameters;
+  parameters.range = std::numeric_limits<double>::infinity();
+  parameters.rate = 0.0;
+  parameters.latency = 0.0;
+  parameters.noise = 0.0;
+  parameters.misses = 0.0;
+  parameters.swaps = 0.0;
+  parameters.isOccluded = false;
+  parameters.coastTime = 0.0;
+  parameters.isMotionMeasured = true;
+  return parameters;
+}
+
+PeopleDetector::PeopleDetector(const DetectorParameters& parameters, std::uint64_t seed,
+                               int robotId)
+    : parameters_(parameters), seed_(seed), robotId_(robotId) {
+  assert(parameters.range > 0.0 && parameters.rate >= 0.0 && parameters.latency >= 0.0);
+  assert(parameters.noise >= 0.0 && parameters.accelerationPower > 0.0);
+}
+
+void PeopleDetector::update(const SensedWorld& world) {
+  if (beginCycle(world.time)) {
+    untold_.push_back(look(world));
+  }
+  auto next = untold_.begin();
+  for (; next != untold_.end() && next->time + parameters_.latency <= world.time + kTimeRounding;
+       ++next) {
+    tell(*next);
+  }
+  untold_.erase(untold_.begin(), next);
+}
+
+bool PeopleDetector::beginCycle(double time) {
+  const std::int64_t due = parameters_.rate > 0.0 ? eventAt(time, parameters_.rate) : cycle_ + 1;
+  const bool isDue = due > cycle_;
+  cycle_ = std::max(cycle_, due);
+  return isDue;
+}
+
+/// In [0, 1), of this cycle.
+double PeopleDetector::chance(std::uint32_t index) const {
+  return base::AgentRng(seed_, robotId_, static_cast<std::uint64_t>(cycle_))
+      .uniform01(base::Draw::Sensor, index);
+}
+
+PeopleDetector::Cycle PeopleDetector::look(const SensedWorld& world) {
+  std::vector<std::size_t> seen = bodiesInSight(world);
+  const auto isMissed = [&](std::size_t i) {
+    return parameters_.misses > 0.0 &&
+           chance(bodyIndex(DetectorDraw::Miss, world.bodies[i])) < parameters_.misses;
+  };
+  seen.erase(std::remove_if(seen.begin(), seen.end(), isMissed), seen.end());
+  swapTracks(world.bodies, seen);
+  Cycle cycle;
+  cycle.time = world.time;
+  cycle.seen.reserve(seen.size());
+  for (const std::size_t i : seen) {
+    cycle.seen.push_back(measured(world, world.bodies[i]));
+  }
+  std::sort(cycle.seen.begin(), cycle.seen.end(), isTrackBefore);
+  return cycle;
+}
+
+/// Everybody else in range; nearest first when that matters.
+std::vector<PeopleDetector::Candidate> PeopleDetector::candidates(const SensedWorld& world) const {
+  const Vec2& eye = world.pose.position;
+  std::vector<Candidate> found;
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const SensedBody& body = world.bodies[i];
+    const Vec2 offset = body.position - eye;
+    const double distance = offset.norm();
+    const bool isSelf = body.kind == BodyKind::Robot && body.id == robotId_;
+    if (isSelf || distance > parameters_.range) {
+      continue;
+    }
+    found.push_back({i, distance, 0.0, 0.0});
+    if (parameters_.isOccluded) {
+      setSpan(found.back(), eye, body);
+    }
+  }
+  if (parameters_.isOccluded) {
+    std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+      return std::tie(a.distance, a.number) < std::tie(b.distance, b.number);
+    });
+  }
+  return found;
+}
+
+/// To either side of the bearing of its centre.
+void PeopleDetector::setSpan(Candidate& candidate, const Vec2& eye, const SensedBody& body) {
+  const double bearing = base::headingOf(body.position - eye);
+  double left = 0.0;
+  double right = 0.0;
+  if (body.footprint != nullptr && !body.footprint->isDisc()) {
+    for (const Vec2& corner : body.footprint->corners) {
+      const Vec2 offset = body.pose().toWorld(corner) - eye;
+      const double aside = base::angleDiff(base::headingOf(offset), bearing);
+      right = std::min(right, aside);
+      left = std::max(left, aside);
+    }
+  } else if (candidate.distance > body.radius) {
+    left = base::kPi / 2.0 - base::acos(body.radius / candidate.distance);
+    right = -left;
+  } else {
+    left = base::kPi;
+    right = -base::kPi;
+  }
+  candidate.from = bearing + right;
+  candidate.width = left - right;
+}
+
+std::vector<std::size_t> PeopleDetector::bodiesInSight(const SensedWorld& world) {
+  hidden_.clear();
+  std::vector<std::size_t> numbers;
+  for (const Candidate& candidate : candidates(world)) {
+    const Vec2& place = world.bodies[candidate.number].position;
+    bool isInSight = isInField(world.pose, place);
+    if (parameters_.isOccluded) {
+      const double hidden = hidden_.covered(candidate.from, candidate.width);
+      isInSight = isInSight && hidden <= parameters_.hiddenShare * candidate.width &&
+                  world.obstacles.isVisible(world.pose.position, place);
+      hidden_.add(candidate.from, candidate.width);
+    }
+    if (isInSight) {
+      numbers.push_back(candidate.number);
+    }
+  }
+  return numbers;
+}
+
+bool PeopleDetector::isInField(const Pose2& eye, const Vec2& place) const {
+  if (parameters_.field >= kAllAround) {
+    return true;
+  }
+  const double bearing = base::angleDiff(base::headingOf(place - eye.position), eye.heading);
+  return std::fabs(bearing) <= 0.5 * parameters_.field;
+}
+
+TrackedBody PeopleDetector::measured(const SensedWorld& world, const SensedBody& body) const {
+  TrackedBody seen;
+  seen.id = body.kind == BodyKind::Person ? trackOf(body.id) : body.id;
+  seen.kind = body.kind;
+  seen.radius = body.radius;
+  seen.position = body.position;
+  seen.velocity = body.velocity;
+  seen.heading = body.heading;
+  if (world.odometry != world.pose) {
+    const double turn = world.odometry.heading - world.pose.heading;
+    seen.position = world.odometry.toWorld(world.pose.toLocal(body.position));
+    seen.velocity = Pose2{Vec2::Zero(), turn}.toWorld(body.velocity);
+    seen.heading = base::wrapToPi(body.heading + turn);
+  }
+  if (parameters_.noise > 0.0) {
+    const base::AgentRng rng(seed_, robotId_, static_cast<std::uint64_t>(cycle_));
+    const auto error = [&](DetectorDraw axis) {
+      return rng.normal(0.0, parameters_.noise, base::Draw::Sensor, bodyIndex(axis, body));
+    };
+    seen.position += Vec2(error(DetectorDraw::ErrorX), error(DetectorDraw::ErrorY));
+  }
+  return seen;
+}
+
+void PeopleDetector::swapTracks(const std::vector<SensedBody>& bodies,
+                                const std::vector<std::size_t>& seen) {
+  if (parameters_.swaps <= 0.0) {
+    return;
+  }
+  std::vector<const SensedBody*> people;
+  people.reserve(seen.size());
+  for (const std::size_t i : seen) {
+    if (bodies[i].kind == BodyKind::Person) {
+      people.push_back(&bodies[i]);
+    }
+  }
+  for (const auto& [first, second] : closePairs(std::move(people), parameters_.swapDistance)) {
+    if (chance(pairIndex(first, second)) < parameters_.swaps) {
+      int& one = swapped_.try_emplace(first, first).first->second;
+      int& other = swapped_.try_emplace(second, second).first->second;
+      std::swap(one, other);
+    }
+  }
+}
+
+int PeopleDetector::trackOf(int person) const {
+  const auto found = swapped_.find(person);
+  return found == swapped_.end() ? person : found->second;
+}
+
+void PeopleDetector::tell(const Cycle& cycle) {
+  std::vector<Track> tracks;
+  tracks.reserve(tracks_.size() + cycle.seen.size());
+  const auto coastUntil = [&](auto old, const auto& isReached) {
+    for (; old != tracks_.end() && !isReached(*old); ++old) {
+      coast(*old, cycle.time);
+      if (!isLost(*old)) {
+        tracks.push_back(*old);
+      }
+    }
+    return old;
+  };
+  auto old = tracks_.begin();
+  for (const TrackedBody& seen : cycle.seen) {
+    old = coastUntil(old, [&](const Track& track) { return !isTrackBefore(track.body, seen); });
+    if (old != tracks_.end() && !isTrackBefore(seen, old->body)) {
+      follow(*old, seen, cycle.time);
+      tracks.push_back(*old++);
+    } else {
+      tracks.push_back(started(seen, cycle.time));
+    }
+  }
+  coastUntil(old, [](const Track& /*track*/) { return false; });
+  tracks_.swap(tracks);
+  bodies_.clear();
+  bodies_.reserve(tracks_.size());
+  for (const Track& track : tracks_) {
+    bodies_.push_back(track.body);
+  }
+}
+
+PeopleDetector::Track PeopleDetector::started(const TrackedBody& seen, double time) const {
+  Track track{seen, MotionFilter(parameters_.noise, parameters_.accelerationPower), time, time};
+  track.filter.start(seen.position);
+  if (!parameters_.isMotionMeasured) {
+    track.body.velocity = Vec2::Zero();
+    track.body.heading = 0.0;
+  }
+  return track;
+}
+
+void PeopleDetector::follow(Track& track, const TrackedBody& seen, double time) const {
+  if (parameters_.isMotionMeasured) {
+    track.body = seen;
+  } else {
+    track.filter.predict(time - track.time);
+    track.filter.correct(seen.position);
+    track.body.position = track.filter.position();
+    track.body.velocity = track.filter.velocity();
+    track.body.radius = seen.radius;
+    if (track.body.velocity.norm() > kHeadingSpeed) {
+      track.body.heading = base::headingOf(track.body.velocity);
+    }
+  }
+  track.time = time;
+  track.lastSeen = time;
+}
+
+void PeopleDetector::coast(Track& track, double time) const {
+  const double duration = time - track.time;
+  track.filter.predict(duration);
+  track.body.position += duration * track.body.velocity;
+  track.time = time;
+}
+
+bool PeopleDetector::isLost(const Track& track) const {
+  return track.time - track.lastSeen > parameters_.coastTime + kTimeRounding;
+}
+
+}  // namespace sim2d
