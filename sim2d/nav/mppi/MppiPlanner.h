@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim2d/nav/Planner.h"
+#include "sim2d/nav/RobotRoute.h"
+#include "sim2d/nav/mppi/MppiGrids.h"
+#include "sim2d/nav/mppi/MppiKernel.h"
+#include "sim2d/nav/mppi/MppiParameters.h"
+#include "sim2d/nav/mppi/MppiScene.h"
+
+namespace sim2d {
+
+/// Model predictive path integral control. Each call shifts the last plan, adds noise to it many
+/// times and some plain plans (constant commands; Trevisan & Alonso-Mora 2024), makes all feasible
+/// for the drive, weighs where they lead, and takes the mean by MppiUpdate.h. The feasible controls
+/// are averaged, not the raw ones: what a differential or omnidirectional drive can do is a convex
+/// set, so the mean is feasible as well. The mean of ways to both sides of somebody may lead
+/// through the middle: then the best of all is taken instead.
+class MppiPlanner : public Planner {
+ public:
+  MppiPlanner(const PlannerSetup& setup, const MppiParameters& parameters,
+              std::optional<SocialMppiParameters> social, MppiPath path = fastestMppiPath());
+
+  base::Result<BodyTwist> command(const Observation& observation) override;
+  std::vector<Vec2> path() const override;
+  std::vector<Candidate> candidates() const override;
+  bool takeReplanned() override { return route_.takeReplanned(); }
+
+ private:
+  static constexpr std::size_t kAxes = 3;  // linear, angular, lateral
+  using Sequence = std::array<std::vector<float>, kAxes>;
+
+  /// Controls of `count` samples, their costs and hits.
+  struct Columns {
+    void resize(int samples, int steps);
+    MppiSamples view();
+    int count = 0;
+    std::array<std::vector<float>, kAxes> controls;
+    std::vector<float> costs, hits;
+  };
+
+  void setDrive();
+  void setCosts();
+  void setSocial();
+  void reset();
+  void lookAround(const Observation& observation);
+  std::vector<PredictedBody> predictedBodies(const Observation& observation) const;
+  PredictedBody ownPlan(const Observation& observation) const;
+  void addPatience(const Observation& observation, const std::vector<PredictedBody>& bodies);
+  void setProblem(const Observation& observation);
+  void fillProposals();
+  void sample();
+  void update();
+  void choose(const Sequence& mean, const Sequence& smooth);
+  void put(const Sequence& sequence, int lane, Columns& columns) const;
+  void putConstant(const std::array<float, kAxes>& control, int lane, Columns& columns) const;
+  Sequence take(const Columns& columns, int lane) const;
+  BodyTwist keepPlan(const Sequence& plan);
+  std::vector<Vec2> wayOf(const Columns& columns, int lane) const;
+  std::size_t stepCount() const { return static_cast<std::size_t>(problem_.steps); }
+
+  const RobotBody body_;
+  const MppiParameters parameters_;
+  const std::optional<SocialMppiParameters> social_;
+  const double reach_;  // [m]
+  const std::vector<MppiDisc> discs_;
+  const MppiKernel kernel_;
+
+  RobotRoute route_;
+  ClearanceGrid clearance_;
+  ToGoGrid toGo_;
+  MppiScene scene_;
+  MppiProblem problem_;
+  Sequence plan_, pull_;
+  std::array<std::array<float, 4>, kAxes> sent_{};  // last commands, latest last
+  Columns samples_, finalists_;
+  std::vector<float> weights_;
+  int chosen_ = 0;            // lane of the finalists
+  Pose2 start_;               // of the last call
+  double waitsSince_ = -1.0;  // [s]; < 0: does not wait
+};
+
+}  // namespace sim2d
