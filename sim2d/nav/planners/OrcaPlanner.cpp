@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim2d/nav/DriveGear.h"
+#include "sim2d/nav/NonholonomicTracking.h"
+#include "sim2d/nav/PassiveSafety.h"
+#include "sim2d/nav/Planner.h"
+#include "sim2d/nav/RouteVelocity.h"
+#include "sim2d/nav/VelocityPlanes.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kPartingTime = 0.5;  // [s] in which bodies that touch part
+constexpr double kLeastError = 0.1;   // of epsilon that is left beside somebody or a wall
+constexpr double kEqualWorth = 1e-6;  // [m/s]
+constexpr double kStopMargin = 0.02;  // [m] that is left when the robot has to stop
+
+struct OrcaPlannerParameters {
+  double horizon = 3.0;         // tau [s]
+  double wallHorizon = 1.0;     // [s]
+  double trackingError = 0.1;   // epsilon [m]
+  double turnTime = 0.5;        // T [s]
+  double share = 1.0;           // of avoiding people
+  double robotShare = 0.5;      // of avoiding robots
+  double margin = 0.05;         // [m]
+  double range = 8.0;           // [m]
+  double lookahead = 0.8;       // [m]
+  double sidePreference = 0.1;  // [rad]
+};
+
+base::ParameterTable<OrcaPlannerParameters> orcaPlannerTable() {
+  using P = OrcaPlannerParameters;
+  const std::string reciprocal = "van den Berg, Guy, Lin & Manocha 2011";
+  const std::string nonholonomic = "Alonso-Mora et al. 2013";
+  const base::Range share{0.0, 1.0, true};
+  base::ParameterTable<P> table;
+  table
+      .add(&P::horizon, "horizon", "s", base::kPositive,
+           "tau: the chosen velocity keeps the robot apart from people and robots for so long.",
+           reciprocal)
+      .add(&P::wallHorizon, "wall_horizon", "s", base::kPositive, "The same for walls.", reciprocal)
+      .add(&P::trackingError, "tracking_error", "m", base::kPositive,
+           "epsilon: how far the robot may be from where the chosen velocity leads; less beside "
+           "people and walls. It counts as that much larger. Not for omnidirectional robots.",
+           nonholonomic)
+      .add(&P::turnTime, "turn_time", "s", base::kPositive,
+           "T: in which the robot turns into the direction of the chosen velocity, unless its "
+           "angular acceleration takes longer.",
+           nonholonomic)
+      .add(&P::share, "share", "", share,
+           "Part of avoiding a person that the robot takes: 0.5 = people take the other half, 1 = "
+           "they do nothing.",
+           reciprocal)
+      .add(&P::robotShare, "robot_share", "", share, "The same for other robots.", reciprocal)
+      .add(&P::margin, "margin", "m", base::kNotNegative,
+           "Room to people and robots in addition to both radii.")
+      .add(&P::range, "range", "m", base::kPositive, "People and robots farther away do not count.")
+      .add(&P::lookahead, "lookahead", "m", base::kPositive,
+           "Distance along the route to the point to which the robot would like to go; at least "
+           "1.5 turning radii.")
+      .add(&P::sidePreference, "side_preference", "rad", base::kNotNegative,
+           "Turn of the wanted velocity to the right where people are in its way.");
+  return table;
+}
+
+/// What can be tracked, in the world's frame, and walls, which both hold as far as they can; then
+/// bodies.
+std::vector<HalfPlane> planesWithin(const std::vector<HalfPlane>& piece, double heading,
+                                    const std::vector<HalfPlane>& walls,
+                                    const std::vector<HalfPlane>& bodies) {
+  std::vector<HalfPlane> planes;
+  planes.reserve(piece.size() + walls.size() + bodies.size());
+  for (const HalfPlane& edge : piece) {
+    planes.push_back(turnedBy(edge, heading));
+  }
+  planes.insert(planes.end(), walls.begin(), walls.end());
+  planes.insert(planes.end(), bodies.begin(), bodies.end());
+  return planes;
+}
+
+/// NH-ORCA: of the holonomic velocities that keep the robot apart from everybody and that it can
+/// track within epsilon, the one nearest to the wanted. A stop where only that helps.
+class OrcaPlanner : public Planner {
+ public:
+  OrcaPlanner(const RobotBody& body, const OrcaPlannerParameters& parameters)
+      : body_(body),
+        parameters_(parameters),
+        reach_(reachOf(body.footprint)),
+        side_(parameters.sidePreference),
+        gear_(body, parameters.turnTime) {
+    parameters_.lookahead = std::max(parameters.lookahead, gear_.leastLookahead());
+  }
+
+  base::Result<BodyTwist> command(const Observation& observation) override {
+    const Vec2& position = observation.pose.position;
+    route_.update(observation, reach_, parameters_.lookahead);
+    if (route_.isEmpty()) {
+      return BodyTwist{};
+    }
+    side_.update(observation, route_.restLength(position));
+    const Vec2 along = velocityAlong(route_, observation, parameters_.lookahead,
+                                     body_.limits.maxVel, body_.limits.maxAcc);
+    const Vec2 wanted = turnedBy(along, side_.detour());
+    const Vec2 target = route_.pointAhead(position, parameters_.lookahead);
+    const DriveAim aim = gear_.choose(observation, target, wanted, parameters_.trackingError);
+    const BodyTwist twist = aim.commandOf(track(aim.model, bestVelocity(observation, aim)));
+    return passivelySafe(body_, observation, twist, kStopMargin);
+  }
+
+  std::vector<Vec2> path() const override { return route_.points(); }
+  bool takeReplanned() override {
+    const bool isStuck = side_.takeChanged();
+    return route_.takeReplanned() || isStuck;
+  }
+
+ private:
+  /// In the frame that the robot drives ahead in.
+  Vec2 bestVelocity(const Observation& observation, const DriveAim& aim) const {
+    const std::vector<TrackedBody> others = visibleBodies(observation, parameters_.range);
+    const double error = errorBeside(observation, others);
+    const std::vector<HalfPlane> walls =
+        wallPlanes(observation, reach_ + error, aim.model.maxVel, parameters_.wallHorizon);
+    const std::vector<HalfPlane> bodies = planesOf(observation, others, error);
+    const bool isFree = worstViolation(bodies, 0, aim.wanted) <= 0.0;
+    const Vec2 wanted = isFree ? aim.wanted : turnedBy(aim.wanted, side_.turn());
+    Vec2 best = Vec2::Zero();
+    double leastViolation = std::numeric_limits<double>::infinity();
+    double leastChange = std::numeric_limits<double>::infinity();
+    for (const std::vector<HalfPlane>& piece : trackedVelocities(aim.model, error)) {
+      const std::vector<HalfPlane> planes = planesWithin(piece, aim.heading, walls, bodies);
+      const std::size_t fixed = planes.size() - bodies.size();
+      const Vec2 found = nearestAllowed(planes, fixed, wanted, aim.model.maxVel);
+      const double violation = worstViolation(planes, fixed, found);
+      const double change = (found - wanted).norm();
+      if (violation < leastViolation - kEqualWorth ||
+          (violation < leastViolation + kEqualWorth && change < leastChange)) {
+        best = found;
+        leastViolation = violation;
+        leastChange = change;
+      }
+    }
+    return turnedBy(best, -aim.heading);
+  }
+
+  /// Epsilon, or half of the room to whatever is next: so the enlarged robot touches nothing that
+  /// the robot does not touch (the paper's variable tracking error).
+  double errorBeside(const Observation& observation, const std::vector<TrackedBody>& others) const {
+    if (body_.kinematics == Kinematics::Omnidirectional) {
+      return 0.0;
+    }
+    const Vec2& position = observation.pose.position;
+    const double most = parameters_.trackingError;
+    const double limit = reach_ + 2.0 * most;
+    double room = observation.obstacles->clearance(position, limit) - reach_;
+    for (const TrackedBody& other : others) {
+      room = std::min(room, (other.position - position).norm() - other.radius - reach_);
+    }
+    return std::clamp(0.5 * room, kLeastError * most, most);
+  }
+
+  std::vector<HalfPlane> planesOf(const Observation& observation,
+                                  const std::vector<TrackedBody>& others, double error) const {
+    const Vec2& position = observation.pose.position;
+    const BodyTwist& motion = observation.motion;
+    const Vec2 velocity = turnedBy(Vec2(motion.linear, motion.lateral), observation.pose.heading);
+    std::vector<HalfPlane> planes;
+    planes.reserve(others.size());
+    for (const TrackedBody& other : others) {
+      // Within the margin: no nearer; only who touches has to part.
+      const double distance = (other.position - position).norm();
+      const double touching = reach_ + other.radius;
+      const double apart =
+          std::max(touching, std::min(touching + error + parameters_.margin, 0.9999 * distance));
+      const Walker self(-1, position, velocity, apart - other.radius);
+      const double share =
+          other.kind == BodyKind::Robot ? parameters_.robotShare : parameters_.share;
+      planes.push_back(avoidBody(self, {other.id, other.position, other.velocity, other.radius},
+                                 parameters_.horizon, kPartingTime, share));
+    }
+    return planes;
+  }
+
+  RobotBody body_;
+  OrcaPlannerParameters parameters_;
+  double reach_;  // [m]
+  RobotRoute route_;
+  PassingSide side_;
+  DriveGear gear_;
+};
+
+base::Result<std::shared_ptr<Planner>> makeOrcaPlanner(const PlannerSetup& setup) {
+  OrcaPlannerParameters parameters;
+  orcaPlannerTable().set(parameters, setup.parameters);
+  return std::shared_ptr<Planner>(std::make_shared<OrcaPlanner>(setup.body, parameters));
+}
+
+}  // namespace
+
+void addOrcaPlanner(PlannerRegistry& to);
+void addOrcaPlanner(PlannerRegistry& to) {
+  to.add("orca", orcaPlannerTable().specs(), makeOrcaPlanner);
+}
+
+}  // namespace sim2d
