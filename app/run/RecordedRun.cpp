@@ -150,7 +150,7 @@ class ScenarioMaker {
     }
     sim2d::Robot& robot = scenario_.robots[place];
     const sim2d::ResolvedRobot now = sim2d::resolveRobot(scenario_, robot, recorded.id);
-    if (now.radius != recorded.radius) {
+    if (now.radius != recorded.radius || now.footprint.empty() != recorded.footprint.empty()) {
       robot.radius = recorded.radius;
     }
     if (now.footprint != recorded.footprint) {

@@ -72,12 +72,10 @@ void readFootprint(YamlMap& view, Robot& robot) {
 
 /// Limits and body are the type's; those of another type than the usual one are not known here.
 FieldOf<Robot> limit(FieldOf<Robot> field, double ResolvedRobot::*resolved) {
-  const auto ofUsualType = [resolved](const Robot& robot, const DesktopSettings& /*desktop*/) {
-    const ResolvedRobot usual;
-    return robot.type.value_or(usual.type) == usual.type ? ParameterValue(usual.*resolved)
-                                                         : ParameterValue();
+  const auto ofItsType = [resolved](const Robot& robot, const DesktopSettings& /*desktop*/) {
+    return ParameterValue(robotOfType(robot.type.value_or(ResolvedRobot{}.type)).*resolved);
   };
-  return std::move(field).resolvedTo(resolved).with(&Field<Robot>::fallbackOf, ofUsualType);
+  return std::move(field).resolvedTo(resolved).with(&Field<Robot>::fallbackOf, ofItsType);
 }
 
 template <class T>

@@ -7,6 +7,7 @@
 #include "sim2d/base/Rng.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/Outlines.h"
+#include "sim2d/nav/RobotTypes.h"
 #include "sim2d/scenario/Fields.h"
 
 namespace sim2d {
@@ -132,19 +133,21 @@ void takeRobotGoals(ResolvedRobot& to, const RobotGoal& from, const Scenario& sc
 }
 
 void takeFootprint(ResolvedRobot& to, const Robot& from) {
-  double reach = 0.0;
   const std::size_t corners = std::min(from.footprintX.size(), from.footprintY.size());
+  if (corners > 0 || from.radius) {
+    to.footprint.clear();  // the type's
+  }
   for (std::size_t i = 0; i < corners; ++i) {
     to.footprint.emplace_back(from.footprintX[i], from.footprintY[i]);
-    reach = std::max(reach, to.footprint.back().norm());
   }
-  if (corners == 0) {
+  if (to.footprint.empty()) {
     return;
   }
   if (signedArea(to.footprint) < 0.0) {
     std::reverse(to.footprint.begin(), to.footprint.end());
   }
-  to.radius = reach;  // the circle round it, for whoever needs a disc
+  to.radius =
+      reachOf(Footprint{0.0, to.footprint});  // the circle round it, for whoever needs a disc
 }
 
 }  // namespace
@@ -200,14 +203,33 @@ const std::vector<std::string_view>& factorKeys() {
   return kKeys;
 }
 
-ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id) {
+ResolvedRobot robotOfType(const std::string& type) {
+  const RobotType* const known = findRobotType(type);
+  const RobotBody& body = (known != nullptr ? *known : robotTypes().front()).body;
   ResolvedRobot result;
+  result.radius = reachOf(body.footprint);
+  result.mass = body.mass;
+  result.maxVel = body.limits.maxVel;
+  result.maxAcc = body.limits.maxAcc;
+  result.maxOmega = body.limits.maxOmega;
+  result.maxAlpha = body.limits.maxAlpha;
+  result.maxReverse = body.limits.maxReverse;
+  result.footprint = body.footprint.corners;
+  result.kinematics = body.kinematics;
+  result.turningRadius = body.limits.turningRadius;
+  return result;
+}
+
+ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id) {
+  ResolvedRobot result = robotOfType(robot.type.value_or(ResolvedRobot{}.type));
+  const double reverse = result.maxReverse / result.maxVel;
   result.id = id;
   result.name = robot.name;
   result.plannerParameters = numbersOf(robot.plannerParameters);
   result.start = {robot.start.position, base::wrapToPi(robot.start.heading)};
   takeRobotGoals(result, robot.goal, scenario);
   resolveFields(robot, result);
+  result.maxReverse = reverse * result.maxVel;
   takeFootprint(result, robot);
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "sim2d/nav/Body.h"
 #include "sim2d/scenario/Scenario.h"
 
 namespace sim2d {
@@ -47,13 +48,18 @@ struct ResolvedRobot {
   double goalRadius = 0.2, startTime = 0.0;
   double radius = 0.35, mass = 50.0;
   double maxVel = 1.0, maxAcc = 1.0, maxOmega = 1.5, maxAlpha = 3.0;
+  double maxReverse = 1.0;      // backwards [m/s]; as much less than maxVel as the type's
   std::vector<Vec2> footprint;  // robot frame, CCW; empty = disc
+  Kinematics kinematics = Kinematics::Differential;
+  double turningRadius = 0.0;  // Ackermann: the least [m]
 };
 
 /// The configuration modes and draws of social-force factors and reactions, by (seed, agent,
 /// parameter): the same on every machine.
 ResolvedHuman resolveHuman(const Environment& scenario, const Human& human, long long seed);
 ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id);
+/// The numbers of a type of robots; those of the general one when there is none of this name.
+ResolvedRobot robotOfType(const std::string& type);
 
 /// Keys of `behavior` that a reaction of this type needs; none without a reaction.
 std::vector<std::string_view> reactionKeys(BehaviorType type);

@@ -84,8 +84,9 @@ class ListProgramTest : public QObject {
     row("metrics", {QStringLiteral("path_length"), QStringLiteral("spl")});
     row("keys", {QStringLiteral("ROBOT.planner"), QStringLiteral("seed")});
     row("models", {QStringLiteral("sfm"), QStringLiteral("das"), QStringLiteral("orca")});
-    row("robots", {QStringLiteral("generic")});
-    row("planners", {QStringLiteral("pursuit")});
+    row("robots", {QStringLiteral("generic"), QStringLiteral("tiago"), QStringLiteral("pepper")});
+    row("planners",
+        {QStringLiteral("pursuit"), QStringLiteral("dwa"), QStringLiteral("social_mppi")});
     row("scenarios", {QStringLiteral("corner_cafe_agents"), QStringLiteral("two_workers_agents")});
   }
   void everyList_namesWhatThereIs() {
@@ -113,13 +114,16 @@ class ListProgramTest : public QObject {
     const outside::Finished json =
         outside::runProgram({QStringLiteral("list"), QStringLiteral("planners"),
                              QStringLiteral("--format"), QStringLiteral("json")});
-    const QJsonObject pursuit = QJsonDocument::fromJson(json.out.toUtf8()).array()[0].toObject();
-    for (const auto& each : pursuit[QStringLiteral("parameters")].toArray()) {
-      const QJsonObject parameter = each.toObject();
-      if (parameter[QStringLiteral("name")] == QStringLiteral("lookahead")) {
-        QCOMPARE(parameter[QStringLiteral("unit")].toString(), QStringLiteral("m"));
-        QCOMPARE(parameter[QStringLiteral("default")].toDouble(), 0.6);
-        return;
+    for (const auto& planner : QJsonDocument::fromJson(json.out.toUtf8()).array()) {
+      const QJsonObject found = planner.toObject();
+      for (const auto& each : found[QStringLiteral("parameters")].toArray()) {
+        const QJsonObject parameter = each.toObject();
+        if (found[QStringLiteral("name")] == QStringLiteral("pursuit") &&
+            parameter[QStringLiteral("name")] == QStringLiteral("lookahead")) {
+          QCOMPARE(parameter[QStringLiteral("unit")].toString(), QStringLiteral("m"));
+          QCOMPARE(parameter[QStringLiteral("default")].toDouble(), 0.6);
+          return;
+        }
       }
     }
     QFAIL(qPrintable(json.out));

@@ -3,6 +3,7 @@
 #include "ScenarioTest.h"
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Rng.h"
+#include "sim2d/map/Outlines.h"
 #include "sim2d/scenario/Defaults.h"
 
 using namespace sim2d;
@@ -199,6 +200,28 @@ class DefaultsTest : public QObject {
     QCOMPARE(robot.maxAlpha, 3.0);
     QCOMPARE(robot.goalRadius, 0.2);
     QVERIFY(robot.goals.empty() && robot.footprint.empty());
+  }
+
+  /// Figures of the manufacturers: TurtleBot 3 Burger 0.22 m/s; Nova Carter 0.725 x 0.500 m.
+  void resolveRobot_ofAType_hasItsNumbers() {
+    Robot robot;
+    robot.type = "turtlebot3_burger";
+    QCOMPARE(resolveRobot(Scenario{}, robot, -1).maxVel, 0.22);
+    QCOMPARE(resolveRobot(Scenario{}, robot, -1).type, std::string("turtlebot3_burger"));
+    robot.maxVel = 0.11;
+    QCOMPARE(resolveRobot(Scenario{}, robot, -1).maxVel, 0.11);
+    QCOMPARE(resolveRobot(Scenario{}, robot, -1).maxReverse, 0.11);
+    robot.type = "nova_carter";
+    const ResolvedRobot carter = resolveRobot(Scenario{}, robot, -1);
+    QVERIFY(std::fabs(std::fabs(signedArea(carter.footprint)) - 0.725 * 0.5) < 0.03);
+    QVERIFY(carter.radius > 0.6);
+    robot.radius = 0.4;  // instead of the type's polygon
+    QVERIFY(resolveRobot(Scenario{}, robot, -1).footprint.empty());
+    QCOMPARE(resolveRobot(Scenario{}, robot, -1).radius, 0.4);
+    robot.type = "pepper";
+    QVERIFY(resolveRobot(Scenario{}, robot, -1).kinematics == Kinematics::Omnidirectional);
+    robot.type = "ackermann_car";
+    QCOMPARE(resolveRobot(Scenario{}, robot, -1).turningRadius, 0.65);
   }
 
   void resolveRobot_goalsAndFootprint() {

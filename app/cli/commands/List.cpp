@@ -17,6 +17,7 @@
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/RobotTypes.h"
 #include "sim2d/scenario/Fields.h"
 #include "sim2d/world/Registries.h"
 
@@ -60,10 +61,59 @@ Json parametersJson(const std::vector<base::ParameterSpec>& specs) {
 }
 
 template <class Maker>
-std::vector<Entry> registeredEntries(const sim2d::Registry<Maker>& registry) {
+std::vector<Entry> registeredEntries(const base::Registry<Maker>& registry) {
   std::vector<Entry> entries;
   for (const auto& each : registry.entries()) {
     entries.push_back({each.name, {}, {{"parameters", parametersJson(each.parameters)}}});
+  }
+  return entries;
+}
+
+/// "0.35 m" of a disc, "0.51 x 0.43 m" of what is no disc.
+std::string robotSizeText(const sim2d::Footprint& footprint) {
+  if (footprint.isDisc()) {
+    return "r " + base::formatDouble(footprint.radius) + " m";
+  }
+  base::Vec2 low = footprint.corners.front();
+  base::Vec2 high = low;
+  for (const base::Vec2& corner : footprint.corners) {
+    low = low.cwiseMin(corner);
+    high = high.cwiseMax(corner);
+  }
+  const auto centimetres = [](double length) { return std::round(100.0 * length) / 100.0; };
+  return base::formatDouble(centimetres(high.x() - low.x())) + " x " +
+         base::formatDouble(centimetres(high.y() - low.y())) + " m";
+}
+
+Json cornersJson(const sim2d::Footprint& footprint) {
+  Json corners = Json::array();
+  for (const base::Vec2& corner : footprint.corners) {
+    corners.push_back({corner.x(), corner.y()});
+  }
+  return corners;
+}
+
+std::vector<Entry> robotEntries() {
+  std::vector<Entry> entries;
+  for (const sim2d::RobotType& type : sim2d::robotTypes()) {
+    const sim2d::DriveLimits& limits = type.body.limits;
+    const char* const kinematics = sim2d::kinematicsName(type.body.kinematics);
+    entries.push_back({type.name,
+                       {kinematics, robotSizeText(type.body.footprint),
+                        base::formatDouble(limits.maxVel) + " m/s", type.title},
+                       {{"title", type.title},
+                        {"kinematics", kinematics},
+                        {"radius", sim2d::reachOf(type.body.footprint)},
+                        {"footprint", cornersJson(type.body.footprint)},
+                        {"height", type.height},
+                        {"mass", type.body.mass},
+                        {"max_vel", limits.maxVel},
+                        {"max_reverse", limits.maxReverse},
+                        {"max_acc", limits.maxAcc},
+                        {"max_omega", limits.maxOmega},
+                        {"max_alpha", limits.maxAlpha},
+                        {"turning_radius", limits.turningRadius},
+                        {"source", type.source}}});
   }
   return entries;
 }
@@ -151,7 +201,7 @@ std::map<std::string, std::function<std::vector<Entry>()>> lists() {
           {"metrics", metricEntries},
           {"keys", keyEntries},
           {"models", [] { return registeredEntries(sim2d::programRegistries().models); }},
-          {"robots", [] { return registeredEntries(sim2d::programRegistries().robotTypes); }},
+          {"robots", robotEntries},
           {"planners", [] { return registeredEntries(sim2d::programRegistries().planners); }},
           {"scenarios", scenarioEntries}};
 }
