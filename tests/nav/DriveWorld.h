@@ -41,6 +41,8 @@ inline TrackedBody person(int id, const Vec2& position, const Vec2& velocity = V
   return body;
 }
 
+constexpr double kOwnApproach = 1e-3;  // [m] in a step; less is no motion towards somebody
+
 class World {
  public:
   World(RobotBody body, const Pose2& start, const Vec2& goal,
@@ -77,7 +79,7 @@ class World {
       other.position += now.dt * other.velocity;
       const double gap = gapToDisc(body_.footprint, now.pose, other.position, other.radius);
       const double stayed = gapToDisc(body_.footprint, before, other.position, other.radius);
-      if (gap < stayed - 1e-9) {  // the robot came nearer by its own motion
+      if (gap < stayed - kOwnApproach) {
         personGap_ = std::min(personGap_, gap);
       }
     }
@@ -100,7 +102,7 @@ class World {
   }
 
   double distanceLeft() const { return (observation_.goal - observation_.pose.position).norm(); }
-  /// Least room to walls; to people while the robot came nearer by its own motion [m].
+  /// Least room to walls; to people in steps in which the robot came nearer by its own motion [m].
   double wallGap() const { return wallGap_; }
   double personGap() const { return personGap_; }
   bool isGood() const { return isGood_ && areFeasible_; }

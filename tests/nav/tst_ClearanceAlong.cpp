@@ -133,13 +133,14 @@ void ClearanceAlongTest::along_personCrossing_isMetWhenAndWhere() {
   ClearanceAlong::Found found = clear.along({poses, kFineStep, 1.0});
   QCOMPARE(found.wallStep, 301);
   QCOMPARE(found.bodyStep, 154);
-  // Passes behind: at distance 0.9 m, when the robot is 2 m ahead.
-  world.observation().bodies = {person(1, Vec2(2.0, -1.1), Vec2(0.0, 1.0))};
+  // Passes behind: at distance 1.1 m, when the robot is 2 m ahead.
+  world.observation().bodies = {person(1, Vec2(2.0, -0.9), Vec2(0.0, 1.0))};
   clear.observe(world.observation(), 0.1, 1.0, 3.0);
   found = clear.along({poses, kFineStep, 1.0});
   QCOMPARE(found.bodyStep, 301);
-  // Relative motion (-1, 1) from (2, -1.1): passes at 0.9 / sqrt(2).
-  QVERIFY(std::fabs(found.gap - (0.9 / std::sqrt(2.0) - 0.6)) < 1e-3);
+  // Relative motion (-1, 1) from (2, -0.9): passes at 1.1 / sqrt(2), with more room than the
+  // margin.
+  QVERIFY(std::fabs(found.gap - (1.1 / std::sqrt(2.0) - 0.6)) < 1e-3);
   QVERIFY(std::isinf(clear.gapAhead()) || clear.gapAhead() > 1.0);
 }
 

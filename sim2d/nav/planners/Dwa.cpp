@@ -29,6 +29,7 @@ constexpr double kRadiusShare = 1.05;     // of the least turning radius, for wa
 constexpr double kTurnPrice = 0.3;        // [m/rad], of turns that are left, for "gets on"
 constexpr double kMoveOffSpeed = 0.3;     // [m/s]
 constexpr double kDwaStanding = 0.02;     // [m/s]
+constexpr double kTurningShare = 0.1;     // of the full speed, while the way leads backwards
 constexpr int kDwaShownArcs = 40;
 constexpr double kNotAdmissible = std::numeric_limits<double>::infinity();
 
@@ -145,9 +146,13 @@ double Dwa::turnLeft(const Pose2& pose) const {
   return body_.kinematics == Kinematics::Ackermann ? std::min(turn, base::kPi - turn) : turn;
 }
 
-/// The fastest that the goal and people ahead allow [m/s].
+/// The fastest that the goal, people ahead and the turn to come allow [m/s]: who can turn on the
+/// spot does not drive away first.
 double Dwa::speedLimit(const Observation& observation) const {
   double limit = body_.limits.maxVel;
+  if (body_.kinematics == Kinematics::Differential) {
+    limit *= std::max(kTurningShare, base::cos(turnLeft(observation.pose)));
+  }
   if (clear_.gapAhead() < parameters_.slowDistance) {
     const double room = std::max(clear_.gapAhead(), 0.0) / parameters_.slowDistance;
     limit *= parameters_.slowShare + (1.0 - parameters_.slowShare) * room;
