@@ -46,13 +46,6 @@ function(hunav_library target)
   if(HUNAV_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
-    if(CMAKE_CXX_CLANG_TIDY)  # looked for from where a unit lies; a unit includes sources, of course
-      file(READ ${PROJECT_SOURCE_DIR}/.clang-tidy rules)
-      string(REPLACE "-concurrency-mt-unsafe" "-concurrency-mt-unsafe, -bugprone-suspicious-include"
-             rules "${rules}")
-      file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/.clang-tidy
-           CONTENT "${rules}" @ONLY)
-    endif()
   endif()
 endfunction()
 

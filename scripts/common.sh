@@ -21,7 +21,7 @@ packages_to_run=(
 )
 packages_to_test=(clang-format-14 xvfb xauth xdotool imagemagick locales)
 packages_to_fuzz=(clang-14 libclang-rt-14-dev)
-packages_to_tidy=(clang-14 clang-tidy-14 libclang-14-dev)
+packages_to_check=(clang-14 clang-tidy-14 libclang-14-dev llvm-14)  # llvm-14: lines of a report
 
 say() {
   printf '%s\n' "$*" >&2
