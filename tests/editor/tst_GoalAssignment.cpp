@@ -1,3 +1,5 @@
+#include <memory>
+
 #include <QDrag>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -166,13 +168,11 @@ class GoalAssignmentTest : public QObject {
     editor::openGoalAssignment(*document_, editor::Theme::light(), &window);
     const QPointer<GoalAssignment> dialog = window.findChild<GoalAssignment*>();
     QVERIFY(QTest::qWaitForWindowExposed(dialog));
-    const QPointer<QDrag> drag = isDragged ? new QDrag(&dialog->goals()) : nullptr;
+    auto drag = isDragged ? std::make_unique<QDrag>(&dialog->goals()) : nullptr;
     dialog->reject();
     QTest::qWait(100);
     QCOMPARE(!dialog.isNull(), isDragged);
-    if (drag) {
-      drag->deleteLater();
-    }
+    drag.reset();
     QTRY_VERIFY(!dialog);
   }
 
