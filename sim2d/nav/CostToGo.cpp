@@ -45,8 +45,10 @@ bool CostToGo::isCurrent(const Observation& observation) const {
 void CostToGo::choosePlace(const Observation& observation, const RobotRoute& route) {
   const Vec2& position = observation.pose.position;
   // On whole cells, so that the same places have the same numbers from one time to the next.
-  origin_.x() = cell_ * (std::floor(position.x() / cell_) - kSide / 2);
-  origin_.y() = cell_ * (std::floor(position.y() / cell_) - kSide / 2);
+  constexpr int kHalfSide = kSide / 2;
+  const double half = kHalfSide;
+  origin_.x() = cell_ * (std::floor(position.x() / cell_) - half);
+  origin_.y() = cell_ * (std::floor(position.y() / cell_) - half);
   const double within = cell_ * (0.5 * kSide - 2.0);
   const double whole = route.restLength(position);
   const int steps = static_cast<int>(std::ceil(whole / cell_)) + 1;

@@ -138,7 +138,8 @@ void LidarRaster::castBeam(int beam, const Vec2& a, const Vec2& b) {
   if (hit) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     double& nearness = nearness_[static_cast<std::size_t>(beam)];
-    nearness = std::max(nearness, *hit > 0.0 ? 1.0 / *hit : kInfinity);  // not by -0
+    const double found = *hit > 0.0 ? 1.0 / *hit : kInfinity;  // not by -0
+    nearness = std::max(nearness, found);
   }
 }
 

@@ -53,7 +53,7 @@ std::vector<HalfPlane> velocitiesAhead(double angle, double aside) {
 /// Chords of the curve V_H = epsilon omega_max / theta_H, which is bent outwards.
 std::vector<HalfPlane> velocitiesOnSpot(double firstAngle, double unit) {
   std::vector<Vec2> corners;
-  corners.reserve(2 * kSpotCorners);
+  corners.reserve(std::size_t{2} * kSpotCorners);
   for (int i = 0; i < kSpotCorners; ++i) {
     const double angle = firstAngle + (kLastCorner - firstAngle) * i / (kSpotCorners - 1);
     corners.emplace_back(unit / angle * base::directionOf(angle));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "sim2d/nav/mppi/MppiCosts.h"
 #include "sim2d/nav/mppi/MppiKernel.h"
 #include "sim2d/nav/mppi/MppiLanes.h"
@@ -146,7 +148,7 @@ inline void drawRegister(const MppiProblem& problem, const MppiSamples& samples,
     const Lanes keep = fill(step == 0 ? 0.0F : problem.noise.keep);
     const Lanes share = fill(step == 0 ? 1.0F : problem.noise.fresh);
     for (int axis = 0; axis < axes; ++axis) {
-      const Lanes fresh = load(noise.fresh[axis] + step * kLaneCount);
+      const Lanes fresh = load(noise.fresh[axis] + static_cast<std::ptrdiff_t>(step) * kLaneCount);
       drift[axis] = keep * drift[axis] + share * fresh;
       wanted[axis] = fill(problem.mean[axis][step]) + fill(deviation[axis]) * drift[axis];
       pulled = pulled + fill(problem.pull[axis][step]) * fresh;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "sim2d/nav/mppi/MppiKernel.h"
 #include "sim2d/nav/mppi/MppiLanes.h"
 
@@ -89,9 +91,11 @@ inline void drawNormals(const MppiNoise& noise, int firstSample, int series, int
         {{sample, LaneWords(noise.robot), LaneWords(noise.call), LaneWords(kMppiDraw ^ block)}},
         noise.key[0], noise.key[1]);
     for (int half = 0; half < 2; ++half) {
-      const NormalPair pair = normalsOf(words.words[2 * half], words.words[2 * half + 1]);
-      store(first + (step + half) * kLaneCount, pair.first);
-      store(second + (step + half) * kLaneCount, pair.second);
+      const auto word = static_cast<std::size_t>(half) * 2;
+      const NormalPair pair = normalsOf(words.words[word], words.words[word + 1]);
+      const auto at = static_cast<std::ptrdiff_t>(step + half) * kLaneCount;
+      store(first + at, pair.first);
+      store(second + at, pair.second);
     }
   }
 }
