@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <immintrin.h>
 
 #include <xsimd/xsimd.hpp>
 
@@ -47,40 +46,19 @@ struct Products {
   LaneWords high, low;
 };
 
-#if defined(__AVX512F__)
-
+/// Lane by lane: compilers make one vector instruction for even and one for odd words of it.
 inline Products productsOf(LaneWords a, std::uint32_t by) {
-  const __m512i factor = _mm512_set1_epi64(static_cast<long long>(by));
-  const __m512i upper = _mm512_set1_epi64(static_cast<long long>(0xFFFFFFFF00000000ULL));
-  const __m512i even = _mm512_mul_epu32(a, factor);
-  const __m512i odd = _mm512_mul_epu32(_mm512_srli_epi64(a, 32), factor);
-  return {LaneWords(_mm512_or_si512(_mm512_srli_epi64(even, 32), _mm512_and_si512(odd, upper))),
-          LaneWords(_mm512_or_si512(_mm512_andnot_si512(upper, even), _mm512_slli_epi64(odd, 32)))};
+  std::uint32_t words[kLaneCount];
+  std::uint32_t high[kLaneCount];
+  std::uint32_t low[kLaneCount];
+  a.store_unaligned(words);
+  for (int lane = 0; lane < kLaneCount; ++lane) {
+    const std::uint64_t product = static_cast<std::uint64_t>(words[lane]) * by;
+    high[lane] = static_cast<std::uint32_t>(product >> 32U);
+    low[lane] = static_cast<std::uint32_t>(product);
+  }
+  return {LaneWords::load_unaligned(high), LaneWords::load_unaligned(low)};
 }
-
-#elif defined(__AVX2__)
-
-inline Products productsOf(LaneWords a, std::uint32_t by) {
-  const __m256i factor = _mm256_set1_epi64x(static_cast<long long>(by));
-  const __m256i upper = _mm256_set1_epi64x(static_cast<long long>(0xFFFFFFFF00000000ULL));
-  const __m256i even = _mm256_mul_epu32(a, factor);
-  const __m256i odd = _mm256_mul_epu32(_mm256_srli_epi64(a, 32), factor);
-  return {LaneWords(_mm256_or_si256(_mm256_srli_epi64(even, 32), _mm256_and_si256(odd, upper))),
-          LaneWords(_mm256_or_si256(_mm256_andnot_si256(upper, even), _mm256_slli_epi64(odd, 32)))};
-}
-
-#else
-
-inline Products productsOf(LaneWords a, std::uint32_t by) {
-  const __m128i factor = _mm_set1_epi64x(static_cast<long long>(by));
-  const __m128i upper = _mm_set1_epi64x(static_cast<long long>(0xFFFFFFFF00000000ULL));
-  const __m128i even = _mm_mul_epu32(a, factor);
-  const __m128i odd = _mm_mul_epu32(_mm_srli_epi64(a, 32), factor);
-  return {LaneWords(_mm_or_si128(_mm_srli_epi64(even, 32), _mm_and_si128(odd, upper))),
-          LaneWords(_mm_or_si128(_mm_andnot_si128(upper, even), _mm_slli_epi64(odd, 32)))};
-}
-
-#endif
 
 /// 2^x for x <= 0, nothing normal below 2^-126. Relative error 2e-7 for x above -2, else |x| *
 /// 1e-7.

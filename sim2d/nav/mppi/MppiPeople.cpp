@@ -150,9 +150,9 @@ void predictSocial(std::vector<PredictedBody>& bodies, const PredictedBody& robo
     prediction.advance(count * dt);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const Walker& walker = prediction.walker(i);
-      for (int k = 0; k < count; ++k) {
-        const auto at = static_cast<std::size_t>(step + k);
-        bodies[i].positions[at] = walker.position - (count - 1 - k) * dt * walker.velocity;
+      for (int k = step; k < step + count; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        bodies[i].positions[at] = walker.position - (step + count - 1 - k) * dt * walker.velocity;
         bodies[i].velocities[at] = walker.velocity;
       }
     }
