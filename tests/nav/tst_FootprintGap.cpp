@@ -55,7 +55,7 @@ bool isNear(double value, double expected, double tolerance = 1e-12) {
 std::vector<Vec2> samplesOf(const std::vector<Vec2>& polygon, double step) {
   std::vector<Vec2> samples;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 from = polygon[i];
+    const Vec2& from = polygon[i];
     const Vec2 along = polygon[(i + 1) % polygon.size()] - from;
     const int count = 1 + static_cast<int>(along.norm() / step);
     for (int n = 0; n < count; ++n) {

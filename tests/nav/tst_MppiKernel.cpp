@@ -85,7 +85,8 @@ void MppiKernelTest::draw_anyDrive_agreesWithReference() {
     differ += std::fabs(cost - expected[at].cost) > 1e-3 * (1.0 + expected[at].cost) ? 1 : 0;
     for (int step = 0; step < scene.problem.steps; ++step) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float value = columns.controls[axis][static_cast<std::size_t>(step * kSamples + i)];
+        const auto place = static_cast<std::size_t>(step) * static_cast<std::size_t>(kSamples) + at;
+        const float value = columns.controls[axis][place];
         const double wanted = expected[at].controls[static_cast<std::size_t>(step)][axis];
         QVERIFY2(std::fabs(static_cast<double>(value) - wanted) < 2e-5,
                  qPrintable(QStringLiteral("%1 %2 %3: %4, not %5")
@@ -312,6 +313,7 @@ void MppiKernelTest::pull_whiteAndCorrelated_matchesTheInverseCovariance() {
 
 void MppiKernelTest::savitzkyGolay_polynomials_areKept() {
   std::vector<float> sequence;
+  sequence.reserve(30);
   for (int i = 0; i < 30; ++i) {
     sequence.push_back(static_cast<float>(0.3 + 0.02 * i - 0.001 * i * i));
   }

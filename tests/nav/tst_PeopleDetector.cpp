@@ -94,7 +94,8 @@ std::vector<SensedBody> squad() {
   std::vector<SensedBody> people;
   people.reserve(100);
   for (int i = 0; i < 100; ++i) {
-    people.push_back(bodyAt(i + 1, {2.0 * (i % 10), 2.0 * (i / 10) + 1.0}));
+    const int row = i / 10;
+    people.push_back(bodyAt(i + 1, {2.0 * (i % 10), 2.0 * row + 1.0}));
   }
   return people;
 }
@@ -508,7 +509,8 @@ void PeopleDetectorTest::coasting_hiddenPerson_goesOnAndEnds() {
   for (int step = 101; step <= 110; ++step) {
     update(step);
     QCOMPARE(detector.bodies().size(), std::size_t{1});
-    const double cycle = 0.1 * (step / 2);
+    const int turn = step / 2;
+    const double cycle = 0.1 * turn;
     QVERIFY((detector.bodies()[0].position - Vec2(4.0, 1.5 * cycle)).norm() < 1e-6);
   }
   update(111);

@@ -685,7 +685,7 @@ void ProcessPlannerTest::examples_drivingTwice_giveEqualBytes() {
     const Drive result = drive(**made, 400);
     QVERIFY2(result.problems.empty(), messageOf(result.problems));
     QVERIFY((result.end.position - Vec2(4.0, 1.0)).norm() <= 0.2);
-    QVERIFY(result.commands.size() > 3 * 90);  // 3.9 m at 0.8 m/s
+    QVERIFY(result.commands.size() > std::size_t{270});  // 3.9 m at 0.8 m/s
     QVERIFY(run == 0 || (before.size() == result.commands.size() &&
                          std::memcmp(before.data(), result.commands.data(),
                                      before.size() * sizeof(double)) == 0));

@@ -27,7 +27,7 @@ QStringList problemsOf(const std::string& text, int robot = -1) {
 
 /// The file written into the test's folder.
 std::string writtenFile(const QTemporaryDir& folder, const std::string& text) {
-  const std::string path = folder.filePath(QStringLiteral("drive.csv")).toStdString();
+  std::string path = folder.filePath(QStringLiteral("drive.csv")).toStdString();
   base::writeFileAtomically(path, text);
   return path;
 }
