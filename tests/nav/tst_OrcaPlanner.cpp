@@ -1,4 +1,3 @@
-#include <chrono>
 #include <cmath>
 
 #include <QtTest>
@@ -66,7 +65,7 @@ class OrcaPlannerTest : public QObject {
   void drive_goal_standsInside();
   void command_enclosed_stands();
   void parameters_areDescribed();
-  void command_twentyPeople_takesLittleTime();
+  void command_twentyPeople_isRepeatable();
 
  private:
   const std::vector<Kinematics> all_ = {Kinematics::Differential, Kinematics::Omnidirectional,
@@ -230,7 +229,7 @@ void OrcaPlannerTest::parameters_areDescribed() {
   }
 }
 
-void OrcaPlannerTest::command_twentyPeople_takesLittleTime() {
+void OrcaPlannerTest::command_twentyPeople_isRepeatable() {
   const driven::Place room(
       {{Vec2(-8.0, 4.0), Vec2(8.0, 4.3)}, {Vec2(-8.0, -4.3), Vec2(8.0, -4.0)}});
   const RobotBody body = driven::bodyOf(Kinematics::Differential);
@@ -242,19 +241,6 @@ void OrcaPlannerTest::command_twentyPeople_takesLittleTime() {
   }
   const std::shared_ptr<Planner> planner = driven::plannerOf(addOrcaPlanner, body);
   QVERIFY(*planner->command(robot.seen()) == *planner->command(robot.seen()));
-  constexpr int kCallsOfRun = 50;
-  double least = 1e9;  // [ms]; the best of some, for machines that do other things as well
-  for (int round = 0; round < 10; ++round) {
-    const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < kCallsOfRun; ++i) {
-      QVERIFY(std::isfinite(planner->command(robot.seen())->linear));
-    }
-    const std::chrono::duration<double, std::milli> taken =
-        std::chrono::steady_clock::now() - start;
-    least = std::min(least, taken.count() / kCallsOfRun);
-  }
-  qInfo("%.4f ms per decision", least);
-  QVERIFY2(least < 1.0, qPrintable(QString::number(least)));  // ten times what it takes released
 }
 
 QTEST_GUILESS_MAIN(OrcaPlannerTest)
