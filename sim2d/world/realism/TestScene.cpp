@@ -137,7 +137,7 @@ TestScene::Actor ringWalker(const Vec2& start, double speed, bool goesLeft) {
   TestScene::Actor actor{start, speed, endlessly(Vec2(goesLeft ? -1.0 : 1.0, 0.0)), goal};
   actor.heading = goesLeft ? base::kPi : 0.0;
   return actor;
-}
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): it loses sight of std::function
 
 TestScene::Target endlessly(const Vec2& direction) {
   return [direction](const Vec2& place) { return Vec2(place + 1000.0 * direction); };
