@@ -1,5 +1,9 @@
 #include "sim2d/world/RobotDrive.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "sim2d/nav/Motion.h"
 
 namespace sim2d {
@@ -29,6 +33,12 @@ bool drives(const ResolvedRobot& robot, const RobotState& state, double time) {
 }
 
 }  // namespace
+
+RobotDrive::RobotDrive(std::vector<std::shared_ptr<Planner>> planners,
+                       const std::vector<ResolvedRobot>& robots)
+    : planners_(std::move(planners)) {
+  std::transform(robots.begin(), robots.end(), std::back_inserter(bodies_), bodyOf);
+}
 
 void RobotDrive::observe(const FrozenWorld& world, std::size_t robot) {
   const ResolvedRobot& constants = world.model.robots[robot];
@@ -69,7 +79,7 @@ const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, Worl
         state.emit(EventKind::Replan, robot.id);
       }
     }
-    commands_[i] = reached(bodyOf(robot), {now.linear, now.omega, now.lateral}, wanted, dt);
+    commands_[i] = reached(bodies_[i], {now.linear, now.omega, now.lateral}, wanted, dt);
   }
   steered_.clear();
   return commands_;

@@ -14,8 +14,8 @@ namespace sim2d {
 /// The robots: what they see, what their planners say, what their limits leave of it, goals.
 class RobotDrive {
  public:
-  explicit RobotDrive(std::vector<std::shared_ptr<Planner>> planners)
-      : planners_(std::move(planners)) {}
+  RobotDrive(std::vector<std::shared_ptr<Planner>> planners,
+             const std::vector<ResolvedRobot>& robots);
 
   /// In the next `command` instead of what the planner says.
   void steer(std::size_t robot, const BodyTwist& command) { steered_[robot] = command; }
@@ -34,6 +34,7 @@ class RobotDrive {
   BodyTwist ask(std::size_t robot, const std::string& name);
 
   std::vector<std::shared_ptr<Planner>> planners_;
+  std::vector<RobotBody> bodies_;
   std::vector<BodyTwist> commands_;
   std::map<std::size_t, BodyTwist> steered_;
   std::string failure_;

@@ -42,7 +42,7 @@ RunningWorld::RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> mind
       behavior_(std::move(minds)),
       motion_(model_.threads),
       population_(model_),
-      robots_(std::move(parts.planners)) {
+      robots_(std::move(parts.planners), model_.robots) {
   partNames_ = partNames(*model_.environment);
   const Obstacles& obstacles = surroundings_.obstacles;
   for (int part = 0; part < obstacles.partCount(); ++part) {

@@ -17,6 +17,7 @@ class RegistriesTest : public QObject {
   void step_omnidirectional_goesSideways();
   void step_differential_doesNotGoSideways();
   void step_ackermann_turnsNoTighterThanItsSteering();
+  void step_plannerGivesUp_endsTheRunWithItsWords();
   void create_worldsOfDifferentRegistries_liveSideBySide();
   void table_oneRow_isInSpecsValuesAndCheck();
   void modelParameters_setByPath_countInTheRunAndAreChecked();
@@ -115,12 +116,25 @@ class Wish : public Planner {
   BodyTwist twist_;
 };
 
-std::unique_ptr<World> worldOfWish(const char* type, const BodyTwist& wish) {
+/// A planner that is an error from its second call on.
+class GivesUp : public Planner {
+ public:
+  base::Result<BodyTwist> command(const Observation& /*observation*/) override {
+    if (++calls_ == 1) {
+      return BodyTwist{};
+    }
+    return base::error("external.complaint", {"tired"});
+  }
+
+ private:
+  int calls_ = 0;
+};
+
+std::unique_ptr<World> worldOfPlanner(const char* type, const std::shared_ptr<Planner>& planner) {
   auto own = std::make_shared<Registries>(programRegistries());
-  own->planners.add(
-      "wish", {}, [wish](const PlannerSetup& /*setup*/) -> base::Result<std::shared_ptr<Planner>> {
-        return std::shared_ptr<Planner>(std::make_shared<Wish>(wish));
-      });
+  own->planners.add("wish", {}, [planner](const PlannerSetup& /*setup*/) {
+    return base::Result<std::shared_ptr<Planner>>(planner);
+  });
   Scenario scenario;
   Robot& robot = addRobot(scenario, {0.0, 0.0}, {50.0, 0.0});
   robot.type = type;
@@ -128,6 +142,10 @@ std::unique_ptr<World> worldOfWish(const char* type, const BodyTwist& wish) {
   robot.maxVel = 0.5;
   base::Result<std::unique_ptr<World>> world = worldOf(scenario, own);
   return world ? *std::move(world) : nullptr;
+}
+
+std::unique_ptr<World> worldOfWish(const char* type, const BodyTwist& wish) {
+  return worldOfPlanner(type, std::make_shared<Wish>(wish));
 }
 
 }  // namespace
@@ -148,6 +166,17 @@ void RegistriesTest::step_differential_doesNotGoSideways() {
   QVERIFY(world);
   advance(*world, 80);
   QVERIFY(world->view().robotPose(0).position.norm() < 1e-9);
+}
+
+void RegistriesTest::step_plannerGivesUp_endsTheRunWithItsWords() {
+  const auto world = worldOfPlanner("generic", std::make_shared<GivesUp>());
+  QVERIFY(world);
+  QVERIFY(world->step());
+  QVERIFY(!world->step());
+  const QString failure = QString::fromStdString(world->failure());
+  QVERIFY2(failure.contains(QStringLiteral("robot1")), qPrintable(failure));
+  QVERIFY2(failure.contains(QStringLiteral("tired")), qPrintable(failure));
+  QVERIFY(!world->step());  // and it stays ended
 }
 
 /// Half of the tightest circle takes pi R / v.

@@ -3,10 +3,10 @@
 
 #include <QtTest>
 
+#include "sim2d/nav/Lidar.h"
 #include "sim2d/nav/Sight.h"
 #include "sim2d/world/NeighborGrid.h"
 #include "sim2d/world/Physics.h"
-#include "sim2d/world/Sensing.h"
 #include "sim2d/world/WorldInside.h"
 #include "tests/world/TestWorld.h"
 
@@ -192,8 +192,19 @@ void WorldPartsTest::isInView_behindOrHidden_isFalse() {
 }
 
 void WorldPartsTest::scan_wallsAndBodies_givesDistances() {
-  const std::vector<SeenBody> bodies = {{1, Vec2(0.0, 3.0), Vec2::Zero(), 0.5}};
-  const Scan result = scan({Vec2::Zero(), 0.0}, withBox(), bodies, 4, 10.0);
+  std::vector<SensedBody> bodies(1);
+  bodies[0].position = Vec2(0.0, 3.0);
+  bodies[0].radius = 0.5;
+  LidarParameters parameters;
+  parameters.beams = 4;
+  parameters.range = 10.0;
+  parameters.angleMin = 0.0;
+  parameters.angleMax = 2.0 * base::kPi;
+  parameters.legs = false;
+  const Obstacles obstacles = withBox();
+  Lidar lidar(parameters, 1, -1);
+  QVERIFY(lidar.update({Pose2{}, Pose2{}, obstacles, bodies, 0.0}));
+  const LaserScan& result = *lidar.scan();
   QCOMPARE(result.distances.size(), std::size_t{4});
   QVERIFY(std::fabs(result.distances[0] - 4.0) < 1e-9);
   QVERIFY(std::fabs(result.distances[1] - 2.5) < 1e-9);

@@ -16,9 +16,9 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/Lidar.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/trace/Recording.h"
-#include "sim2d/world/Sensing.h"
 #include "sim2d/world/crowd/CrowdForces.h"
 
 namespace app {
@@ -81,15 +81,24 @@ struct Row {
 double scanSeconds(const sim2d::World& world, const sim2d::Surroundings& surroundings,
                    sim2d::StepClock clock) {
   const sim2d::Frame& frame = world.frame();
-  std::vector<sim2d::SeenBody> bodies;
+  std::vector<sim2d::SensedBody> bodies;
+  bodies.reserve(frame.humans.size());
   for (std::size_t i = 0; i < frame.humans.size(); ++i) {
     bodies.push_back({frame.humans.id[i],
+                      sim2d::BodyKind::Person,
                       {frame.humans.x[i], frame.humans.y[i]},
+                      frame.humans.heading[i],
                       {frame.humans.vx[i], frame.humans.vy[i]},
                       0.25});
   }
+  sim2d::LidarParameters parameters;
+  parameters.beams = kBeams;
+  parameters.legs = false;
+  sim2d::Lidar lidar(parameters, 1, -1);
+  const base::Pose2 pose = world.view().robotPose(0);
+  lidar.update({pose, pose, surroundings.obstacles, bodies, 0.0});  // gathers the walls
   const double begin = sim2d::secondsBy(clock);
-  sim2d::scan(world.view().robotPose(0), surroundings.obstacles, bodies, kBeams);
+  lidar.update({pose, pose, surroundings.obstacles, bodies, 1.0 / parameters.rate});
   return sim2d::secondsBy(clock) - begin;
 }
 
