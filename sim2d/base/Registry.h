@@ -59,6 +59,14 @@ class ParameterTable {
         {[member](Values& values) -> double& { return values.*member; }, std::move(spec)});
     return *this;
   }
+  /// A number of things: forms show it without decimals.
+  ParameterTable& addCount(double Values::*member, std::string key, Range range, std::string help,
+                           std::string source = {}) {
+    add(member, std::move(key), {}, range, std::move(help), std::move(source));
+    rows_.back().spec.form.decimals = 0;
+    rows_.back().spec.form.step = 1.0;
+    return *this;
+  }
   /// Those of a struct inside.
   template <class Inner>
   ParameterTable& include(Inner Values::*member, const ParameterTable<Inner>& inner) {

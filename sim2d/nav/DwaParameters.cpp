@@ -11,10 +11,10 @@ base::ParameterTable<DwaParameters> dwaTable() {
   const char* const fox = "Fox, Burgard & Thrun 1997";
   base::ParameterTable<P> table;
   table
-      .add(&P::linearSamples, "linear_samples", "", kCount,
-           "Speeds that are tried; omnidirectional: the samples in all are shared out evenly.")
-      .add(&P::angularSamples, "angular_samples", "", kCount,
-           "Turn rates that are tried with each speed.")
+      .addCount(&P::linearSamples, "linear_samples", kCount,
+                "Speeds that are tried; omnidirectional: the samples in all are shared out evenly.")
+      .addCount(&P::angularSamples, "angular_samples", kCount,
+                "Turn rates that are tried with each speed.")
       .add(&P::window, "window", "s", {0.01, 2.0},
            "Time within which a velocity must be reached to be tried.", std::string(fox) + ", 0.25")
       .add(&P::horizon, "horizon", "s", {0.2, 10.0},

@@ -216,6 +216,13 @@ void RegistriesTest::create_worldsOfDifferentRegistries_liveSideBySide() {
 }
 
 void RegistriesTest::table_oneRow_isInSpecsValuesAndCheck() {
+  struct Counted {
+    double things = 3.0;
+  };
+  base::ParameterTable<Counted> counted;
+  counted.addCount(&Counted::things, "things", {1.0, 9.0}, "How many.");
+  QCOMPARE(counted.specs()[0].form.decimals, 0);
+  QVERIFY(std::get<double>(counted.specs()[0].fallback) == 3.0);
   const KnownNames names = knownNames(*ownRegistries());
   const std::vector<base::ParameterSpec>& specs = names.plannerParameters.at("circle");
   QCOMPARE(specs.size(), std::size_t{2});

@@ -11,9 +11,9 @@ void addSampling(MppiTable& table) {
   using P = MppiParameters;
   const std::string nav2 = "Nav2 MPPI";
   table
-      .add(&P::samples, "samples", "", {64.0, 20000.0},
-           "Ways that are weighed in each step, rounded up to a multiple of 16.", nav2)
-      .add(&P::steps, "time_steps", "", {10.0, 200.0}, "Steps of each way.", nav2)
+      .addCount(&P::samples, "samples", {64.0, 20000.0},
+                "Ways that are weighed in each step, rounded up to a multiple of 16.", nav2)
+      .addCount(&P::steps, "time_steps", {10.0, 200.0}, "Steps of each way.", nav2)
       .add(&P::modelDt, "model_dt", "s", {0.01, 0.2}, "Time of a step of the ways.", nav2)
       .add(&P::temperature, "temperature", "", base::kPositive,
            "lambda: how much cheaper a way must be to count e times as much.",
@@ -41,7 +41,7 @@ void addCosts(MppiTable& table) {
            "Cost of facing away from the way to the goal (not for omnidirectional robots).")
       .add(&P::reverse, "reverse_weight", "s/m", base::kNotNegative,
            "Cost of the mean speed backwards (not for omnidirectional robots).")
-      .add(&P::stop, "stop_weight", "s^2/m^2", base::kNotNegative,
+      .add(&P::stop, "stop_weight", "s²/m²", base::kNotNegative,
            "Cost of the squared speed inside the goal.")
       .add(&P::wall, "wall_weight", "", base::kNotNegative,
            "Cost of touching a wall, falling with the square to 0 at wall_range.")
@@ -86,7 +86,7 @@ void addMotion(base::ParameterTable<SocialMppiParameters>& table) {
       .add(&P::fromTouchTime, "ttc_limit", "s", base::kPositive,
            "Time to touch at the present closing speed above which nobody minds.",
            "van der Horst & Hogema 1993")
-      .add(&P::relativeSpeed, "relative_speed_weight", "s^2/m^2", base::kNotNegative,
+      .add(&P::relativeSpeed, "relative_speed_weight", "s²/m²", base::kNotNegative,
            "Cost of the squared relative speed beside somebody, falling to 0 at a gap of 1.2 m.",
            "Butler & Agah 2001")
       .add(&P::strip, "front_weight", "", base::kNotNegative,
