@@ -101,14 +101,15 @@ build_preset() {
     logged "$logs/configure-$preset.log" env -C "$root" cmake --preset "$preset"
   fi
   local command=("${launcher[@]}" cmake --build "$folder" --parallel "$jobs")
+  local keep_going=(-- -k 0)  # all that is wrong, not the first only
   if [ $# -gt 0 ]; then
     command+=(--target "$@")
   fi
   if [ -t 2 ]; then
-    "${command[@]}" >&2 || fail "the build failed"
+    "${command[@]}" "${keep_going[@]}" >&2 || fail "the build failed"
   else
     say "building $preset"
-    logged "$logs/build-$preset.log" "${command[@]}"
+    logged "$logs/build-$preset.log" "${command[@]}" "${keep_going[@]}"
   fi
 }
 
