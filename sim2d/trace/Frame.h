@@ -158,6 +158,35 @@ class TreeChanges {
   std::vector<std::uint32_t> nodes_;
 };
 
+/// What a robot's sensors and planner told in the step that led to this state, for display. World
+/// frame.
+struct RobotSenses {
+  struct Scan {                     // the last turn of the lidar
+    base::Pose2 sensor;             // where the robot takes its sensor to be
+    double time = 0.0;              // [s]
+    double angleMin = 0.0;          // [rad], of the first beam, in the sensor's frame
+    double perBeam = 0.0;           // [rad] between neighbours, counter-clockwise
+    double range = 30.0;            // [m]; beams without a hit have it
+    std::vector<double> distances;  // [m]
+  };
+  struct Body {  // a track of its detector
+    int id = 0;
+    bool isRobot = false;
+    Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();  // [m], [m/s]
+    double radius = 0.35;                                   // [m]
+  };
+  struct Way {                 // one that the planner weighed
+    std::vector<Vec2> points;  // [m], the robot's place first
+    double cost = 0.0;         // the less the better; infinite: would hit something
+    bool isChosen = false;
+  };
+
+  base::Pose2 believed;      // by odometry
+  std::optional<Scan> scan;  // none: no lidar, or not turned yet
+  std::vector<Body> bodies;
+  std::vector<Way> ways;
+};
+
 /// One instant: the state after step `step`. Immutable once published; what canvas, recorder and
 /// metrics read.
 struct Frame {
@@ -170,6 +199,7 @@ struct Frame {
   StepInputs inputs;                          // that led to this state; nearly always none
   TreeChanges treeChanges;                    // of this step, by id, then node
   std::vector<std::vector<Vec2>> robotPaths;  // what the planners follow now, per robot
+  std::shared_ptr<const std::vector<RobotSenses>> senses;  // per robot; null: nobody asked for it
   std::vector<char> doorOpen;
 };
 

@@ -63,9 +63,28 @@ BodyTwist RobotDrive::ask(std::size_t robot, const std::string& name) {
   return {};
 }
 
+void RobotDrive::addSenses(std::size_t robot, bool isAsked) {
+  if (senses_ == nullptr) {
+    return;
+  }
+  RobotSenses& senses = (*senses_)[robot];
+  senses.believed = observation_.pose;
+  for (const TrackedBody& body : observation_.bodies) {
+    senses.bodies.push_back(
+        {body.id, body.kind == BodyKind::Robot, body.position, body.velocity, body.radius});
+  }
+  if (isAsked) {
+    for (Candidate& way : planners_[robot]->candidates()) {
+      senses.ways.push_back({std::move(way.points), way.cost, way.isChosen});
+    }
+  }
+}
+
 const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, WorldState& state) {
   commands_.assign(state.robots.size(), BodyTwist{});
   const double dt = world.model.dt;
+  senses_ =
+      wantsSenses_ ? std::make_shared<std::vector<RobotSenses>>(state.robots.size()) : nullptr;
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     const ResolvedRobot& robot = world.model.robots[i];
     const RobotState& now = state.robots[i];
@@ -75,6 +94,7 @@ const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, Worl
     } else if (drives(robot, now, state.time)) {
       observe(world, i);
       wanted = ask(i, robot.name);
+      addSenses(i, true);
       if (planners_[i]->takeReplanned()) {
         state.emit(EventKind::Replan, robot.id);
       }

@@ -26,9 +26,14 @@ class RobotDrive {
   /// After the step: goals reached, arrivals.
   static void afterMotion(const WorldModel& model, WorldState& state);
 
+  void tellSenses(bool wanted) { wantsSenses_ = wanted; }
+  /// Of all robots in the last `command`; null unless asked for.
+  std::shared_ptr<const std::vector<RobotSenses>> senses() const { return senses_; }
+
   std::vector<Vec2> path(std::size_t robot, const WorldModel& model, const WorldState& state) const;
 
  private:
+  void addSenses(std::size_t robot, bool isAsked);
   /// Into `observation_`: what the robot knows.
   void observe(const FrozenWorld& world, std::size_t robot);
   BodyTwist ask(std::size_t robot, const std::string& name);
@@ -38,6 +43,8 @@ class RobotDrive {
   std::vector<BodyTwist> commands_;
   std::map<std::size_t, BodyTwist> steered_;
   std::string failure_;
+  bool wantsSenses_ = false;
+  std::shared_ptr<std::vector<RobotSenses>> senses_;
   Observation observation_;  // its memory is used again
 };
 

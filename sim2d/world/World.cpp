@@ -274,6 +274,7 @@ void RunningWorld::publish() {
   for (std::size_t i = 0; i < state_.robots.size(); ++i) {
     frame_.robotPaths[i] = robots_.path(i, model_, state_);
   }
+  frame_.senses = robots_.senses();
   if (state_.step > 0) {
     behavior_->takeTreeChanges(frame_.treeChanges);
   }

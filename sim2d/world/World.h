@@ -60,6 +60,9 @@ class World {
   /// From now on every step adds its times to `times`; nullptr: no more.
   virtual void measure(StepTimes* times) = 0;
 
+  /// From the next step on frames have the senses of robots, or no more.
+  virtual void tellSenses(bool wanted) = 0;
+
   virtual const Frame& frame() const = 0;  // after the last step; valid until the next
   std::int64_t stepIndex() const { return frame().step; }
   double time() const { return frame().time; }

@@ -67,6 +67,7 @@ class RunningWorld : public World {
   const std::string& failure() const override { return failure_; }
   const base::Diagnostics& refused() const override { return refused_; }
   void measure(StepTimes* times) override { times_ = times; }
+  void tellSenses(bool wanted) override { robots_.tellSenses(wanted); }
   const Frame& frame() const override { return frame_; }
   std::optional<double> arrivedAt() const override;
   TraceHeader header() const override { return makeHeader(model_, surroundings_); }
