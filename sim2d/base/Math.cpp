@@ -203,6 +203,25 @@ double cos(double x) {
   return sinShifted(x, 1);
 }
 
+SinCos sinCos(double x) {
+  if (!std::isfinite(x)) {
+    return {kNaN, kNaN};
+  }
+  const auto [quadrant, rest] = reduceAngle(x);
+  const double sine = sinOfReduced(rest);
+  const double cosine = cosOfReduced(rest);
+  switch (quadrant) {
+    case 0:
+      return {sine, cosine};
+    case 1:
+      return {cosine, -sine};
+    case 2:
+      return {-sine, -cosine};
+    default:
+      return {-cosine, sine};
+  }
+}
+
 double atan2(double y, double x) {
   if (std::isnan(x) || std::isnan(y)) {
     return kNaN;

@@ -54,12 +54,23 @@ double AgentRng::uniform(double low, double high, Draw purpose, std::uint32_t in
   return value < high || !(low < high) ? value : std::nextafter(high, low);
 }
 
-double AgentRng::normal(double mean, double deviation, Draw purpose, std::uint32_t index) const {
+/// Box and Muller 1958: a point whose coordinates are normal and independent.
+AgentRng::Polar AgentRng::normalInPlane(Draw purpose, std::uint32_t index) const {
   const std::array<std::uint32_t, 4> words = block(purpose, index);
   const double radial = (wholeNumber(words[0], words[1]) + 1.0) * kTwoToMinus53;  // (0, 1]
   const double turn = wholeNumber(words[2], words[3]) * kTwoToMinus53;
-  // Box and Muller 1958
-  return mean + deviation * std::sqrt(-2.0 * log(radial)) * cos(2.0 * kPi * turn);
+  return {std::sqrt(-2.0 * log(radial)), 2.0 * kPi * turn};
+}
+
+double AgentRng::normal(double mean, double deviation, Draw purpose, std::uint32_t index) const {
+  const Polar point = normalInPlane(purpose, index);
+  return mean + deviation * point.radius * cos(point.angle);
+}
+
+std::array<double, 2> AgentRng::normalPair(Draw purpose, std::uint32_t index) const {
+  const Polar point = normalInPlane(purpose, index);
+  const SinCos direction = sinCos(point.angle);
+  return {point.radius * direction.cos, point.radius * direction.sin};
 }
 
 }  // namespace base

@@ -20,7 +20,7 @@ enum class Draw : std::uint32_t {
   Sensor = 6,
   Test = 7,
   Odometry = 8,
-  Lidar = 9,  // index = beam
+  Lidar = 9,  // index = sensor and pair of beams; of a person: where a stride begins
   Detector = 10,
   Mppi = 11,
   Variation = 12,  // of a scenario, between the runs of a batch
@@ -36,9 +36,16 @@ class AgentRng {
   double uniform(double low, double high, Draw purpose,
                  std::uint32_t index = 0) const;  // [low, high)
   double normal(double mean, double deviation, Draw purpose, std::uint32_t index = 0) const;
+  /// Two independent draws of mean 0 and deviation 1 for little more than one; the first is that of
+  /// `normal` with the same address.
+  std::array<double, 2> normalPair(Draw purpose, std::uint32_t index = 0) const;
 
  private:
+  struct Polar {
+    double radius, angle;
+  };
   std::array<std::uint32_t, 4> block(Draw purpose, std::uint32_t index) const;
+  Polar normalInPlane(Draw purpose, std::uint32_t index) const;
 
   std::uint64_t seed_;
   int agentId_;

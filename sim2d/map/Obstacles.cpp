@@ -216,20 +216,28 @@ std::optional<Obstacles::Point> Obstacles::nearestPoint(const Vec2& position, do
   return best;
 }
 
+/// The numbers of edges stand in the place of the edges until they are sorted: no other memory is
+/// needed.
 void Obstacles::segmentsNear(const Vec2& position, double range,
                              std::vector<Segment>& segments) const {
-  std::vector<int> found;
+  const auto before = static_cast<std::ptrdiff_t>(segments.size());
+  const auto numberOf = [](const Segment& place) { return place.a.x(); };
   const Vec2 reach(range, range);
   index_.visitBox(position - reach, position + reach, [&](SegmentGrid::Bucket, int edge) {
     if (isOn(edge)) {
-      found.push_back(edge);
+      segments.push_back({Vec2(edge, 0.0), Vec2::Zero()});
     }
   });
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  for (const int edge : found) {
-    segments.push_back(segments_[static_cast<std::size_t>(edge)]);
-  }
+  const auto first = segments.begin() + before;
+  std::sort(first, segments.end(),
+            [&](const Segment& a, const Segment& b) { return numberOf(a) < numberOf(b); });
+  const auto isSame = [&](const Segment& a, const Segment& b) {
+    return numberOf(a) == numberOf(b);
+  };
+  segments.erase(std::unique(first, segments.end(), isSame), segments.end());
+  std::transform(first, segments.end(), first, [&](const Segment& place) {
+    return segments_[static_cast<std::size_t>(numberOf(place))];
+  });
 }
 
 double Obstacles::clearance(const Vec2& position, double limit) const {

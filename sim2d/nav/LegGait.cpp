@@ -10,10 +10,11 @@
 namespace sim2d {
 namespace {
 
-constexpr double kWalkRatio = 0.39;      // W [m s]
-constexpr double kHalfShoulder = 0.1;    // [m]
-constexpr double kLegRadius = 0.06;      // [m]
-constexpr double kShortestStep = 0.005;  // [m]; slower people hardly lift their feet
+constexpr std::uint32_t kStrideDraw = 0x80000000U;  // beyond those of beams
+constexpr double kWalkRatio = 0.39;                 // W [m s]
+constexpr double kHalfShoulder = 0.1;               // [m]
+constexpr double kLegRadius = 0.06;                 // [m]
+constexpr double kShortestStep = 0.005;             // [m]; slower people hardly lift their feet
 
 double strideAfter(double stride, double walked, double speed) {
   const double after = stride + walked / (2.0 * std::max(stepLength(speed), kShortestStep));
@@ -60,7 +61,7 @@ void LegGait::update(const std::vector<SensedBody>& bodies) {
     const double stride =
         isKnown ? strideAfter(before_[old].stride, (body.position - before_[old].position).norm(),
                               body.velocity.norm())
-                : base::AgentRng(seed_, body.id).uniform01(base::Draw::Sensor, kGaitDraws);
+                : base::AgentRng(seed_, body.id).uniform01(base::Draw::Lidar, kStrideDraw);
     walkers_[i] = {body.id, body.position, stride};
   }
 }

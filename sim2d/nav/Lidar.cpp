@@ -1,6 +1,7 @@
 #include "sim2d/nav/Lidar.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -38,7 +39,7 @@ Lidar::Lidar(const LidarParameters& parameters, std::uint64_t seed, int robotId,
   scan_.range = parameters.range;
 }
 
-bool Lidar::update(const SensedWorld& world) {
+bool Lidar::update(const SensedWorld& world, bool isRead) {
   if (parameters_.legs) {
     gait_.update(world.bodies);
   }
@@ -47,8 +48,10 @@ bool Lidar::update(const SensedWorld& world) {
     return false;
   }
   turn_ = turn;
-  makeTurn(world);
-  return true;
+  if (isRead) {
+    makeTurn(world);
+  }
+  return isRead;
 }
 
 void Lidar::makeTurn(const SensedWorld& world) {
@@ -152,13 +155,23 @@ void Lidar::addNoise() {
     return;
   }
   const base::AgentRng rng(seed_, robotId_, static_cast<std::uint64_t>(turn_));
-  const std::uint32_t first = kLidarDraws | (static_cast<std::uint32_t>(sensor_) << 20U);
-  for (std::size_t i = 0; i < scan_.distances.size(); ++i) {
-    double& distance = scan_.distances[i];
-    if (distance > 0.0 && distance < parameters_.range) {
-      const std::uint32_t beam = first + static_cast<std::uint32_t>(i);
-      const double measured = rng.normal(distance, parameters_.noise, base::Draw::Sensor, beam);
-      distance = std::clamp(measured, 0.0, parameters_.range);
+  const std::uint32_t first = static_cast<std::uint32_t>(sensor_) << 20U;
+  const auto isHit = [this](double distance) {
+    return distance > 0.0 && distance < parameters_.range;
+  };
+  std::vector<double>& distances = scan_.distances;
+  for (std::size_t i = 0; i < distances.size(); i += 2) {  // one draw gives two errors
+    const std::size_t end = std::min(i + 2, distances.size());
+    if (std::none_of(&distances[i], distances.data() + end, isHit)) {
+      continue;
+    }
+    const std::array<double, 2> errors =
+        rng.normalPair(base::Draw::Lidar, first + static_cast<std::uint32_t>(i / 2));
+    for (std::size_t k = i; k < end; ++k) {
+      if (isHit(distances[k])) {
+        const double measured = distances[k] + parameters_.noise * errors[k - i];
+        distances[k] = std::clamp(measured, 0.0, parameters_.range);
+      }
     }
   }
 }

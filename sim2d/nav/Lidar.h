@@ -27,8 +27,8 @@ struct LidarParameters {
 ///
 /// Each distance to something has its own Gaussian error, drawn by (seed, robot, number of the
 /// turn, sensor, beam) and cut to [0, range]; beams that meet nothing have `range` without one.
-/// Thread: one at a time. Allocates nothing after the first turn but for growing crowds and, when
-/// the robot has gone kWallMargin or a part was switched, in Obstacles::segmentsNear.
+/// Thread: one at a time. Allocates nothing after the first turn but for growing crowds and more
+/// walls than before.
 class Lidar {
  public:
   static constexpr double kWallMargin = 2.0;  // [m]
@@ -37,10 +37,11 @@ class Lidar {
   Lidar(const LidarParameters& parameters, std::uint64_t seed, int robotId, int sensor = 0);
 
   /// Each step. The n-th turn is due at n / rate and made at the first step not before that; of
-  /// several that are due only the last is. Returns whether one was made.
-  bool update(const SensedWorld& world);
-  /// The last turn, stamped with the time of its step; null before the first.
-  const LaserScan* scan() const { return turn_ < 0 ? nullptr : &scan_; }
+  /// several that are due only the last is. Returns whether one was made. With `isRead` false legs
+  /// walk on, but no turn is made: nobody would look at it. The turns after that are the same.
+  bool update(const SensedWorld& world, bool isRead = true);
+  /// The last turn that was made, stamped with the time of its step; null before the first.
+  const LaserScan* scan() const { return scan_.distances.empty() ? nullptr : &scan_; }
 
  private:
   struct BeamFrame {  // origin in the sensor, x along the first beam

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -23,7 +24,7 @@ constexpr double kTimeRounding = 1e-9;  // [s], rounding of the steps' times
 enum class DetectorDraw : std::uint32_t { Miss, ErrorX, ErrorY, Swap };
 
 std::uint32_t detectorIndex(DetectorDraw purpose, std::uint32_t what) {
-  return kDetectorDraws | (static_cast<std::uint32_t>(purpose) << 28U) | (what & 0xFFFFFFFU);
+  return (static_cast<std::uint32_t>(purpose) << 28U) | (what & 0xFFFFFFFU);
 }
 
 std::uint32_t bodyIndex(DetectorDraw purpose, const SensedBody& body) {
@@ -78,6 +79,17 @@ DetectorParameters groundTruth() {
   return parameters;
 }
 
+DetectorParameters idealDetector() {
+  DetectorParameters parameters;
+  parameters.rate = 0.0;
+  parameters.latency = 0.0;
+  parameters.noise = 0.0;
+  parameters.misses = 0.0;
+  parameters.swaps = 0.0;
+  parameters.isMotionMeasured = true;
+  return parameters;
+}
+
 PeopleDetector::PeopleDetector(const DetectorParameters& parameters, std::uint64_t seed,
                                int robotId)
     : parameters_(parameters), seed_(seed), robotId_(robotId) {
@@ -87,13 +99,14 @@ PeopleDetector::PeopleDetector(const DetectorParameters& parameters, std::uint64
 
 void PeopleDetector::update(const SensedWorld& world) {
   if (beginCycle(world.time)) {
-    untold_.push_back(look(world));
+    look(world);
   }
   auto next = untold_.begin();
   for (; next != untold_.end() && next->time + parameters_.latency <= world.time + kTimeRounding;
        ++next) {
     tell(*next);
   }
+  std::move(untold_.begin(), next, std::back_inserter(told_));
   untold_.erase(untold_.begin(), next);
 }
 
@@ -107,31 +120,35 @@ bool PeopleDetector::beginCycle(double time) {
 /// In [0, 1), of this cycle.
 double PeopleDetector::chance(std::uint32_t index) const {
   return base::AgentRng(seed_, robotId_, static_cast<std::uint64_t>(cycle_))
-      .uniform01(base::Draw::Sensor, index);
+      .uniform01(base::Draw::Detector, index);
 }
 
-PeopleDetector::Cycle PeopleDetector::look(const SensedWorld& world) {
-  std::vector<std::size_t> seen = bodiesInSight(world);
+void PeopleDetector::look(const SensedWorld& world) {
+  findBodiesInSight(world);
   const auto isMissed = [&](std::size_t i) {
     return parameters_.misses > 0.0 &&
            chance(bodyIndex(DetectorDraw::Miss, world.bodies[i])) < parameters_.misses;
   };
-  seen.erase(std::remove_if(seen.begin(), seen.end(), isMissed), seen.end());
-  swapTracks(world.bodies, seen);
-  Cycle cycle;
+  seen_.erase(std::remove_if(seen_.begin(), seen_.end(), isMissed), seen_.end());
+  swapTracks(world.bodies);
+  if (told_.empty()) {
+    told_.emplace_back();
+  }
+  Cycle& cycle = untold_.emplace_back(std::move(told_.back()));
+  told_.pop_back();
   cycle.time = world.time;
-  cycle.seen.reserve(seen.size());
-  for (const std::size_t i : seen) {
+  cycle.seen.clear();
+  cycle.seen.reserve(seen_.size());
+  for (const std::size_t i : seen_) {
     cycle.seen.push_back(measured(world, world.bodies[i]));
   }
   std::sort(cycle.seen.begin(), cycle.seen.end(), isTrackBefore);
-  return cycle;
 }
 
 /// Everybody else in range; nearest first when that matters.
-std::vector<PeopleDetector::Candidate> PeopleDetector::candidates(const SensedWorld& world) const {
+void PeopleDetector::findCandidates(const SensedWorld& world) {
   const Vec2& eye = world.pose.position;
-  std::vector<Candidate> found;
+  candidates_.clear();
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const SensedBody& body = world.bodies[i];
     const Vec2 offset = body.position - eye;
@@ -140,17 +157,16 @@ std::vector<PeopleDetector::Candidate> PeopleDetector::candidates(const SensedWo
     if (isSelf || distance > parameters_.range) {
       continue;
     }
-    found.push_back({i, distance, 0.0, 0.0});
+    candidates_.push_back({i, distance, 0.0, 0.0});
     if (parameters_.isOccluded) {
-      setSpan(found.back(), eye, body);
+      setSpan(candidates_.back(), eye, body);
     }
   }
   if (parameters_.isOccluded) {
-    std::sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
+    std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
       return std::tie(a.distance, a.number) < std::tie(b.distance, b.number);
     });
   }
-  return found;
 }
 
 /// To either side of the bearing of its centre.
@@ -176,23 +192,31 @@ void PeopleDetector::setSpan(Candidate& candidate, const Vec2& eye, const Sensed
   candidate.width = left - right;
 }
 
-std::vector<std::size_t> PeopleDetector::bodiesInSight(const SensedWorld& world) {
+void PeopleDetector::findBodiesInSight(const SensedWorld& world) {
+  findCandidates(world);
   hidden_.clear();
-  std::vector<std::size_t> numbers;
-  for (const Candidate& candidate : candidates(world)) {
-    const Vec2& place = world.bodies[candidate.number].position;
-    bool isInSight = isInField(world.pose, place);
+  seen_.clear();
+  for (const Candidate& candidate : candidates_) {
+    if (isInSight(candidate, world)) {
+      seen_.push_back(candidate.number);
+    }
     if (parameters_.isOccluded) {
-      const double hidden = hidden_.covered(candidate.from, candidate.width);
-      isInSight = isInSight && hidden <= parameters_.hiddenShare * candidate.width &&
-                  world.obstacles.isVisible(world.pose.position, place);
       hidden_.add(candidate.from, candidate.width);
     }
-    if (isInSight) {
-      numbers.push_back(candidate.number);
-    }
   }
-  return numbers;
+}
+
+bool PeopleDetector::isInSight(const Candidate& candidate, const SensedWorld& world) const {
+  const Vec2& place = world.bodies[candidate.number].position;
+  if (!isInField(world.pose, place)) {
+    return false;
+  }
+  if (!parameters_.isOccluded) {
+    return true;
+  }
+  const double hidden = hidden_.covered(candidate.from, candidate.width);
+  return hidden <= parameters_.hiddenShare * candidate.width &&
+         world.obstacles.isVisible(world.pose.position, place);
 }
 
 bool PeopleDetector::isInField(const Pose2& eye, const Vec2& place) const {
@@ -220,21 +244,20 @@ TrackedBody PeopleDetector::measured(const SensedWorld& world, const SensedBody&
   if (parameters_.noise > 0.0) {
     const base::AgentRng rng(seed_, robotId_, static_cast<std::uint64_t>(cycle_));
     const auto error = [&](DetectorDraw axis) {
-      return rng.normal(0.0, parameters_.noise, base::Draw::Sensor, bodyIndex(axis, body));
+      return rng.normal(0.0, parameters_.noise, base::Draw::Detector, bodyIndex(axis, body));
     };
     seen.position += Vec2(error(DetectorDraw::ErrorX), error(DetectorDraw::ErrorY));
   }
   return seen;
 }
 
-void PeopleDetector::swapTracks(const std::vector<SensedBody>& bodies,
-                                const std::vector<std::size_t>& seen) {
+void PeopleDetector::swapTracks(const std::vector<SensedBody>& bodies) {
   if (parameters_.swaps <= 0.0) {
     return;
   }
   std::vector<const SensedBody*> people;
-  people.reserve(seen.size());
-  for (const std::size_t i : seen) {
+  people.reserve(seen_.size());
+  for (const std::size_t i : seen_) {
     if (bodies[i].kind == BodyKind::Person) {
       people.push_back(&bodies[i]);
     }
@@ -254,29 +277,28 @@ int PeopleDetector::trackOf(int person) const {
 }
 
 void PeopleDetector::tell(const Cycle& cycle) {
-  std::vector<Track> tracks;
-  tracks.reserve(tracks_.size() + cycle.seen.size());
+  tracksBefore_.swap(tracks_);
+  tracks_.clear();
   const auto coastUntil = [&](auto old, const auto& isReached) {
-    for (; old != tracks_.end() && !isReached(*old); ++old) {
+    for (; old != tracksBefore_.end() && !isReached(*old); ++old) {
       coast(*old, cycle.time);
       if (!isLost(*old)) {
-        tracks.push_back(*old);
+        tracks_.push_back(*old);
       }
     }
     return old;
   };
-  auto old = tracks_.begin();
+  auto old = tracksBefore_.begin();
   for (const TrackedBody& seen : cycle.seen) {
     old = coastUntil(old, [&](const Track& track) { return !isTrackBefore(track.body, seen); });
-    if (old != tracks_.end() && !isTrackBefore(seen, old->body)) {
+    if (old != tracksBefore_.end() && !isTrackBefore(seen, old->body)) {
       follow(*old, seen, cycle.time);
-      tracks.push_back(*old++);
+      tracks_.push_back(*old++);
     } else {
-      tracks.push_back(started(seen, cycle.time));
+      tracks_.push_back(started(seen, cycle.time));
     }
   }
   coastUntil(old, [](const Track& /*track*/) { return false; });
-  tracks_.swap(tracks);
   bodies_.clear();
   bodies_.reserve(tracks_.size());
   for (const Track& track : tracks_) {

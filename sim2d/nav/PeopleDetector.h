@@ -29,6 +29,8 @@ struct DetectorParameters {
 };
 /// Everybody, everywhere, as he is at this step.
 DetectorParameters groundTruth();
+/// Without faults: who is within the usual range and not hidden, as he is at this step.
+DetectorParameters idealDetector();
 
 /// A cycle of number n is taken at the first step not before n / rate; of several that are due only
 /// the last one. In it a body is seen when its centre lies in range and field, no wall stands
@@ -44,7 +46,8 @@ DetectorParameters groundTruth();
 /// What a cycle saw is told at the first step not before its time + latency, as it was then:
 /// neither between cycles nor for the latency is anything extrapolated.
 ///
-/// Draws are functions of (seed, robot, cycle, body or pair). Thread: one at a time.
+/// Draws are functions of (seed, robot, cycle, body or pair). Thread: one at a time. Takes no
+/// memory once its buffers have grown, but for swaps.
 class PeopleDetector {
  public:
   PeopleDetector(const DetectorParameters& parameters, std::uint64_t seed, int robotId);
@@ -70,14 +73,15 @@ class PeopleDetector {
   };
 
   bool beginCycle(double time);
-  Cycle look(const SensedWorld& world);
-  std::vector<Candidate> candidates(const SensedWorld& world) const;
-  std::vector<std::size_t> bodiesInSight(const SensedWorld& world);
+  void look(const SensedWorld& world);
+  void findCandidates(const SensedWorld& world);
+  void findBodiesInSight(const SensedWorld& world);
+  bool isInSight(const Candidate& candidate, const SensedWorld& world) const;
   static void setSpan(Candidate& candidate, const Vec2& eye, const SensedBody& body);
   bool isInField(const Pose2& eye, const Vec2& place) const;
   double chance(std::uint32_t index) const;
   TrackedBody measured(const SensedWorld& world, const SensedBody& body) const;
-  void swapTracks(const std::vector<SensedBody>& bodies, const std::vector<std::size_t>& seen);
+  void swapTracks(const std::vector<SensedBody>& bodies);
   int trackOf(int person) const;
   void tell(const Cycle& cycle);
   Track started(const TrackedBody& seen, double time) const;
@@ -90,9 +94,11 @@ class PeopleDetector {
   int robotId_;
   std::int64_t cycle_ = -1;
   AngularCover hidden_;
-  std::map<int, int> swapped_;  // tracks of people who have not their own; one to one
-  std::vector<Cycle> untold_;   // oldest first
-  std::vector<Track> tracks_;   // by kind and id
+  std::map<int, int> swapped_;                // tracks of people who have not their own; one to one
+  std::vector<Candidate> candidates_;         // of this cycle
+  std::vector<std::size_t> seen_;             // idem: numbers of bodies
+  std::vector<Cycle> untold_, told_;          // oldest first; those whose memory is used again
+  std::vector<Track> tracks_, tracksBefore_;  // by kind and id
   std::vector<TrackedBody> bodies_;
 };
 

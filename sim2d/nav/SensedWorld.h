@@ -40,9 +40,4 @@ inline std::int64_t eventAt(double time, double rate) {
   return static_cast<std::int64_t>(std::floor(time * rate + 1e-6));
 }
 
-/// Blocks of the index of a draw, so that sensors never share one.
-constexpr std::uint32_t kLidarDraws = 0U;              // | sensor << 20 | beam
-constexpr std::uint32_t kGaitDraws = 0x40000000U;      // agent = person
-constexpr std::uint32_t kDetectorDraws = 0x80000000U;  // | purpose << 28 | body or pair
-
 }  // namespace sim2d
