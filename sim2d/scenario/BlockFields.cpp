@@ -70,12 +70,51 @@ void readFootprint(YamlMap& view, Robot& robot) {
   }
 }
 
+ResolvedRobot typeOf(const Robot& robot) {
+  return robotOfType(robot.type.value_or(ResolvedRobot{}.type));
+}
+
 /// Limits and body are the type's; those of another type than the usual one are not known here.
 FieldOf<Robot> limit(FieldOf<Robot> field, double ResolvedRobot::*resolved) {
   const auto ofItsType = [resolved](const Robot& robot, const DesktopSettings& /*desktop*/) {
-    return ParameterValue(robotOfType(robot.type.value_or(ResolvedRobot{}.type)).*resolved);
+    return ParameterValue(typeOf(robot).*resolved);
   };
   return std::move(field).resolvedTo(resolved).with(&Field<Robot>::fallbackOf, ofItsType);
+}
+
+FieldOf<Robot> kinematicsField() {
+  return field("kinematics", &Robot::kinematics, "How it moves", {"Drive"})
+      .words({"differential", "omnidirectional", "ackermann"})
+      .resolvedTo(&ResolvedRobot::kinematics)
+      .with(&Field<Robot>::fallbackOf, [](const Robot& robot, const DesktopSettings& /*desktop*/) {
+        return ParameterValue(std::string(kinematicsName(typeOf(robot).kinematics)));
+      });
+}
+
+FieldOf<Robot> turningRadiusField() {
+  return field("turning_radius", &Robot::turningRadius,
+               "Of the narrowest curve of a robot that steers like a car", {"Turning radius"}, "m",
+               kPositive)
+      .resolvedAt([](auto& of) -> auto& { return of.turningRadius; })
+      .with(&Field<Robot>::fallbackOf, [](const Robot& robot, const DesktopSettings& /*desktop*/) {
+        const double radius = typeOf(robot).turningRadius;
+        return radius > 0.0 ? ParameterValue(radius) : ParameterValue();
+      });
+}
+
+/// A map in the robot's with a table of its own.
+template <class Part>
+FieldOf<Robot> sensorField(const std::string& key, Part Robot::*part, std::string help) {
+  return FieldOf<Robot>(key, std::move(help))
+      .madeBy([key, part](YamlMap& view,
+                          Robot& robot) { readThing(view.map(key), robot.*part, fieldTables()); },
+              [key, part](YamlNode& tree, const Robot& robot) {
+                YamlNode node = fieldTree(robot.*part, fieldTables());
+                if (!node.isNull()) {
+                  setChild(tree, key, std::move(node));
+                }
+              },
+              part);
 }
 
 template <class T>
@@ -198,7 +237,13 @@ Fields<Robot> robotFields() {
       field("footprint_x", &Robot::footprintX,
             "Corners in the robot's frame, instead of the disc: their x", {"Footprint"}, "m"),
       field("footprint_y", &Robot::footprintY, "Their y, as many", {}, "m")
-          .with(&Field<Robot>::read, readFootprint)};
+          .with(&Field<Robot>::read, readFootprint),
+      kinematicsField(),
+      turningRadiusField(),
+      sensorField("lidar", &Robot::lidar, "Its lidar: keys below; absent: the type's"),
+      sensorField("detector", &Robot::detector, "How it knows of people and other robots"),
+      sensorField("odometry_noise", &Robot::odometryNoise,
+                  "How wrong it is about where it is; absent: it knows")};
 }
 
 Fields<Obstacle> obstacleFields() {

@@ -9,6 +9,7 @@
 #include "sim2d/map/Outlines.h"
 #include "sim2d/nav/RobotTypes.h"
 #include "sim2d/scenario/Fields.h"
+#include "sim2d/scenario/ScenarioTree.h"
 
 namespace sim2d {
 namespace {
@@ -205,7 +206,8 @@ const std::vector<std::string_view>& factorKeys() {
 
 ResolvedRobot robotOfType(const std::string& type) {
   const RobotType* const known = findRobotType(type);
-  const RobotBody& body = (known != nullptr ? *known : robotTypes().front()).body;
+  const RobotType& taken = known != nullptr ? *known : robotTypes().front();
+  const RobotBody& body = taken.body;
   ResolvedRobot result;
   result.radius = reachOf(body.footprint);
   result.mass = body.mass;
@@ -217,6 +219,7 @@ ResolvedRobot robotOfType(const std::string& type) {
   result.footprint = body.footprint.corners;
   result.kinematics = body.kinematics;
   result.turningRadius = body.limits.turningRadius;
+  takeLidarOf(taken, result);
   return result;
 }
 
@@ -230,6 +233,7 @@ ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id)
   takeRobotGoals(result, robot.goal, scenario);
   resolveFields(robot, result);
   result.maxReverse = reverse * result.maxVel;
+  resolveSensors(robot, result);
   takeFootprint(result, robot);
   return result;
 }

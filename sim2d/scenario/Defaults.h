@@ -2,7 +2,9 @@
 
 #include <string_view>
 
-#include "sim2d/nav/Body.h"
+#include "sim2d/nav/Lidar.h"
+#include "sim2d/nav/Odometry.h"
+#include "sim2d/nav/PeopleDetector.h"
 #include "sim2d/scenario/Scenario.h"
 
 namespace sim2d {
@@ -52,6 +54,11 @@ struct ResolvedRobot {
   std::vector<Vec2> footprint;  // robot frame, CCW; empty = disc
   Kinematics kinematics = Kinematics::Differential;
   double turningRadius = 0.0;  // Ackermann: the least [m]
+  LidarParameters lidar;       // no beams: it has none
+  bool recordsScans = false;
+  DetectorKind detectorKind = DetectorKind::Sensor;
+  DetectorParameters detector = idealDetector();
+  OdometryParameters odometry;
 };
 
 /// The configuration modes and draws of social-force factors and reactions, by (seed, agent,

@@ -119,13 +119,24 @@ class FieldOf {
   /// What counts in a run; its first value is the default. After `words`.
   template <class R>
   FieldOf&& resolvedTo(R Resolved<T>::*member) && {
-    field_.resolve = [get = field_.get, member](const T& from, Resolved<T>& to,
+    return std::move(*this)
+        .resolvedAt([member](auto& of) -> auto& { return of.*member; })
+        .orElse(Resolved<T>().*member);
+  }
+  /// What counts in a run, at a place given as in `keptAt`; its default is another's.
+  template <class Access>
+  FieldOf&& resolvedAt(Access access) && {
+    using R = std::decay_t<decltype(access(std::declval<Resolved<T>&>()))>;
+    field_.resolve = [get = field_.get, access](const T& from, Resolved<T>& to,
                                                 const ParameterSpec& spec) {
       if (const auto value = valueTo<R>(get(from, spec), spec)) {
-        to.*member = *value;
+        access(to) = *value;
       }
     };
-    return std::move(*this).countsAs(member).orElse(Resolved<T>().*member);
+    field_.resolved = [access](const Resolved<T>& from, const ParameterSpec& spec) {
+      return valueFrom(access(from), spec);
+    };
+    return std::move(*this);
   }
   /// What counts in a run and is made from more than this key.
   template <class R>

@@ -78,8 +78,9 @@ KeyTable tableOf(std::string title, std::string path, const FieldTables& tables)
 
 const FieldTables& fieldTables() {
   static const FieldTables kTables(scenarioFields(), humanFields(), behaviorFields(),
-                                   personFields(), robotFields(), obstacleFields(), doorFields(),
-                                   areaFields(), settingsFields(), metricsFields());
+                                   personFields(), robotFields(), lidarFields(), detectorFields(),
+                                   odometryFields(), obstacleFields(), doorFields(), areaFields(),
+                                   settingsFields(), metricsFields());
   return kTables;
 }
 
@@ -139,16 +140,20 @@ bool isEntityName(const std::string& name) {
 }
 
 std::vector<KeyTable> keyTables(const FieldTables& tables) {
-  return {tableOf<ScenarioSettings>("The scenario", "", tables),
-          tableOf<Human>("A person", "PERSON.", tables),
-          tableOf<Behavior>("The `behavior` of a person", "PERSON.behavior.", tables),
-          tableOf<DesktopSettings>("The run", "", tables),
-          tableOf<MetricsSettings>("`metrics`", "metrics.", tables),
-          tableOf<PersonExtension>("A person, keys of ours", "PERSON.", tables),
-          tableOf<Robot>("A robot", "ROBOT.", tables),
-          tableOf<Obstacle>("An obstacle", "OBSTACLE.", tables),
-          tableOf<Door>("A door", "DOOR.", tables),
-          tableOf<Area>("An area", "AREA.", tables)};
+  return {
+      tableOf<ScenarioSettings>("The scenario", "", tables),
+      tableOf<Human>("A person", "PERSON.", tables),
+      tableOf<Behavior>("The `behavior` of a person", "PERSON.behavior.", tables),
+      tableOf<DesktopSettings>("The run", "", tables),
+      tableOf<MetricsSettings>("`metrics`", "metrics.", tables),
+      tableOf<PersonExtension>("A person, keys of ours", "PERSON.", tables),
+      tableOf<Robot>("A robot", "ROBOT.", tables),
+      tableOf<LidarSettings>("The `lidar` of a robot", "ROBOT.lidar.", tables),
+      tableOf<DetectorSettings>("The `detector` of a robot", "ROBOT.detector.", tables),
+      tableOf<OdometrySettings>("The `odometry_noise` of a robot", "ROBOT.odometry_noise.", tables),
+      tableOf<Obstacle>("An obstacle", "OBSTACLE.", tables),
+      tableOf<Door>("A door", "DOOR.", tables),
+      tableOf<Area>("An area", "AREA.", tables)};
 }
 
 std::string keysMarkdown(const FieldTables& tables) {

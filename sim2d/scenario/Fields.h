@@ -27,7 +27,10 @@ using base::ParameterValue;
 struct NothingResolved {};
 template <class T>
 using Resolved =
-    std::conditional_t<std::is_same_v<T, Robot>, ResolvedRobot,
+    std::conditional_t<std::is_same_v<T, Robot> || std::is_same_v<T, LidarSettings> ||
+                           std::is_same_v<T, DetectorSettings> ||
+                           std::is_same_v<T, OdometrySettings>,
+                       ResolvedRobot,
                        std::conditional_t<std::is_same_v<T, Human> || std::is_same_v<T, Behavior> ||
                                               std::is_same_v<T, PersonExtension>,
                                           ResolvedHuman, NothingResolved>>;
@@ -73,7 +76,8 @@ using Fields = std::vector<Field<T>>;
 /// A table for each kind of thing, in canonical order.
 struct FieldTables
     : std::tuple<Fields<ScenarioSettings>, Fields<Human>, Fields<Behavior>, Fields<PersonExtension>,
-                 Fields<Robot>, Fields<Obstacle>, Fields<Door>, Fields<Area>,
+                 Fields<Robot>, Fields<LidarSettings>, Fields<DetectorSettings>,
+                 Fields<OdometrySettings>, Fields<Obstacle>, Fields<Door>, Fields<Area>,
                  Fields<DesktopSettings>, Fields<MetricsSettings>> {
   using tuple::tuple;
 };

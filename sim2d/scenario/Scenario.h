@@ -7,6 +7,7 @@
 
 #include "sim2d/base/Types.h"
 #include "sim2d/base/yaml/YamlTree.h"
+#include "sim2d/nav/Body.h"
 
 /// The scenario as written in a file: plain values, compared by content (EntityIds are identity
 /// within one document, not content, and are left out of comparisons). What a file leaves out is
@@ -107,6 +108,36 @@ struct RobotGoal {  // at most one of the two
 /// Parameters of a planner or model by their names: YAML scalars as text.
 using ParameterTexts = std::vector<std::pair<std::string, std::string>>;
 
+/// The `lidar` of a robot; what is absent is as its type has it. x, y: of the sensor, robot frame.
+struct LidarSettings {
+  std::optional<int> beams;                           // 0: none
+  std::optional<double> range, rate;                  // [m], [Hz]
+  std::optional<double> angleMin, angleMax, x, y, h;  // [rad], [m]
+  std::optional<double> noise;                        // [m]
+  std::optional<bool> legs, record;
+  UnknownKeys unknown;
+};
+
+enum class DetectorKind { Sensor, GroundTruth };
+enum class TrackVelocities { Measured, Filtered };
+
+/// The `detector` of a robot: how it knows of people and other robots.
+struct DetectorSettings {
+  std::optional<DetectorKind> kind;
+  std::optional<double> range, field, rate, latency, noise, misses, swaps, swapDistance;
+  std::optional<bool> occlusion;
+  std::optional<double> hiddenShare, coastTime;
+  std::optional<TrackVelocities> velocities;
+  std::optional<double> accelerationNoise;
+  UnknownKeys unknown;
+};
+
+/// The `odometry_noise` of a robot.
+struct OdometrySettings {
+  std::optional<double> alpha1, alpha2, alpha3, alpha4, drift;
+  UnknownKeys unknown;
+};
+
 struct Robot : Named {
   std::optional<std::string> type, planner;
   ParameterTexts plannerParameters;
@@ -114,6 +145,11 @@ struct Robot : Named {
   RobotGoal goal;
   std::optional<double> goalRadius, startTime, radius, mass, maxVel, maxAcc, maxOmega, maxAlpha;
   std::vector<double> footprintX, footprintY;  // robot frame, counter-clockwise
+  std::optional<Kinematics> kinematics;
+  std::optional<double> turningRadius;  // [m]
+  LidarSettings lidar;
+  DetectorSettings detector;
+  OdometrySettings odometryNoise;
 };
 
 enum class ObstacleKind { Box, Circle, Polygon, Wall };

@@ -5,6 +5,7 @@
 
 #include "sim2d/base/yaml/YamlMap.h"
 #include "sim2d/base/yaml/YamlTree.h"
+#include "sim2d/nav/RobotTypes.h"
 #include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -33,6 +34,9 @@ Fields<Human> humanFields();
 Fields<Behavior> behaviorFields();
 Fields<PersonExtension> personFields();
 Fields<Robot> robotFields();
+Fields<LidarSettings> lidarFields();
+Fields<DetectorSettings> detectorFields();
+Fields<OdometrySettings> odometryFields();
 Fields<Obstacle> obstacleFields();
 Fields<Door> doorFields();
 Fields<Area> areaFields();
@@ -93,6 +97,11 @@ struct LoaderReading {
   std::size_t goalsSeen = 0;  // of the scenario
   int largestGoal = 0;        // among them
 };
+
+/// The lidar of a type; of the general one, without beams, when it has none.
+void takeLidarOf(const RobotType& type, ResolvedRobot& to);
+/// What the file says beyond that.
+void resolveSensors(const Robot& from, ResolvedRobot& to);
 
 /// A map that could be an agent's block.
 bool looksLikeAgent(const YamlNode& block);

@@ -298,6 +298,11 @@ Scenario withoutDefaults(Scenario scenario, const FieldTables& tables) {
   forEachBlockList(scenario, [&](const char* /*key*/, base::EntityKind /*kind*/, auto& list) {
     for (auto& each : list) {
       dropDefaults(each, desktop, tables);
+      if constexpr (std::is_same_v<std::decay_t<decltype(each)>, Robot>) {
+        dropDefaults(each.lidar, desktop, tables);
+        dropDefaults(each.detector, desktop, tables);
+        dropDefaults(each.odometryNoise, desktop, tables);
+      }
     }
   });
   dropDefaults(scenario.desktop, desktop, tables);

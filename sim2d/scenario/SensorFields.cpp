@@ -1,0 +1,205 @@
+#include <type_traits>
+
+#include "sim2d/nav/RobotTypes.h"
+#include "sim2d/scenario/FieldMaking.h"
+#include "sim2d/scenario/ScenarioTree.h"
+
+// What a robot senses with: the maps `lidar`, `detector` and `odometry_noise`.
+namespace sim2d {
+namespace {
+
+constexpr double kLongestWay = 1000.0;     // [m], of beams
+constexpr double kMostPerSecond = 1000.0;  // [Hz]
+constexpr Range kAngle{-10.0, 10.0};       // [rad]
+constexpr Range kOnRobot{-100.0, 100.0};   // [m]
+constexpr Range kShare{0.0, 1.0};
+
+template <class T>
+using MaybeNumber = std::optional<double> T::*;
+
+/// A number whose default is the type's.
+template <class Access>
+FieldOf<LidarSettings> lidarNumber(std::string key, MaybeNumber<LidarSettings> member,
+                                   Access access, std::string help, std::string unit, Range range) {
+  return field(std::move(key), member, std::move(help), {{}, 3}, std::move(unit), range)
+      .resolvedAt(access);
+}
+
+FieldOf<DetectorSettings> detectorNumber(std::string key, MaybeNumber<DetectorSettings> member,
+                                         double DetectorParameters::*parameter, std::string help,
+                                         std::string unit, Range range) {
+  const auto access = [parameter](auto& of) -> auto& {
+    return of.detector.*parameter;
+  };
+  return field(std::move(key), member, std::move(help), {{}, 3}, std::move(unit), range)
+      .resolvedAt(access)
+      .orElse(idealDetector().*parameter);
+}
+
+FieldOf<OdometrySettings> odometryNumber(std::string key, MaybeNumber<OdometrySettings> member,
+                                         double OdometryParameters::*parameter, std::string help,
+                                         std::string unit, Range range = {0.0, 10.0}) {
+  const auto access = [parameter](auto& of) -> auto& {
+    return of.odometry.*parameter;
+  };
+  return field(std::move(key), member, std::move(help), {{}, 4, 0.001}, std::move(unit), range)
+      .resolvedAt(access)
+      .orElse(0.0);
+}
+
+/// Noisy places make noisy velocities, unless the file says otherwise.
+TrackVelocities usualVelocities(const DetectorSettings& detector) {
+  return detector.noise.value_or(0.0) > 0.0 ? TrackVelocities::Filtered : TrackVelocities::Measured;
+}
+
+void resolveVelocities(const DetectorSettings& from, ResolvedRobot& to,
+                       const ParameterSpec& /*spec*/) {
+  to.detector.isMotionMeasured =
+      from.velocities.value_or(usualVelocities(from)) == TrackVelocities::Measured;
+}
+
+FieldOf<DetectorSettings> velocitiesField() {
+  return field("velocities", &DetectorSettings::velocities,
+               "Seen as they are, or found from the places by a Kalman filter; absent: `filtered` "
+               "with `noise`, else `measured`",
+               {"Velocities"})
+      .words({"measured", "filtered"})
+      .with(&Field<DetectorSettings>::resolve, resolveVelocities)
+      .with(&Field<DetectorSettings>::resolved,
+            [](const ResolvedRobot& robot, const ParameterSpec& spec) {
+              return valueFrom(robot.detector.isMotionMeasured ? TrackVelocities::Measured
+                                                               : TrackVelocities::Filtered,
+                               spec);
+            })
+      .with(&Field<DetectorSettings>::fallbackOf,
+            [](const DetectorSettings& of, const DesktopSettings& /*desktop*/) {
+              const bool isFiltered = usualVelocities(of) == TrackVelocities::Filtered;
+              return ParameterValue(std::string(isFiltered ? "filtered" : "measured"));
+            });
+}
+
+/// The angle that the beams of a type span; all round when one more would close the circle.
+double spanOf(const RobotLidar& lidar) {
+  const double span = lidar.angleMax - lidar.angleMin;
+  const double closed = lidar.beams > 1 ? span * lidar.beams / (lidar.beams - 1) : span;
+  return closed > 2.0 * base::kPi - 1e-6 ? 2.0 * base::kPi : span;
+}
+
+}  // namespace
+
+Fields<LidarSettings> lidarFields() {
+  using Keys = LidarSettings;
+  return {field("beams", &Keys::beams,
+                "How many in a turn; 0: no lidar. Absent, here and below: as the type has it",
+                {"Beams", 0, 1.0}, {}, {0.0, 60000.0})
+              .resolvedAt([](auto& of) -> auto& { return of.lidar.beams; }),
+          lidarNumber("range", &Keys::range, [](auto& of) -> auto& { return of.lidar.range; },
+                      "What is farther away is not met", "m", {0.0, kLongestWay, true}),
+          lidarNumber("rate", &Keys::rate, [](auto& of) -> auto& { return of.lidar.rate; },
+                      "Turns per second", "Hz", {0.0, kMostPerSecond, true}),
+          lidarNumber(
+              "angle_min", &Keys::angleMin, [](auto& of) -> auto& { return of.lidar.angleMin; },
+              "Of the first beam", "rad", kAngle),
+          lidarNumber(
+              "angle_max", &Keys::angleMax, [](auto& of) -> auto& { return of.lidar.angleMax; },
+              "Of the last beam; a whole turn after the first: the beams are evenly around", "rad",
+              kAngle),
+          lidarNumber(
+              "x", &Keys::x, [](auto& of) -> auto& { return of.lidar.mount.position.x(); },
+              "Where it sits, in the robot's frame: ahead", "m", kOnRobot),
+          lidarNumber(
+              "y", &Keys::y, [](auto& of) -> auto& { return of.lidar.mount.position.y(); },
+              "Idem: to the left", "m", kOnRobot),
+          lidarNumber(
+              "h", &Keys::h, [](auto& of) -> auto& { return of.lidar.mount.heading; },
+              "Where it looks, in the robot's frame", "rad", kAngle)
+              .orElse(0.0),
+          lidarNumber(
+              "noise", &Keys::noise, [](auto& of) -> auto& { return of.lidar.noise; },
+              "Standard deviation of a distance", "m", kNotNegative),
+          field("legs", &Keys::legs, "People are two legs to it, else discs", {"Legs"})
+              .resolvedAt([](auto& of) -> auto& { return of.lidar.legs; })
+              .orElse(true),
+          field("record", &Keys::record, "Each turn is written to `scans.csv`", {"Record"})
+              .resolvedAt([](auto& of) -> auto& { return of.recordsScans; })
+              .orElse(false)};
+}
+
+Fields<DetectorSettings> detectorFields() {
+  using Keys = DetectorSettings;
+  using Parameters = DetectorParameters;
+  return {
+      field("kind", &Keys::kind,
+            "What its sensors tell, or everybody everywhere: then nothing else of this counts",
+            {"Knows of people"})
+          .words({"sensor", "ground_truth"})
+          .resolvedAt([](auto& of) -> auto& { return of.detectorKind; })
+          .orElse(DetectorKind::Sensor),
+      detectorNumber("range", &Keys::range, &Parameters::range,
+                     "Whose centre is farther away is not seen", "m", kPositive),
+      detectorNumber("field", &Keys::field, &Parameters::field,
+                     "The angle that it sees, half of it to either side", "rad",
+                     {0.0, 2.0 * base::kPi, true}),
+      detectorNumber("rate", &Keys::rate, &Parameters::rate, "How often it looks; 0: at each step",
+                     "Hz", {0.0, kMostPerSecond}),
+      detectorNumber("latency", &Keys::latency, &Parameters::latency, "From sight to the planner",
+                     "s", {0.0, 60.0}),
+      detectorNumber("noise", &Keys::noise, &Parameters::noise,
+                     "Standard deviation of each coordinate", "m", kNotNegative),
+      detectorNumber("misses", &Keys::misses, &Parameters::misses,
+                     "Chance not to see somebody, each time it looks", {}, kShare),
+      detectorNumber("swaps", &Keys::swaps, &Parameters::swaps,
+                     "Chance to mix up two people who are close, each time it looks", {}, kShare),
+      detectorNumber("swap_distance", &Keys::swapDistance, &Parameters::swapDistance,
+                     "People nearer to each other than this may be mixed up", "m", kNotNegative),
+      field("occlusion", &Keys::occlusion, "Walls and other bodies hide", {"Hidden ones"})
+          .resolvedAt([](auto& of) -> auto& { return of.detector.isOccluded; })
+          .orElse(true),
+      detectorNumber("hidden_share", &Keys::hiddenShare, &Parameters::hiddenShare,
+                     "Who is hidden by others to more than this share is not seen", {}, kShare),
+      detectorNumber("coast_time", &Keys::coastTime, &Parameters::coastTime,
+                     "Who is not seen for longer is forgotten; until then he goes on as before",
+                     "s", kNotNegative),
+      velocitiesField(),
+      detectorNumber("acceleration_noise", &Keys::accelerationNoise, &Parameters::accelerationPower,
+                     "Of the Kalman filter: how fast people change their velocity", "m²/s³",
+                     kPositive)};
+}
+
+Fields<OdometrySettings> odometryFields() {
+  using Keys = OdometrySettings;
+  using Parameters = OdometryParameters;
+  return {
+      odometryNumber("alpha1", &Keys::alpha1, &Parameters::alpha1,
+                     "Variance of its heading by turning", "rad²/rad"),
+      odometryNumber("alpha2", &Keys::alpha2, &Parameters::alpha2,
+                     "Variance of its heading by driving", "rad²/m"),
+      odometryNumber("alpha3", &Keys::alpha3, &Parameters::alpha3, "Variance of its way by driving",
+                     "m²/m"),
+      odometryNumber("alpha4", &Keys::alpha4, &Parameters::alpha4, "Variance of its way by turning",
+                     "m²/rad"),
+      odometryNumber("drift", &Keys::drift, &Parameters::headingDrift,
+                     "What each metre ahead turns it without its knowing", "rad/m", {-10.0, 10.0})};
+}
+
+void takeLidarOf(const RobotType& type, ResolvedRobot& to) {
+  const RobotLidar lidar = type.lidar.value_or(*robotTypes().front().lidar);
+  to.lidar.beams = type.lidar ? lidar.beams : 0;
+  to.lidar.range = lidar.range;
+  to.lidar.rate = lidar.rate;
+  to.lidar.angleMin = lidar.angleMin;
+  to.lidar.angleMax = lidar.angleMin + spanOf(lidar);
+  to.lidar.mount = {{lidar.x, lidar.y}, 0.0};
+  to.lidar.noise = lidar.noise;
+}
+
+void resolveSensors(const Robot& from, ResolvedRobot& to) {
+  resolveFields(from.lidar, to);
+  resolveFields(from.detector, to);
+  resolveFields(from.odometryNoise, to);
+  if (to.detectorKind == DetectorKind::GroundTruth) {
+    to.detector = groundTruth();
+  }
+}
+
+}  // namespace sim2d
