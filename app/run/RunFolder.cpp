@@ -13,6 +13,8 @@
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/Fields.h"
+#include "sim2d/trace/Scans.h"
 
 namespace app {
 
@@ -76,6 +78,39 @@ Json humanJson(const sim2d::TraceHuman& human) {
   return json;
 }
 
+/// By the keys of the file, those that count in the run.
+template <class T>
+Json countingKeys(const sim2d::ResolvedRobot& robot) {
+  Json json = Json::object();
+  for (const sim2d::Field<T>& field : sim2d::fieldsOf<T>()) {
+    std::visit(
+        [&](const auto& value) {
+          using Value = std::decay_t<decltype(value)>;
+          if constexpr (!std::is_same_v<Value, std::monostate>) {
+            json[field.spec.key] = value;
+          }
+        },
+        field.resolved(robot, field.spec));
+  }
+  return json;
+}
+
+/// What it senses with: without a lidar no more of it than that, with ground truth no more than
+/// that.
+void addSensors(Json& json, const sim2d::ResolvedRobot& robot) {
+  json["lidar"] = countingKeys<sim2d::LidarSettings>(robot);
+  if (robot.lidar.beams == 0) {
+    json["lidar"] = Json::object();
+    json["lidar"]["beams"] = 0;
+  }
+  json["detector"] = countingKeys<sim2d::DetectorSettings>(robot);
+  if (robot.detectorKind == sim2d::DetectorKind::GroundTruth) {
+    json["detector"] = Json::object();
+    json["detector"]["kind"] = "ground_truth";
+  }
+  json["odometry_noise"] = countingKeys<sim2d::OdometrySettings>(robot);
+}
+
 /// Its names and numbers.
 Json robotJson(const sim2d::TraceRobot& robot) {
   Json json;
@@ -122,13 +157,20 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   for (const sim2d::TraceRobot& robot : header.robots) {
     json["robots"].push_back(robotJson(robot));
   }
+  int id = -1;
+  sim2d::forEachListed(bundle.scenario->robots, [&](const sim2d::Robot& robot) {
+    addSensors(json["robots"].at(static_cast<std::size_t>(-1 - id)),
+               sim2d::resolveRobot(*bundle.scenario, robot, id));
+    --id;
+  });
   return base::jsonText(json) + "\n";
 }
 
 /// A file that a run writes, or the beginning of one that was cut short.
 bool isOfRun(const fs::directory_entry& entry, bool isOurs = true) {
-  constexpr const char* kFiles[] = {"trajectory.csv",     "events.csv",   "trees.csv", "inputs.csv",
-                                    "metrics.json",       "metrics.csv",  "steps.csv", "trace.json",
+  constexpr const char* kFiles[] = {"trajectory.csv",     "events.csv",   "trees.csv",
+                                    "inputs.csv",         "scans.csv",    "metrics.json",
+                                    "metrics.csv",        "steps.csv",    "trace.json",
                                     "counterfactual.csv", "manifest.json"};
   std::error_code error;
   const std::string name = entry.path().filename().string();
@@ -171,12 +213,16 @@ class Folder {
 /// All but trace.json and manifest.json, which make the folder that of a run.
 void writeParts(Folder& folder, const FinishedRun& run, RunWriter& writer) {
   const bool hasInputs = writer.hasInputs();
+  const bool hasScans = writer.hasScans();
   folder.note(writer.finish());
   if (run.totalsOnly) {
     folder.remove({"trajectory.csv", "events.csv", "trees.csv"});
   }
   if (!hasInputs) {
     folder.remove({"inputs.csv"});
+  }
+  if (!hasScans) {
+    folder.remove({"scans.csv"});
   }
   folder.writeOrRemove("metrics.json", run.evaluation ? metrics::toJson(*run.evaluation) : "");
   if (run.evaluation && !run.totalsOnly) {
@@ -222,7 +268,8 @@ void removeRun(const std::string& runFolder) {
 }
 
 void RunWriter::begin(File file, std::string_view head) {
-  constexpr const char* kNames[] = {"trajectory.csv", "events.csv", "trees.csv", "inputs.csv"};
+  constexpr const char* kNames[] = {"trajectory.csv", "events.csv", "trees.csv", "inputs.csv",
+                                    "scans.csv"};
   files_[file].emplace(pathIn(folder_, kNames[file])).append(head);
 }
 
@@ -279,6 +326,18 @@ void RunWriter::write(const sim2d::Frame& frame, bool isRecorded) {
     rows.clear();
     sim2d::appendInputRow(rows, frame.step, input);
     files_[Inputs]->append(rows);
+  }
+  writeScans(frame.scans);
+}
+
+void RunWriter::writeScans(const std::vector<sim2d::RecordedScan>& scans) {
+  if (!scans.empty() && !hasScans()) {
+    begin(Scans, sim2d::scansHead());
+  }
+  for (const sim2d::RecordedScan& scan : scans) {
+    std::string row;
+    sim2d::appendScanRow(row, scan);
+    files_[Scans]->append(row);
   }
 }
 

@@ -31,6 +31,7 @@ class RunWriter : public sim2d::FrameSink {
   /// steps.csv of the evaluation.
   base::Diagnostics writeSteps(const std::string& path, const std::vector<double>& times);
   bool hasInputs() const { return files_[Inputs].has_value(); }  // something came from outside
+  bool hasScans() const { return files_[Scans].has_value(); }    // a robot records its lidar
   /// A file could not be written: there is no use in going on.
   bool hasFailed() const;
   /// All rows are on the disk, in files that are not in their places yet.
@@ -39,10 +40,11 @@ class RunWriter : public sim2d::FrameSink {
   base::Diagnostics finish();
 
  private:
-  enum File { Trajectory, Events, Trees, Inputs };
+  enum File { Trajectory, Events, Trees, Inputs, Scans };
   void begin(File file, std::string_view head);
   void meet(const sim2d::Frame& frame);
   void write(const sim2d::Frame& frame, bool isRecorded);
+  void writeScans(const std::vector<sim2d::RecordedScan>& scans);
   struct Column {
     std::string key;
     metrics::Kind kind = metrics::Kind::Number;
@@ -53,7 +55,8 @@ class RunWriter : public sim2d::FrameSink {
   double dt_;
   int recordEvery_ = 1;
   const std::string folder_;
-  std::array<std::optional<base::GrowingFile>, 4> files_;  // inputs once there were some
+  // inputs and scans once there were some
+  std::array<std::optional<base::GrowingFile>, 5> files_;
   metrics::FrameEvaluation evaluation_;
   std::set<int> known_;  // people that the metrics have been told of
   metrics::NumberStore store_;

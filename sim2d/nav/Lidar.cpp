@@ -26,6 +26,13 @@ double angleBetweenBeams(const LidarParameters& parameters) {
 
 }  // namespace
 
+bool isPossible(const LidarParameters& parameters) {
+  const double span = parameters.angleMax - parameters.angleMin;
+  return parameters.beams >= 1 && span > 0.0 && span <= kFullScan + 1e-9 &&
+         angleBetweenBeams(parameters) >= 1e-4 && parameters.range > 0.0 && parameters.rate > 0.0 &&
+         parameters.noise >= 0.0;
+}
+
 Lidar::Lidar(const LidarParameters& parameters, std::uint64_t seed, int robotId, int sensor)
     : parameters_(parameters),
       seed_(seed),
@@ -33,7 +40,7 @@ Lidar::Lidar(const LidarParameters& parameters, std::uint64_t seed, int robotId,
       sensor_(sensor),
       gait_(seed),
       raster_(parameters.beams, angleBetweenBeams(parameters), parameters.range) {
-  assert(parameters.rate > 0.0 && parameters.noise >= 0.0 && sensor >= 0 && sensor < 1024);
+  assert(isPossible(parameters) && sensor >= 0 && sensor < 1024);
   scan_.angleMin = parameters.angleMin;
   scan_.perBeam = angleBetweenBeams(parameters);
   scan_.range = parameters.range;

@@ -21,6 +21,10 @@ struct LidarParameters {
   bool legs = true;              // people are two legs, else the discs of their bodies
 };
 
+/// What a lidar asserts: the beams are 1e-4 rad apart at least and within a turn, range and rate
+/// are above 0.
+bool isPossible(const LidarParameters& parameters);
+
 /// Beams stand evenly from angleMin to angleMax; over a whole turn the last one would be the first
 /// again, so there they are a turn / beams apart. 1e-4 rad between neighbours at least. A turn is
 /// taken at one instant. All beams of a sensor inside of a wall or body have the distance 0.

@@ -34,6 +34,8 @@ class Planner {
   /// Called once per step while the robot has a goal. The world limits the command to what the
   /// drive can do. An error ends the run.
   virtual base::Result<BodyTwist> command(const Observation& observation) = 0;
+  /// False: it never looks at `Observation::scan`, and no turns need be made for it.
+  virtual bool readsScan() const { return true; }
   /// What it follows now, for display; the robot's place first.
   virtual std::vector<Vec2> path() const { return {}; }
   /// What it weighed in the last call, for display; a sample of it when there is much.

@@ -1,4 +1,4 @@
-#include <type_traits>
+#include <cmath>
 
 #include "sim2d/nav/RobotTypes.h"
 #include "sim2d/scenario/FieldMaking.h"
@@ -195,6 +195,10 @@ void takeLidarOf(const RobotType& type, ResolvedRobot& to) {
 
 void resolveSensors(const Robot& from, ResolvedRobot& to) {
   resolveFields(from.lidar, to);
+  const double span = to.lidar.angleMax - to.lidar.angleMin;
+  if (std::fabs(span - 2.0 * base::kPi) < 1e-3) {  // people write 3.1416
+    to.lidar.angleMax = to.lidar.angleMin + 2.0 * base::kPi;
+  }
   resolveFields(from.detector, to);
   resolveFields(from.odometryNoise, to);
   if (to.detectorKind == DetectorKind::GroundTruth) {

@@ -187,6 +187,13 @@ struct RobotSenses {
   std::vector<Way> ways;
 };
 
+/// A turn of a lidar that the run records: a row of `scans.csv`.
+struct RecordedScan {
+  std::int64_t step = 0;  // whose state was looked at: mostly that before the frame it came with
+  int robot = -1;
+  RobotSenses::Scan scan;
+};
+
 /// One instant: the state after step `step`. Immutable once published; what canvas, recorder and
 /// metrics read.
 struct Frame {
@@ -200,6 +207,7 @@ struct Frame {
   TreeChanges treeChanges;                    // of this step, by id, then node
   std::vector<std::vector<Vec2>> robotPaths;  // what the planners follow now, per robot
   std::shared_ptr<const std::vector<RobotSenses>> senses;  // per robot; null: nobody asked for it
+  std::vector<RecordedScan> scans;  // made in the step that led to this state
   std::vector<char> doorOpen;
 };
 

@@ -68,7 +68,8 @@ struct TraceRobot {
   double maxVel = 1.0, maxAcc = 1.0, maxOmega = 1.5, maxAlpha = 3.0;
   double startTime = 0.0;
   std::vector<TraceGoal> goals;
-  std::vector<Vec2> footprint;  // robot frame; empty = disc
+  std::vector<Vec2> footprint;              // robot frame; empty = disc
+  std::string kinematics = "differential";  // or "omnidirectional", "ackermann"; absent: as here
 
   static constexpr auto members() {
     using T = TraceRobot;
@@ -78,7 +79,8 @@ struct TraceRobot {
         std::pair("mass", &T::mass), std::pair("max_vel", &T::maxVel),
         std::pair("max_acc", &T::maxAcc), std::pair("max_omega", &T::maxOmega),
         std::pair("max_alpha", &T::maxAlpha), std::pair("start_time", &T::startTime),
-        std::pair("goals", &T::goals), std::pair("footprint", &T::footprint));
+        std::pair("goals", &T::goals), std::pair("footprint", &T::footprint),
+        std::pair("kinematics", &T::kinematics));
   }
 };
 

@@ -21,6 +21,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;  // newest known
 constexpr char kWrap[] = "wrap_x";
+constexpr char kDrive[] = "kinematics";
 
 /// Undoes the run lengths; never grows beyond `count`, whatever the file claims.
 bool expandCells(const Json& json, std::size_t count, std::vector<std::int8_t>& cells) {
@@ -67,14 +68,15 @@ class JsonReader {
     return fits;
   }
 
-  /// Scenarios that say nothing about metrics or joined ends have no such member; all else must be
-  /// there.
+  /// Scenarios that say nothing about metrics or joined ends have no such member, nor have older
+  /// files how robots move; all else must be there.
   template <class T>
   void readMember(const Json& object, const std::string& path, const char* key, T& value) {
     const auto found = object.find(key);
     if (found != object.end()) {
       read(*found, path + key, value);
-    } else if (!std::is_same_v<T, TraceMetrics> && std::string_view(key) != kWrap) {
+    } else if (!std::is_same_v<T, TraceMetrics> && std::string_view(key) != kWrap &&
+               std::string_view(key) != kDrive) {
       error(path + key, "trace.missing");
     }
   }

@@ -9,23 +9,8 @@
 namespace sim2d {
 namespace {
 
-/// People and the other robots, people first.
-void findBodies(const FrozenWorld& world, std::size_t self, std::vector<TrackedBody>& bodies) {
-  bodies.clear();
-  for (std::size_t i = 0; i < world.state.present.size(); ++i) {
-    if (world.state.present[i] != 0) {
-      const ResolvedHuman& person = world.model.people[i].constants;
-      bodies.push_back({person.id, BodyKind::Person, world.state.position(i),
-                        world.state.velocity(i), world.state.heading[i], person.radius});
-    }
-  }
-  for (std::size_t i = 0; i < world.state.robots.size(); ++i) {
-    if (i != self) {
-      const RobotState& other = world.state.robots[i];
-      bodies.push_back({world.model.robots[i].id, BodyKind::Robot, other.pose.position,
-                        other.velocity, other.pose.heading, reachOf(world.model.robots[i])});
-    }
-  }
+RobotSenses::Scan shownScan(const LaserScan& scan) {
+  return {scan.sensor, scan.time, scan.angleMin, scan.perBeam, scan.range, scan.distances};
 }
 
 bool drives(const ResolvedRobot& robot, const RobotState& state, double time) {
@@ -34,22 +19,40 @@ bool drives(const ResolvedRobot& robot, const RobotState& state, double time) {
 
 }  // namespace
 
-RobotDrive::RobotDrive(std::vector<std::shared_ptr<Planner>> planners,
-                       const std::vector<ResolvedRobot>& robots)
-    : planners_(std::move(planners)) {
-  std::transform(robots.begin(), robots.end(), std::back_inserter(bodies_), bodyOf);
+RobotDrive::RobotDrive(std::vector<std::shared_ptr<Planner>> planners, const WorldModel& model)
+    : planners_(std::move(planners)), sensors_(model) {
+  std::transform(model.robots.begin(), model.robots.end(), std::back_inserter(bodies_), bodyOf);
+}
+
+/// Turns that nobody looks at are not made: they take more time than most planners.
+void RobotDrive::sense(const FrozenWorld& world) {
+  const std::vector<ResolvedRobot>& robots = world.model.robots;
+  isScanRead_.resize(robots.size());
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const bool isUnderWay = world.state.robots[i].goal < robots[i].goals.size();
+    isScanRead_[i] =
+        wantsSenses_ || robots[i].recordsScans || (isUnderWay && planners_[i]->readsScan());
+  }
+  sensors_.update(world, isScanRead_);
+  scans_.clear();
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    if (robots[i].recordsScans && sensors_.hasTurned(i)) {
+      scans_.push_back({world.state.step, robots[i].id, shownScan(*sensors_.scan(i))});
+    }
+  }
 }
 
 void RobotDrive::observe(const FrozenWorld& world, std::size_t robot) {
   const ResolvedRobot& constants = world.model.robots[robot];
   const RobotState& now = world.state.robots[robot];
-  observation_.pose = now.pose;
-  observation_.motion = {now.linear, now.omega, now.lateral};
+  observation_.pose = sensors_.odometry(robot).pose();
+  observation_.motion = sensors_.odometry(robot).motion();
   observation_.goal = constants.goals[now.goal];
   observation_.goalRadius = constants.goalRadius;
   observation_.time = world.state.time;
   observation_.dt = world.model.dt;
-  findBodies(world, robot, observation_.bodies);
+  observation_.bodies = sensors_.bodies(robot);
+  observation_.scan = sensors_.scan(robot);
   observation_.obstacles = &world.obstacles;
   observation_.navigation = &world.navigation;
 }
@@ -68,8 +71,11 @@ void RobotDrive::addSenses(std::size_t robot, bool isAsked) {
     return;
   }
   RobotSenses& senses = (*senses_)[robot];
-  senses.believed = observation_.pose;
-  for (const TrackedBody& body : observation_.bodies) {
+  senses.believed = sensors_.odometry(robot).pose();
+  if (const LaserScan* const scan = sensors_.scan(robot)) {
+    senses.scan = shownScan(*scan);
+  }
+  for (const TrackedBody& body : sensors_.bodies(robot)) {
     senses.bodies.push_back(
         {body.id, body.kind == BodyKind::Robot, body.position, body.velocity, body.radius});
   }
@@ -85,20 +91,23 @@ const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, Worl
   const double dt = world.model.dt;
   senses_ =
       wantsSenses_ ? std::make_shared<std::vector<RobotSenses>>(state.robots.size()) : nullptr;
+  sense(world);
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     const ResolvedRobot& robot = world.model.robots[i];
     const RobotState& now = state.robots[i];
     BodyTwist wanted;
+    bool isAsked = false;
     if (const auto steered = steered_.find(i); steered != steered_.end()) {
       wanted = steered->second;
     } else if (drives(robot, now, state.time)) {
       observe(world, i);
       wanted = ask(i, robot.name);
-      addSenses(i, true);
+      isAsked = true;
       if (planners_[i]->takeReplanned()) {
         state.emit(EventKind::Replan, robot.id);
       }
     }
+    addSenses(i, isAsked);
     commands_[i] = reached(bodies_[i], {now.linear, now.omega, now.lateral}, wanted, dt);
   }
   steered_.clear();

@@ -8,14 +8,14 @@
 
 #include "sim2d/nav/Planner.h"
 #include "sim2d/world/PersonMotion.h"
+#include "sim2d/world/RobotSensors.h"
 
 namespace sim2d {
 
 /// The robots: what they see, what their planners say, what their limits leave of it, goals.
 class RobotDrive {
  public:
-  RobotDrive(std::vector<std::shared_ptr<Planner>> planners,
-             const std::vector<ResolvedRobot>& robots);
+  RobotDrive(std::vector<std::shared_ptr<Planner>> planners, const WorldModel& model);
 
   /// In the next `command` instead of what the planner says.
   void steer(std::size_t robot, const BodyTwist& command) { steered_[robot] = command; }
@@ -29,10 +29,16 @@ class RobotDrive {
   void tellSenses(bool wanted) { wantsSenses_ = wanted; }
   /// Of all robots in the last `command`; null unless asked for.
   std::shared_ptr<const std::vector<RobotSenses>> senses() const { return senses_; }
+  /// Turns of recorded lidars in the last `command`, put in the place of what `scans` had.
+  void takeScans(std::vector<RecordedScan>& scans) {
+    scans.clear();
+    scans.swap(scans_);
+  }
 
   std::vector<Vec2> path(std::size_t robot, const WorldModel& model, const WorldState& state) const;
 
  private:
+  void sense(const FrozenWorld& world);
   void addSenses(std::size_t robot, bool isAsked);
   /// Into `observation_`: what the robot knows.
   void observe(const FrozenWorld& world, std::size_t robot);
@@ -40,6 +46,9 @@ class RobotDrive {
 
   std::vector<std::shared_ptr<Planner>> planners_;
   std::vector<RobotBody> bodies_;
+  RobotSensors sensors_;
+  std::vector<char> isScanRead_;  // of each robot, in this step
+  std::vector<RecordedScan> scans_;
   std::vector<BodyTwist> commands_;
   std::map<std::size_t, BodyTwist> steered_;
   std::string failure_;

@@ -42,7 +42,7 @@ RunningWorld::RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> mind
       behavior_(std::move(minds)),
       motion_(model_.threads),
       population_(model_),
-      robots_(std::move(parts.planners), model_.robots) {
+      robots_(std::move(parts.planners), model_) {
   partNames_ = partNames(*model_.environment);
   const Obstacles& obstacles = surroundings_.obstacles;
   for (int part = 0; part < obstacles.partCount(); ++part) {
@@ -275,6 +275,7 @@ void RunningWorld::publish() {
     frame_.robotPaths[i] = robots_.path(i, model_, state_);
   }
   frame_.senses = robots_.senses();
+  robots_.takeScans(frame_.scans);
   if (state_.step > 0) {
     behavior_->takeTreeChanges(frame_.treeChanges);
   }

@@ -109,6 +109,21 @@ void checkRobot(const Registries& registries, const ResolvedRobot& robot, Proble
                  isNotNegative(robot.maxOmega) && isPositive(robot.maxAlpha) &&
                  isPositive(robot.goalRadius),
              "world.bad-robot-limits");
+  found.need(robot.kinematics != Kinematics::Ackermann || isPositive(robot.turningRadius),
+             "world.no-turning-radius");
+  found.need(robot.lidar.beams == 0 || isPossible(robot.lidar), "world.bad-lidar");
+}
+
+/// Keys that are there and do nothing.
+void warnOfSensors(const Robot& robot, const ResolvedRobot& resolved, ProblemsOf& found) {
+  if (resolved.lidar.beams == 0 && !robot.lidar.beams && !(robot.lidar == LidarSettings{})) {
+    found.add(base::warning("world.no-lidar", {resolved.type}));
+  }
+  DetectorSettings others = robot.detector;
+  others.kind.reset();
+  if (resolved.detectorKind == DetectorKind::GroundTruth && !(others == DetectorSettings{})) {
+    found.add(base::warning("world.sees-everybody"));
+  }
 }
 
 /// Null when there is a problem.
@@ -149,6 +164,7 @@ void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& p
     parts.model.robotKeys.push_back(robot.key);
     ProblemsOf found(robot.key, "robot '" + resolved.name + "'", problems);
     checkRobot(registries, resolved, found);
+    warnOfSensors(robot, resolved, found);
     parts.planners.push_back(makePlanner(parts.model, resolved, robot.key, found, problems));
   }
   if (!parts.model.robots.empty() && parts.model.ring.isClosed()) {

@@ -94,9 +94,13 @@ TraceRobot traceRobot(const ResolvedRobot& robot) {
   for (std::size_t i = 0; i < robot.goals.size(); ++i) {
     goals.push_back({robot.goalIds[i], robot.goals[i], robot.goalRadius});
   }
-  return {robot.id,        robot.name,       robot.type,     robot.planner,  robot.radius,
-          robot.mass,      robot.maxVel,     robot.maxAcc,   robot.maxOmega, robot.maxAlpha,
-          robot.startTime, std::move(goals), robot.footprint};
+  return {robot.id,        robot.name,
+          robot.type,      robot.planner,
+          robot.radius,    robot.mass,
+          robot.maxVel,    robot.maxAcc,
+          robot.maxOmega,  robot.maxAlpha,
+          robot.startTime, std::move(goals),
+          robot.footprint, kinematicsName(robot.kinematics)};
 }
 
 /// Without the selection: its file is read elsewhere.

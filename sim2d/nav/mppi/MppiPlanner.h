@@ -25,6 +25,7 @@ class MppiPlanner : public Planner {
   MppiPlanner(const PlannerSetup& setup, const MppiParameters& parameters,
               std::optional<SocialMppiParameters> social, MppiPath path = fastestMppiPath());
 
+  bool readsScan() const override { return false; }
   base::Result<BodyTwist> command(const Observation& observation) override;
   std::vector<Vec2> path() const override;
   std::vector<Candidate> candidates() const override;

@@ -40,6 +40,7 @@ class Pursuit : public Planner {
         turningRadius_(body.kinematics == Kinematics::Ackermann ? body.limits.turningRadius : 0.0) {
   }
 
+  bool readsScan() const override { return false; }
   base::Result<BodyTwist> command(const Observation& observation) override {
     const Vec2& position = observation.pose.position;
     route_.update(observation, reach_, parameters_.lookahead);

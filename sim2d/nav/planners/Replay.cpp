@@ -38,6 +38,7 @@ class Replay : public Planner {
  public:
   explicit Replay(CommandRecord record) : record_(std::move(record)) {}
 
+  bool readsScan() const override { return false; }
   base::Result<BodyTwist> command(const Observation& observation) override {
     return record_.at(observation.time);
   }

@@ -104,6 +104,7 @@ class SocialForcePlanner : public Planner {
     parameters_.lookahead = std::max(parameters.lookahead, gear_.leastLookahead());
   }
 
+  bool readsScan() const override { return false; }
   base::Result<BodyTwist> command(const Observation& observation) override {
     const Vec2& position = observation.pose.position;
     route_.update(observation, reach_, parameters_.lookahead);

@@ -47,6 +47,7 @@ class Teleop : public TeleopPlanner {
 
   const std::shared_ptr<TeleopInput>& input() const override { return input_; }
 
+  bool readsScan() const override { return false; }
   base::Result<BodyTwist> command(const Observation& observation) override {
     path_.clear();
     const TeleopInput::Wish wish = input_->newest();

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "sim2d/nav/Lidar.h"
+#include "sim2d/nav/Odometry.h"
+#include "sim2d/nav/PeopleDetector.h"
+#include "sim2d/world/WorldState.h"
+
+namespace sim2d {
+
+/// What the robots of a world sense with, held into the world step by step. Draws depend on seed
+/// and robot alone. Takes no memory once its buffers have grown.
+class RobotSensors {
+ public:
+  explicit RobotSensors(const WorldModel& model);
+
+  /// Each step from the first one on, before anybody decides. `isScanRead`, by robot: somebody
+  /// looks at its scan.
+  void update(const FrozenWorld& world, const std::vector<char>& isScanRead);
+
+  const Odometry& odometry(std::size_t robot) const { return robots_[robot].odometry; }
+  /// Whom it knows of: people, then other robots, by id.
+  const std::vector<TrackedBody>& bodies(std::size_t robot) const {
+    return robots_[robot].detector.bodies();
+  }
+  /// The last turn of its lidar; null: it has none, or has not turned yet.
+  const LaserScan* scan(std::size_t robot) const {
+    return robots_[robot].lidar ? robots_[robot].lidar->scan() : nullptr;
+  }
+  /// That turn was made in the last update.
+  bool hasTurned(std::size_t robot) const { return robots_[robot].hasTurned; }
+
+ private:
+  struct Sensors {
+    Odometry odometry;
+    std::optional<Lidar> lidar;
+    PeopleDetector detector;
+    Footprint footprint;
+    bool hasTurned = false;
+  };
+  void gatherBodies(const FrozenWorld& world);
+  void updateOdometry(Sensors& sensors, const RobotState& now, const FrozenWorld& world) const;
+
+  std::vector<Sensors> robots_;
+  std::vector<SensedBody> bodies_;  // of this step
+  bool hasBegun_ = false;
+};
+
+}  // namespace sim2d
