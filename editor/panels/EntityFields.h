@@ -75,12 +75,32 @@ decltype(auto) partOf(AnyEntity& entity) {
     return (std::get<sim2d::Human>(entity).behavior);
   } else if constexpr (std::is_same_v<T, sim2d::PersonExtension>) {
     return (std::get<sim2d::Human>(entity).ours);
+  } else if constexpr (std::is_same_v<T, sim2d::LidarSettings>) {
+    return (std::get<sim2d::Robot>(entity).lidar);
+  } else if constexpr (std::is_same_v<T, sim2d::DetectorSettings>) {
+    return (std::get<sim2d::Robot>(entity).detector);
+  } else if constexpr (std::is_same_v<T, sim2d::OdometrySettings>) {
+    return (std::get<sim2d::Robot>(entity).odometryNoise);
   } else if constexpr (std::is_same_v<T, sim2d::DesktopSettings>) {
     return (std::get<ScenarioSettings>(entity).desktop);
   } else if constexpr (std::is_same_v<T, sim2d::MetricsSettings>) {
     return (std::get<ScenarioSettings>(entity).desktop.metrics);
   } else {
     return (std::get<T>(entity));
+  }
+}
+
+/// The name of the widget that edits a key: keys of maps within an entity may be called alike.
+template <class T>
+std::string rowName(const std::string& key) {
+  if constexpr (std::is_same_v<T, sim2d::LidarSettings>) {
+    return "lidar." + key;
+  } else if constexpr (std::is_same_v<T, sim2d::DetectorSettings>) {
+    return "detector." + key;
+  } else if constexpr (std::is_same_v<T, sim2d::OdometrySettings>) {
+    return "odometry_noise." + key;
+  } else {
+    return key;
   }
 }
 

@@ -270,7 +270,29 @@ RobotPage::RobotPage(ScenarioDocument& document, const sim2d::FieldTables& table
     addField<Robot>(body, key);
   }
   addRow(body, footprintField(), emptyAs(tr("a disc of the radius"), footprintProblem));
+  addField<Robot>(body, "kinematics",
+                  inWords({tr("Two wheels"), tr("Every direction"), tr("Like a car")},
+                          tr("As the type (default)")));
+  addField<Robot>(body, "turning_radius");
+  addFolded<sim2d::DetectorSettings>(
+      tr("Knows of people"), tables,
+      {{"kind", inWords({tr("What it sees"), tr("Everybody (ground truth)")}, tr("(default)"))},
+       {"velocities", inWords({tr("As they are"), tr("From places")}, tr("(default)"))}});
+  addFolded<sim2d::LidarSettings>(tr("Lidar"), tables);
+  addFolded<sim2d::OdometrySettings>(tr("Errors of odometry"), tables);
   addNewFields<Robot>({"goals", "footprint_x", "footprint_y"});
+}
+
+/// A row per key of the table, folded: most people leave them as they are.
+template <class Part>
+void RobotPage::addFolded(const QString& title, const sim2d::FieldTables& tables,
+                          const std::map<std::string, FieldLook>& looks) {
+  FormSection* section = addSection(title);
+  for (const sim2d::Field<Part>& field : sim2d::fieldsOf<Part>(tables)) {
+    const auto look = looks.find(field.spec.key);
+    addField<Part>(section, field.spec.key, look == looks.end() ? FieldLook() : look->second);
+  }
+  section->setOpen(false);
 }
 
 void RobotPage::addGoalSection() {

@@ -52,6 +52,9 @@ class RobotPage : public PropertyPage {
 
  private:
   void addGoalSection();
+  template <class Part>
+  void addFolded(const QString& title, const sim2d::FieldTables& tables,
+                 const std::map<std::string, FieldLook>& looks = {});
 };
 
 /// What belongs to the scenario as a whole; shown when nothing is selected. The parameters of the

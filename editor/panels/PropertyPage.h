@@ -80,7 +80,9 @@ class PropertyPage : public QWidget {
     if (look.fallback) {
       field.fallback = look.fallback;
     }
-    places_[&key->spec] = {section, addRow(section, field, look)};
+    QWidget* const row = addRow(section, field, look);
+    row->setObjectName(QString::fromStdString(rowName<T>(name)));
+    places_[&key->spec] = {section, row};
   }
   /// The other keys of the table, each after its neighbour, without those that the page shows in
   /// its own way. After all rows.

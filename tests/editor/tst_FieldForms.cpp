@@ -28,7 +28,9 @@ template <class T>
 EntityKind kindOfKeys() {
   using Settings =
       std::tuple<sim2d::ScenarioSettings, sim2d::DesktopSettings, sim2d::MetricsSettings>;
-  if constexpr (std::is_same_v<T, sim2d::Robot>) {
+  if constexpr (std::is_same_v<T, sim2d::Robot> || std::is_same_v<T, sim2d::LidarSettings> ||
+                std::is_same_v<T, sim2d::DetectorSettings> ||
+                std::is_same_v<T, sim2d::OdometrySettings>) {
     return EntityKind::Robot;
   } else if constexpr (std::is_same_v<T, sim2d::Obstacle>) {
     return EntityKind::Obstacle;
@@ -69,20 +71,26 @@ const std::set<std::string>& shownOtherwise() {
 }
 
 template <class T>
+bool isShownOtherwise(const std::string& key) {
+  return editor::rowName<T>(key) == key && shownOtherwise().count(key) > 0;
+}
+
+template <class T>
 void addCases(std::vector<Case>& cases) {
   for (const sim2d::Field<T>& field : sim2d::fieldsOf<T>()) {
     const bool isInteger = field.spec.type == ParameterType::Integer;
-    if (field.isStructure() || shownOtherwise().count(field.spec.key) > 0 ||
+    if (field.isStructure() || isShownOtherwise<T>(field.spec.key) ||
         (!isInteger && field.spec.type != ParameterType::Number)) {
       continue;
     }
     for (const double value : samples(field.spec, field.isWide)) {
-      cases.push_back(
-          {kindOfKeys<T>(), field.spec.key, value, [&field, value, isInteger](Entity& e) {
-             field.assign(editor::partOf<T>(e),
-                          isInteger ? base::ParameterValue(static_cast<long long>(value))
-                                    : base::ParameterValue(value));
-           }});
+      cases.push_back({kindOfKeys<T>(), editor::rowName<T>(field.spec.key), value,
+                       [&field, value, isInteger](Entity& e) {
+                         field.assign(editor::partOf<T>(e),
+                                      isInteger
+                                          ? base::ParameterValue(static_cast<long long>(value))
+                                          : base::ParameterValue(value));
+                       }});
     }
   }
 }
@@ -93,6 +101,9 @@ std::vector<Case> allCases() {
   addCases<sim2d::Behavior>(cases);
   addCases<sim2d::PersonExtension>(cases);
   addCases<sim2d::Robot>(cases);
+  addCases<sim2d::LidarSettings>(cases);
+  addCases<sim2d::DetectorSettings>(cases);
+  addCases<sim2d::OdometrySettings>(cases);
   addCases<sim2d::Obstacle>(cases);
   addCases<sim2d::Door>(cases);
   addCases<sim2d::Area>(cases);
@@ -163,11 +174,11 @@ class FieldFormsTest : public QObject {
   void findRows(QStringList& missing, QStringList& withoutHelp) {
     const editor::PropertyPage* page = panel_->page(kindOfKeys<T>());
     for (const sim2d::Field<T>& field : sim2d::fieldsOf<T>()) {
-      const QString key = QString::fromStdString(field.spec.key);
+      const QString key = QString::fromStdString(editor::rowName<T>(field.spec.key));
       if (field.spec.help.empty()) {
         withoutHelp << key;
       }
-      const bool isOther = field.isStructure() || shownOtherwise().count(field.spec.key) > 0 ||
+      const bool isOther = field.isStructure() || isShownOtherwise<T>(field.spec.key) ||
                            (std::is_same_v<T, sim2d::Obstacle> && key == QLatin1String("kind"));
       const auto* row = page->findChild<QWidget*>(key);
       if (!isOther && (row == nullptr || !row->toolTip().contains(editor::helpOf(field.spec)))) {
@@ -192,6 +203,9 @@ class FieldFormsTest : public QObject {
     findRows<sim2d::Behavior>(missing, withoutHelp);
     findRows<sim2d::PersonExtension>(missing, withoutHelp);
     findRows<sim2d::Robot>(missing, withoutHelp);
+    findRows<sim2d::LidarSettings>(missing, withoutHelp);
+    findRows<sim2d::DetectorSettings>(missing, withoutHelp);
+    findRows<sim2d::OdometrySettings>(missing, withoutHelp);
     findRows<sim2d::Obstacle>(missing, withoutHelp);
     findRows<sim2d::Door>(missing, withoutHelp);
     findRows<sim2d::Area>(missing, withoutHelp);

@@ -186,6 +186,60 @@ class RandomScenario {
       to.footprintX = sizes(4);
       to.footprintY = sizes(4);
     }
+    maybe(to.kinematics, [&] { return static_cast<sim2d::Kinematics>(upTo(2)); });
+    maybe(to.turningRadius, [&] { return size(); });
+    to.lidar = lidar();
+    to.detector = detector();
+    to.odometryNoise = odometry();
+    to.unknown = unknown();
+    return to;
+  }
+  double share() { return upTo(10) / 10.0; }
+  sim2d::LidarSettings lidar() {
+    sim2d::LidarSettings to;
+    if (flip()) {
+      return to;
+    }
+    maybe(to.beams, [&] { return upTo(720); });
+    for (auto* value : {&to.range, &to.rate, &to.noise}) {
+      maybe(*value, [&] { return size() / 2.0; });
+    }
+    for (auto* value : {&to.angleMin, &to.angleMax, &to.x, &to.y, &to.h}) {
+      maybe(*value, [&] { return flip() ? 0.0 : share() - 0.5; });
+    }
+    maybe(to.legs, [&] { return flip(); });
+    maybe(to.record, [&] { return flip(); });
+    to.unknown = unknown();
+    return to;
+  }
+  sim2d::DetectorSettings detector() {
+    sim2d::DetectorSettings to;
+    if (flip()) {
+      return to;
+    }
+    maybe(to.kind, [&] { return static_cast<sim2d::DetectorKind>(upTo(1)); });
+    maybe(to.range, [&] { return flip() ? 10.0 : size(); });
+    for (auto* value : {&to.field, &to.latency, &to.misses, &to.swaps, &to.hiddenShare}) {
+      maybe(*value, [&] { return 0.01 + share() * 0.9; });
+    }
+    for (auto* value : {&to.rate, &to.noise, &to.swapDistance, &to.coastTime}) {
+      maybe(*value, [&] { return flip() ? 0.0 : size() / 2.0; });
+    }
+    maybe(to.occlusion, [&] { return flip(); });
+    maybe(to.velocities, [&] { return static_cast<sim2d::TrackVelocities>(upTo(1)); });
+    maybe(to.accelerationNoise, [&] { return flip() ? 0.5 : size(); });
+    to.unknown = unknown();
+    return to;
+  }
+  sim2d::OdometrySettings odometry() {
+    sim2d::OdometrySettings to;
+    if (flip()) {
+      return to;
+    }
+    for (auto* value : {&to.alpha1, &to.alpha2, &to.alpha3, &to.alpha4}) {
+      maybe(*value, [&] { return share(); });
+    }
+    maybe(to.drift, [&] { return share() - 0.5; });
     to.unknown = unknown();
     return to;
   }

@@ -101,7 +101,11 @@ std::map<std::string, Fault> allFaults(const Scenario& scenario) {
   FaultRows(rows, kBlockNode, {}).addAll(scenario.desktop);
   FaultRows(rows, kBlockNode, {"metrics"}).addAll(scenario.desktop.metrics);
   FaultRows(rows, kBlockNode, {anna.name}).addAll(anna.ours);
-  FaultRows(rows, kBlockNode, {scenario.robots.front().name}).addAll(scenario.robots.front());
+  const Robot& robot = scenario.robots.front();
+  FaultRows(rows, kBlockNode, {robot.name}).addAll(robot);
+  FaultRows(rows, kBlockNode, {robot.name, "lidar"}).addAll(robot.lidar);
+  FaultRows(rows, kBlockNode, {robot.name, "detector"}).addAll(robot.detector);
+  FaultRows(rows, kBlockNode, {robot.name, "odometry_noise"}).addAll(robot.odometryNoise);
   for (const Obstacle& obstacle : scenario.obstacles) {
     FaultRows(rows, kBlockNode, {obstacle.name}).addAll(obstacle);
   }
