@@ -80,6 +80,7 @@ class MathTest : public QObject {
   void log_outsideItsRange_isInfiniteOrNan();
   void sinCos_hugeArguments_areBoundedAndPeriodic();
   void sin_signedZero_keepsItsSign();
+  void sinCos_anyAngle_areSinAndCos();
   void acos_outsideItsRange_isClamped();
   void tanh_farOut_isOne();
   void everyFunction_nan_staysNan();
@@ -199,6 +200,16 @@ void MathTest::sin_signedZero_keepsItsSign() {
   QVERIFY(base::sin(0.0) == 0.0 && !std::signbit(base::sin(0.0)));
   QVERIFY(base::cos(0.0) == 1.0);
   QVERIFY(base::sin(5e-324) == 5e-324);
+}
+
+void MathTest::sinCos_anyAngle_areSinAndCos() {
+  for (int i = -4000; i <= 4000; ++i) {
+    const double x = i < 0 ? 25.7 * i : 0.003 * i;
+    const base::SinCos both = base::sinCos(x);
+    QVERIFY(both.sin == base::sin(x) && both.cos == base::cos(x));
+  }
+  QVERIFY(std::isnan(base::sinCos(std::nan("")).sin));
+  QVERIFY(std::isnan(base::sinCos(std::nan("")).cos));
 }
 
 void MathTest::acos_outsideItsRange_isClamped() {

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <set>
@@ -27,6 +28,7 @@ class RngTest : public QObject {
   void uniform_narrowRange_neverReachesTheUpperEnd();
   void uniform_emptyRange_isItsLowerEnd();
   void normal_moments_areThoseOfTheNormalDistribution();
+  void normalPair_moments_areThoseOfIndependentNormals();
   void neighbouringAddresses_areUncorrelated();
 };
 
@@ -108,6 +110,24 @@ void RngTest::normal_moments_areThoseOfTheNormalDistribution() {
   QVERIFY(std::abs(squares / kDraws - 1.0) < 0.015);
   QVERIFY(std::abs(fourth / kDraws - 3.0) < 0.1);
   QVERIFY(std::abs(withinOne / static_cast<double>(kDraws) - 0.682689) < 0.005);
+}
+
+void RngTest::normalPair_moments_areThoseOfIndependentNormals() {
+  double sums[5] = {};  // of both, their squares and their product
+  for (int i = 0; i < kDraws; ++i) {
+    const AgentRng rng(9, i);
+    const std::array<double, 2> pair = rng.normalPair(Draw::Lidar, 3);
+    QVERIFY(pair[0] == rng.normal(0.0, 1.0, Draw::Lidar, 3));
+    sums[0] += pair[0];
+    sums[1] += pair[1];
+    sums[2] += pair[0] * pair[0];
+    sums[3] += pair[1] * pair[1];
+    sums[4] += pair[0] * pair[1];
+  }
+  const double expected[5] = {0.0, 0.0, 1.0, 1.0, 0.0};
+  for (int i = 0; i < 5; ++i) {
+    QVERIFY(std::abs(sums[i] / kDraws - expected[i]) < 0.015);
+  }
 }
 
 void RngTest::neighbouringAddresses_areUncorrelated() {

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "sim2d/map/Obstacles.h"
+#include "tests/AllocationCount.h"
 
 using namespace sim2d;
 
@@ -111,6 +112,8 @@ class ObstaclesTest : public QObject {
   void raycast_inside_isZero();
   void isVisible_cases();
   void setEnabled_door_opensSight();
+  void segmentsNear_openDoor_areThoseOfTheRestOnceInOrder();
+  void segmentsNear_enoughRoom_takesNoMemory();
   void build_degenerate_isSafe();
   void map_room_insideIsFree();
 };
@@ -344,6 +347,45 @@ void ObstaclesTest::setEnabled_door_opensSight() {
   QVERIFY(obstacles.isVisible({-2, 0}, {2, 0}));
   QVERIFY(!obstacles.isInside({0, 0}));
   QCOMPARE(obstacles.clearance({0, 0}), 0.5);
+}
+
+void ObstaclesTest::segmentsNear_openDoor_areThoseOfTheRestOnceInOrder() {
+  Obstacles obstacles;
+  obstacles.add({boxOutline({{0, 0}, 0}, 2, 2)});
+  const int door = obstacles.add({boxOutline({{1.5, 0}, 0}, 1, 1)});
+  obstacles.add({boxOutline({{0, 3}, 0}, 8, 1)});
+  obstacles.add({boxOutline({{500, 0}, 0}, 1, 1)});
+  obstacles.build();
+  obstacles.setEnabled(door, false);
+  const Segment kept{{7, 7}, {8, 8}};
+  std::vector<Segment> found = {kept};
+  obstacles.segmentsNear({0, 1}, 20.0, found);
+  std::vector<Segment> expected = {kept};
+  for (const int part : {0, 2}) {
+    const std::vector<Vec2>& points = obstacles.outlines(part).front().points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      expected.push_back({points[i], points[(i + 1) % points.size()]});
+    }
+  }
+  QCOMPARE(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    QVERIFY(found[i].a == expected[i].a && found[i].b == expected[i].b);
+  }
+}
+
+void ObstaclesTest::segmentsNear_enoughRoom_takesNoMemory() {
+  Obstacles obstacles;
+  for (int i = 0; i < 50; ++i) {
+    obstacles.add({boxOutline({{0.3 * i, 0.1 * i}, 0.2 * i}, 2, 0.5)});
+  }
+  obstacles.build();
+  std::vector<Segment> found;
+  obstacles.segmentsNear({5, 2}, 6.0, found);
+  found.clear();
+  const long before = allocations;
+  obstacles.segmentsNear({5, 2}, 6.0, found);
+  QCOMPARE(static_cast<long>(allocations) - before, 0L);
+  QVERIFY(found.size() > 20);
 }
 
 void ObstaclesTest::build_degenerate_isSafe() {

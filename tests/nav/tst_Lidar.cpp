@@ -200,6 +200,7 @@ class LidarTest : public QObject {
   void legs_walking_standOnTheGround();
   void stepLength_walkingSpeeds_isThatOfGrieveAndGear();
   void update_afterTheFirstTurn_allocatesNothing();
+  void update_readFromSomeTimeOn_isTheSame();
 };
 
 void LidarTest::turn_randomScenes_equalBeamsCastAlone_data() {
@@ -624,6 +625,34 @@ void LidarTest::update_afterTheFirstTurn_allocatesNothing() {
     update(step);
   }
   QCOMPARE(static_cast<long>(allocations) - before, 0L);
+}
+
+/// Turns that nobody looked at leave nothing behind, in legs and errors neither.
+void LidarTest::update_readFromSomeTimeOn_isTheSame() {
+  std::mt19937 random(7);
+  Floor floor;
+  addSolids(floor, random);
+  addBodies(floor, random, 40, 6);
+  LidarParameters parameters;
+  parameters.noise = 0.01;
+  Lidar always(parameters, 1, 99);
+  Lidar late(parameters, 1, 99);
+  for (int step = 0; step < 60; ++step) {
+    const Pose2 pose{{0.05 * step, 0.0}, 0.1 * step};
+    const SensedWorld world{pose, pose, floor.obstacles, floor.bodies, 0.05 * step};
+    const bool isTurn = always.update(world);
+    QCOMPARE(isTurn, step % 2 == 0);
+    QCOMPARE(late.update(world, step >= 31), isTurn && step >= 31);
+    for (SensedBody& body : floor.bodies) {
+      body.position += 0.05 * body.velocity;
+    }
+    if (step < 32) {
+      QVERIFY(late.scan() == nullptr);
+    } else {
+      QVERIFY(late.scan()->time == always.scan()->time);
+      QVERIFY(late.scan()->distances == always.scan()->distances);
+    }
+  }
 }
 
 QTEST_GUILESS_MAIN(LidarTest)
