@@ -26,6 +26,7 @@ constexpr ProblemText kTexts[] = {
     {"scenario.nobody", "there is nobody in this scenario"},
     {"scenario.no-robot", "there is no robot: what is measured about it stays empty"},
     {"planner.unknown-parameter", "unknown to '{planner}'{nearest}"},
+    {"planner.command-unused", "counts with planner 'external' only, not with '{planner}'"},
     {"planner.bad-value", "'{found}' is not {wanted}"},
     {"source.no-like", "a source needs 'like', the person it copies"},
     {"source.like-unknown", "there is no person '{found}' to copy"},
@@ -236,6 +237,7 @@ constexpr ProblemText kTexts[] = {
     {"replay.no-robot", "there is no robot {id} in this trajectory"},
     {"replay.empty", "holds no velocities"},
     // Planners in a program or library of others.
+    {"code.not-allowed", "robot '{robot}' wants to start '{command}'; --allow-code lets it"},
     {"external.not-allowed",
      "'{command}' is a program of others: it is started with --allow-code only"},
     {"external.no-command", "planner 'external' needs a 'command'"},
@@ -257,6 +259,7 @@ constexpr ProblemText kTexts[] = {
     {"external.bad-path", "\"path\" of the answer must hold points [x, y], not {found}"},
     {"library.not-allowed", "'{file}' is a library of others: it is loaded with --allow-code only"},
     {"library.no-file", "planner 'library' needs a 'file'"},
+    {"library.not-there", "the library '{file}' is not there"},
     {"library.not-loaded", "the library cannot be loaded: {reason}"},
     {"library.no-symbol", "'{file}' lacks the function {symbol}"},
     {"library.other-version",

@@ -17,10 +17,11 @@ class StopFlag {
   void stop() { isStopped_ = true; }
   /// Throws `Stopped` if so. Work asks once per row of a map or as often.
   void check() const {
-    if (isStopped_ && needs_ == 0) {
+    if (isHeeded()) {
       throw Stopped();
     }
   }
+  bool isHeeded() const { return isStopped_ && needs_ == 0; }
 
  private:
   friend class NeededWork;

@@ -8,7 +8,9 @@
 
 #include "sim2d/base/Registry.h"
 #include "sim2d/base/Result.h"
+#include "sim2d/base/Stop.h"
 #include "sim2d/nav/Observation.h"
+#include "sim2d/nav/external/CodePermission.h"
 
 /// Local planners of robots, and how they are chosen by name.
 namespace sim2d {
@@ -36,6 +38,8 @@ class Planner {
   virtual base::Result<BodyTwist> command(const Observation& observation) = 0;
   /// False: it never looks at `Observation::scan`, and no turns need be made for it.
   virtual bool readsScan() const { return true; }
+  /// False: it is asked without a goal too, and after the last one; the goal is the robot's place.
+  virtual bool needsGoal() const { return true; }
   /// What it follows now, for display; the robot's place first.
   virtual std::vector<Vec2> path() const { return {}; }
   /// What it weighed in the last call, for display; a sample of it when there is much.
@@ -51,9 +55,16 @@ struct PlannerSetup {
   std::vector<std::pair<std::string, double>> parameters;  // given ones, checked against the specs
   std::vector<std::pair<std::string, std::string>> texts;  // idem, of specs of type Text
   std::uint64_t seed = 1;
-  int robotId = -1;        // with the seed: whose draws
-  bool allowCode = false;  // programs and libraries of others may run
+  int robotId = -1;     // with the seed: whose draws
+  std::string command;  // the program of an external planner, see `commandWords`
+  std::string folder;   // where relative files begin; empty: the current one
+  CodeUse code = CodeUse::Refused;
+  base::StopFlagPtr stop =
+      std::make_shared<const base::StopFlag>();  // ends waits, by base::Stopped
 };
+
+/// The file that a text names, empty: none does. Relative ones begin in the folder of the setup.
+std::string fileOf(const PlannerSetup& setup, const std::string& key);
 
 /// A file in planners/ registers its own in `add<File>`; errors name the robot.
 using PlannerMaker = std::function<base::Result<std::shared_ptr<Planner>>(const PlannerSetup&)>;

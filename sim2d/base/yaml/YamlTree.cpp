@@ -285,4 +285,10 @@ YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& 
   return std::move(builder.root);
 }
 
+std::string scalarText(const std::string& yaml) {
+  Diagnostics problems;
+  const YamlNode node = parseYaml(yaml, {}, problems);
+  return node.isScalar() && !hasErrors(problems) ? node.text : yaml;
+}
+
 }  // namespace base

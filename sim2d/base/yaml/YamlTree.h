@@ -66,6 +66,9 @@ YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& 
 /// Block style, two spaces per level, lists indented under their key; no newline at the end.
 std::string emitYaml(const YamlNode& node);
 
+/// What a scalar in this text says, without its quotes; the text itself when it is none.
+std::string scalarText(const std::string& yaml);
+
 /// The text would be something else than a string, or no plain scalar at all.
 bool needsQuotes(std::string_view text);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/external/CommandWords.h"
 #include "sim2d/nav/external/ExternalProcess.h"
 #include "sim2d/nav/external/PlannerProtocol.h"
 
@@ -26,10 +27,13 @@ base::Diagnostics ofExternalRobot(const std::string& robot, const base::Diagnost
 class ExternalPlanner : public Planner {
  public:
   ExternalPlanner(PlannerSetup setup, const ExternalCommand& command,
-                  std::unique_ptr<ExternalProcess> process)
-      : setup_(std::move(setup)), command_(command), process_(std::move(process)) {}
+                  std::unique_ptr<ExternalProcess> process, base::StopFlagPtr stop)
+      : setup_(std::move(setup)),
+        command_(command),
+        process_(std::move(process)),
+        stop_(std::move(stop)) {}
   ~ExternalPlanner() override {
-    if (isReady_) {
+    if (isReady_ && !stop_->isHeeded()) {
       process_->finish(endLine("over"));
     }
   }
@@ -93,12 +97,22 @@ class ExternalPlanner : public Planner {
   const PlannerSetup setup_;
   const ExternalCommand command_;
   std::unique_ptr<ExternalProcess> process_;
+  const base::StopFlagPtr stop_;
   bool isReady_ = false;
   int wallVersion_ = -1;            // of the walls that it knows
   std::optional<double> scanTime_;  // [s], of the last scan that it got
   std::vector<Vec2> path_;
   base::Diagnostics problems_;  // it has failed
 };
+
+base::Diagnostics timeProblems(const ExternalCommand& command) {
+  for (const double seconds : {command.timeout, command.firstTimeout}) {
+    if (!(seconds > 0.0 && seconds <= kLongestTimeout)) {
+      return {base::error("external.bad-timeout", {kLongestTimeout, seconds})};
+    }
+  }
+  return {};
+}
 
 base::Result<std::unique_ptr<ExternalProcess>> startExternal(const ExternalCommand& command,
                                                              CodePermission permission,
@@ -109,12 +123,8 @@ base::Result<std::unique_ptr<ExternalProcess>> startExternal(const ExternalComma
   if (!permission.allowed) {
     return base::error("external.not-allowed", {command.command});
   }
-  for (const double seconds : {command.timeout, command.firstTimeout}) {
-    if (!(seconds > 0.0 && seconds <= kLongestTimeout)) {
-      return base::error("external.bad-timeout", {kLongestTimeout, seconds});
-    }
-  }
-  return ExternalProcess::start(command.command, stop);
+  const base::Diagnostics wrong = timeProblems(command);
+  return wrong.empty() ? ExternalProcess::start(command.command, stop) : wrong;
 }
 
 }  // namespace
@@ -128,7 +138,16 @@ base::Result<std::shared_ptr<Planner>> makeExternalPlanner(const PlannerSetup& s
     return ofExternalRobot(setup.robot, process.diagnostics());
   }
   return std::shared_ptr<Planner>(
-      std::make_shared<ExternalPlanner>(setup, command, *std::move(process)));
+      std::make_shared<ExternalPlanner>(setup, command, *std::move(process), stop));
+}
+
+base::Diagnostics checkExternalCommand(const PlannerSetup& setup, const ExternalCommand& command) {
+  base::Diagnostics problems = timeProblems(command);
+  if (!ExternalProcess::isSocket(command.command)) {
+    const base::Result<std::vector<std::string>> words = commandWords(command.command);
+    base::append(problems, words ? programFile(words->front()).diagnostics() : words.diagnostics());
+  }
+  return ofExternalRobot(setup.robot, problems);
 }
 
 }  // namespace sim2d

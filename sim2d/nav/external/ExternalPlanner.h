@@ -25,4 +25,7 @@ base::Result<std::shared_ptr<Planner>> makeExternalPlanner(
     const PlannerSetup& setup, const ExternalCommand& command, CodePermission permission,
     const base::StopFlagPtr& stop = std::make_shared<const base::StopFlag>());
 
+/// What can be told without starting it: no command, an open quote, no such program, a bad time.
+base::Diagnostics checkExternalCommand(const PlannerSetup& setup, const ExternalCommand& command);
+
 }  // namespace sim2d

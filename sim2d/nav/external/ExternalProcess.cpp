@@ -24,6 +24,7 @@ constexpr std::string_view kSocketPrefix = "unix:";
 constexpr milliseconds kSocketPatience{2000};    // while others stand in the line of the socket
 constexpr milliseconds kBetweenAttempts{10};     // idem
 constexpr milliseconds kToEndByItself{1000};     // after the last line
+constexpr milliseconds kBetweenLooks{20};        // at the stop flag
 constexpr milliseconds kToTakeLastLine{500};     // idem
 constexpr milliseconds kToEndAfterClosing{200};  // who closes its output mostly is about to end
 constexpr std::size_t kShownErrors = 500;        // [B]
@@ -74,11 +75,15 @@ int connectTo(const std::string& path, const base::StopFlag& stop, Descriptor& s
 
 }  // namespace
 
+bool ExternalProcess::isSocket(const std::string& command) {
+  return command.compare(0, kSocketPrefix.size(), kSocketPrefix) == 0;
+}
+
 base::Result<std::unique_ptr<ExternalProcess>> ExternalProcess::start(const std::string& command,
                                                                       base::StopFlagPtr stop) {
-  std::unique_ptr<ExternalProcess> made(new ExternalProcess(command));
+  std::unique_ptr<ExternalProcess> made(new ExternalProcess(command, stop));
   LineChannel::Ends ends;
-  if (command.compare(0, kSocketPrefix.size(), kSocketPrefix) == 0) {
+  if (isSocket(command)) {
     const std::string path = command.substr(kSocketPrefix.size());
     if (const int why = connectTo(path, *stop, made->socket_); why != 0) {
       return base::error("external.not-connected", {path, std::generic_category().message(why)});
@@ -154,7 +159,10 @@ void ExternalProcess::finish(const std::string& line) {
   channel_->send(line, LineChannel::Clock::now() + kToTakeLastLine);  // it may have gone: all right
   if (child_) {
     child_->closeInput();
-    child_->ending(kToEndByItself);
+    const auto patience = LineChannel::Clock::now() + kToEndByItself;
+    while (!stop_->isHeeded() && !child_->ending(kBetweenLooks) &&
+           LineChannel::Clock::now() < patience) {
+    }
   }
   abandon();
 }

@@ -20,6 +20,7 @@ class ExternalProcess {
   /// external.open-quote, external.not-started, external.not-connected.
   static base::Result<std::unique_ptr<ExternalProcess>> start(const std::string& command,
                                                               base::StopFlagPtr stop);
+  static bool isSocket(const std::string& command);
   /// No child is left; neither is anything of its process group.
   ~ExternalProcess() = default;
   ExternalProcess(const ExternalProcess&) = delete;
@@ -31,19 +32,22 @@ class ExternalProcess {
   /// been ended, and every further call gives the same error: external.died, .closed, .too-slow,
   /// .not-reading, .line-too-long, .unasked.
   base::Result<std::string> ask(const std::string& line, double timeout);
-  /// Sends a last line, closes the child's input, and leaves it a moment to end by itself.
+  /// Sends a last line, closes the child's input, and leaves it a moment to end by itself, unless
+  /// it is to stop.
   void finish(const std::string& line);
   /// Ends the child now, as after an error.
   void abandon();
   pid_t childId() const { return child_ ? child_->id() : -1; }  // -1: none, or a socket
 
  private:
-  explicit ExternalProcess(std::string command) : command_(std::move(command)) {}
+  ExternalProcess(std::string command, base::StopFlagPtr stop)
+      : command_(std::move(command)), stop_(std::move(stop)) {}
   bool hasEnded() const { return child_ && child_->hasEnded(); }
   base::Diagnostic errorOf(LineChannel::Outcome outcome, double timeout);
   base::Diagnostic lossOf(LineChannel::Outcome outcome);
 
   std::string command_;
+  base::StopFlagPtr stop_;
   std::unique_ptr<ChildProcess> child_;  // null: a socket, or ended
   Descriptor socket_;
   std::unique_ptr<LineChannel> channel_;  // null: ended

@@ -1,46 +1,39 @@
-#include <string>
+#include <memory>
 #include <utility>
-#include <vector>
 
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/external/ExternalPlanner.h"
+#include "sim2d/nav/external/StandIn.h"
 
 namespace sim2d {
 namespace {
 
-std::vector<base::ParameterSpec> externalSpecs() {
-  base::ParameterSpec command;
-  command.key = "command";
-  command.type = base::ParameterType::Text;
-  command.fallback = std::string();
-  command.help =
-      "Program that plans, with its arguments, or unix:PATH for a local socket; needs permission "
-      "to run code.";
-  base::ParameterSpec timeout;
-  timeout.key = "timeout";
-  timeout.unit = "s";
-  timeout.range = {0.0, 3600.0, true};
-  timeout.fallback = ExternalCommand().timeout;
-  timeout.help = "Longest time that the program may take for an answer.";
-  return {command, timeout};
+base::ParameterTable<ExternalCommand> externalTable() {
+  base::ParameterTable<ExternalCommand> table;
+  table.add(&ExternalCommand::timeout, "timeout", "s", {0.0, 3600.0, true},
+            "Longest time that the program of the robot's `command` may take for an answer.");
+  return table;
 }
 
 base::Result<std::shared_ptr<Planner>> makeExternal(const PlannerSetup& setup) {
   ExternalCommand command;
-  for (const auto& [name, value] : setup.parameters) {
-    command.timeout = name == "timeout" ? value : command.timeout;
+  externalTable().set(command, setup.parameters);
+  command.command = setup.command;
+  if (setup.code != CodeUse::LeftOut) {
+    return makeExternalPlanner(setup, command, {setup.code == CodeUse::Allowed}, setup.stop);
   }
-  for (const auto& [name, text] : setup.texts) {
-    command.command = name == "command" ? text : command.command;
+  const base::Diagnostics problems = checkExternalCommand(setup, command);
+  if (!problems.empty()) {
+    return problems;
   }
-  return makeExternalPlanner(setup, command, {setup.allowCode});
+  return std::shared_ptr<Planner>(std::make_shared<StandIn>());
 }
 
 }  // namespace
 
 void addExternal(PlannerRegistry& to);
 void addExternal(PlannerRegistry& to) {
-  to.add("external", externalSpecs(), makeExternal);
+  to.add(kExternalPlanner, externalTable().specs(), makeExternal);
 }
 
 }  // namespace sim2d

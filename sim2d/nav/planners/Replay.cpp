@@ -15,8 +15,8 @@ struct ReplayParameters {
 
 base::ParameterTable<ReplayParameters> replayTable() {
   base::ParameterTable<ReplayParameters> table;
-  table.add(&ReplayParameters::robot, "robot", "", {-1e6, 1e6},
-            "Whose velocities are taken from a trajectory.csv: its id.");
+  table.addCount(&ReplayParameters::robot, "robot", {-1e6, 1e6},
+                 "Whose velocities are taken from a trajectory.csv: its id.");
   return table;
 }
 
@@ -25,7 +25,10 @@ std::vector<base::ParameterSpec> replaySpecs() {
   file.key = "file";
   file.type = base::ParameterType::Text;
   file.fallback = std::string();
-  file.help = "CSV with time,linear,angular and perhaps lateral, or the trajectory.csv of a run.";
+  file.help =
+      "CSV with time,linear,angular and perhaps lateral, or the trajectory.csv of a run; relative "
+      "to "
+      "the scenario.";
   std::vector<base::ParameterSpec> specs{file};
   for (const base::ParameterSpec& spec : replayTable().specs()) {
     specs.push_back(spec);
@@ -42,6 +45,7 @@ class Replay : public Planner {
   base::Result<BodyTwist> command(const Observation& observation) override {
     return record_.at(observation.time);
   }
+  bool needsGoal() const override { return false; }
 
  private:
   CommandRecord record_;
@@ -50,12 +54,7 @@ class Replay : public Planner {
 base::Result<std::shared_ptr<Planner>> makeReplay(const PlannerSetup& setup) {
   ReplayParameters parameters;
   replayTable().set(parameters, setup.parameters);
-  std::string path;
-  for (const auto& [key, text] : setup.texts) {
-    if (key == "file") {
-      path = text;
-    }
-  }
+  const std::string path = fileOf(setup, "file");
   if (path.empty()) {
     return base::within("robot '" + setup.robot + "'", base::error("replay.no-file"));
   }

@@ -68,6 +68,7 @@ class Teleop : public TeleopPlanner {
     return BodyTwist{};
   }
 
+  bool needsGoal() const override { return false; }
   std::vector<Vec2> path() const override { return path_; }
 
  private:
