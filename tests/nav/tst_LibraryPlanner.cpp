@@ -137,7 +137,15 @@ void LibraryPlannerTest::make_fromRegistry_takesItsTexts() {
   PlannerSetup setup = setupOf();
   setup.texts = {{"file", kExample}};
   QVERIFY(entry->make(setup));
-  setup.allowCode = false;
+  setup.folder = "/nowhere";
+  QVERIFY(entry->make(setup));  // the file begins at the root
+  setup.texts = {{"file", "gone.so"}};
+  const auto gone = entry->make(setup);
+  QVERIFY2(messageOf(gone.diagnostics()).contains("/nowhere/gone.so"),
+           messageOf(gone.diagnostics()));
+  setup.code = CodeUse::LeftOut;
+  QCOMPARE(codeOf(entry->make(setup).diagnostics()), std::string("library.not-there"));
+  setup.code = CodeUse::Refused;
   QCOMPARE(codeOf(entry->make(setup).diagnostics()), std::string("library.not-allowed"));
 }
 

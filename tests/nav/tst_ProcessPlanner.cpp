@@ -169,6 +169,7 @@ class ProcessPlannerTest : public QObject {
   void make_badCommand_tellsWhy_data();
   void make_badCommand_tellsWhy();
   void make_fromRegistry_takesItsTexts();
+  void make_codeLeftOut_standsAndTells();
   void make_badTimeout_isRefused();
   void command_linesSent_areThoseOfTheProtocol();
   void command_carriageReturns_areTaken();
@@ -299,9 +300,9 @@ void ProcessPlannerTest::make_fromRegistry_takesItsTexts() {
   addExternal(registry);
   const auto* entry = registry.find("external");
   QVERIFY(entry != nullptr);
-  QCOMPARE(entry->parameters.size(), std::size_t{2});
+  QCOMPARE(entry->parameters.size(), std::size_t{1});
   PlannerSetup setup = setupOf();
-  setup.texts = {{"command", script(QByteArray(kReady) + "sleep 60\n")}};
+  setup.command = script(QByteArray(kReady) + "sleep 60\n");
   setup.parameters = {{"timeout", 0.3}};
   {
     const auto made = entry->make(setup);
@@ -310,8 +311,30 @@ void ProcessPlannerTest::make_fromRegistry_takesItsTexts() {
     QCOMPARE(codeOf(problems), std::string("external.too-slow"));
     QVERIFY2(messageOf(problems).contains("0.3 s"), messageOf(problems));
   }
-  setup.allowCode = false;
+  setup.code = CodeUse::Refused;
   QCOMPARE(codeOf(entry->make(setup).diagnostics()), std::string("external.not-allowed"));
+}
+
+/// Nothing is started; what can be told of the command is.
+void ProcessPlannerTest::make_codeLeftOut_standsAndTells() {
+  PlannerRegistry registry;
+  addExternal(registry);
+  const auto* entry = registry.find("external");
+  PlannerSetup setup = setupOf();
+  setup.code = CodeUse::LeftOut;
+  setup.command = script("touch '" + path("was-here").toUtf8() + "'\n");
+  const auto made = entry->make(setup);
+  QVERIFY(made);
+  const Drive driven = drive(**made, 2);
+  QVERIFY(driven.problems.empty());
+  QCOMPARE(driven.commands, (std::vector<double>(6, 0.0)));
+  QVERIFY(!QFile::exists(path("was-here")));
+  const std::pair<const char*, const char*> wrong[] = {
+      {"no-such-program-here", "external.not-started"}, {"sh -c 'x", "external.open-quote"}};
+  for (const auto& [command, code] : wrong) {
+    setup.command = command;
+    QCOMPARE(codeOf(entry->make(setup).diagnostics()), std::string(code));
+  }
 }
 
 void ProcessPlannerTest::make_badTimeout_isRefused() {
