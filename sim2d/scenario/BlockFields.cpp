@@ -200,6 +200,11 @@ Fields<Robot> robotFields() {
       field("type", &Robot::type, "Kind of robot", {"Type"}).resolvedTo(&Resolved::type),
       field("planner", &Robot::planner, "What drives it to its goals", {"Planner"})
           .resolvedTo(&Resolved::planner),
+      field("command", &Robot::command,
+            "Of planner external: the program that plans, with its arguments, or unix:PATH of a "
+            "socket; runs with --allow-code only",
+            {"Command"})
+          .resolvedTo(&Resolved::command),
       FieldOf<Robot>("planner_parameters", "Of the planner: name and value of each", {"Parameters"})
           .madeBy(readPlannerParameters, writePlannerParameters, &Robot::plannerParameters),
       FieldOf<Robot>("start", "Where it begins: `x`, `y` and heading `h`", {"Position"})

@@ -229,6 +229,9 @@ ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id)
   result.id = id;
   result.name = robot.name;
   result.plannerParameters = numbersOf(robot.plannerParameters);
+  for (const auto& [name, yaml] : robot.plannerParameters) {
+    result.plannerTexts.emplace_back(name, base::scalarText(yaml));
+  }
   result.start = {robot.start.position, base::wrapToPi(robot.start.heading)};
   takeRobotGoals(result, robot.goal, scenario);
   resolveFields(robot, result);

@@ -43,7 +43,9 @@ struct ResolvedHuman {
 struct ResolvedRobot {
   int id = -1;
   std::string name, type = "generic", planner = "pursuit";
-  std::vector<std::pair<std::string, double>> plannerParameters;
+  std::string command;                                            // of planner external
+  std::vector<std::pair<std::string, double>> plannerParameters;  // those that are numbers
+  std::vector<std::pair<std::string, std::string>> plannerTexts;  // all of them, as text
   Pose2 start;
   std::vector<Vec2> goals;   // points in order; empty: it stands
   std::vector<int> goalIds;  // beside them; 0 = a plain point

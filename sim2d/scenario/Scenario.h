@@ -140,6 +140,7 @@ struct OdometrySettings {
 
 struct Robot : Named {
   std::optional<std::string> type, planner;
+  std::optional<std::string> command;  // the program of planner `external`
   ParameterTexts plannerParameters;
   Pose2 start;
   RobotGoal goal;

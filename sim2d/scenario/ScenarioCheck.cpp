@@ -124,6 +124,8 @@ void checkParameters(const ParameterTexts& given, const std::string& owner,
     const std::optional<double> value = base::parseDouble(text);
     if (found == nullptr) {
       report.error(parameter, "planner.unknown-parameter", {owner, base::nearestName(key, known)});
+    } else if (found->type == ParameterType::Text) {
+      continue;  // every single value is one
     } else if (!value || !std::isfinite(*value) || !found->range.contains(*value)) {
       report.error(parameter, "planner.bad-value", {text, expectedOf(*found)});
     }
@@ -250,6 +252,10 @@ void checkReferences(const Scenario& scenario, const KnownNames& names, CheckRep
     checkParameters(robot.plannerParameters, robot.planner.value_or(ResolvedRobot{}.planner),
                     names.plannerParameters, {robot.key, robot.name + ".planner_parameters"},
                     report);
+    if (robot.command && robot.planner.value_or(ResolvedRobot{}.planner) != kExternalPlanner) {
+      report.warning({robot.key, robot.name + ".command"}, "planner.command-unused",
+                     {robot.planner.value_or(ResolvedRobot{}.planner)});
+    }
   });
   forEachListed(scenario.areas, [&](const Area& area) { checkSource(area, scenario, report); });
 }

@@ -169,6 +169,7 @@ class RandomScenario {
     to.listed = listed;
     maybe(to.type, [&] { return flip() ? std::string("generic") : word(); });
     maybe(to.planner, [&] { return flip() ? std::string("pursuit") : word(); });
+    maybe(to.command, [&] { return word(); });
     if (flip()) {
       to.plannerParameters = {{"lookahead", "0.80"}, {"on", "\"text\""}};
     }

@@ -230,6 +230,8 @@ class DefaultsTest : public QObject {
     QCOMPARE(first.goals.size(), std::size_t(1));
     QCOMPARE(first.goalIds[0], 0);
     QCOMPARE(first.plannerParameters.size(), std::size_t(2));  // 'style' is no number
+    QVERIFY(first.plannerTexts[2] == std::make_pair(std::string("style"), std::string("smooth")));
+    QVERIFY(first.command == *scenario.robots[0].command);
     ResolvedRobot second = resolveRobot(scenario, scenario.robots[1], -2);
     QVERIFY(second.goalIds == (std::vector<int>{1, 3}));
     QVERIFY(second.goals[1] == Vec2(9.125, -5.0));

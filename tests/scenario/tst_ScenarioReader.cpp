@@ -84,6 +84,7 @@ class ScenarioReaderTest : public QObject {
     QCOMPARE(scenario.robots.size(), std::size_t(2));
     const Robot& robot = scenario.robots[0];
     QVERIFY(robot.type == std::string("delivery") && robot.goal.point == Vec2(8.0, 3.5));
+    QVERIFY(robot.command == std::string("python3 \"my planner.py\" --fast"));
     QCOMPARE(robot.plannerParameters.size(), std::size_t(3));
     QVERIFY(robot.plannerParameters[0] ==
             std::make_pair(std::string("lookahead"), std::string("0.8")));

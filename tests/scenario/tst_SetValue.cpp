@@ -31,6 +31,10 @@ class SetValueTest : public QObject {
     row("model_parameters.orca.horizon", "3", "      orca:\n        horizon: 3\n");
     row("robot1.start.h", "1", "        h: 1.0\n");
     row("robot1.planner", "dwa", "      planner: dwa\n");
+    row("robot1.command", "python3 'a b.py'", "      command: python3 'a b.py'\n");
+    row("robot2.command", "./follow", "      command: ./follow\n");
+    row("robot1.planner_parameters.file", "out/trajectory.csv",
+        "        file: out/trajectory.csv\n");
     row("gate.open", "true", "      thickness: 0.08\n      toggles:\n");
     row("metrics.parameters.safe", "2", "        safe: 2.0\n");
     row("simulator", "Webots", "    simulator: Webots\n");
