@@ -12,7 +12,7 @@
 namespace sim2d {
 
 enum class InputKind {
-  Robot,  // drives by this command instead of its planner's
+  Robot,  // drives by this command instead of its planner's; to `teleop` it is the newest word
   Open,   // a door
   Close,
   Move,  // a person is put somewhere else, at rest
@@ -28,7 +28,7 @@ struct Input {
   int id = 0;                            // of the robot or person; Add: the new person's
   std::string name;                      // of the door; Add: of the person who is copied
   base::Pose2 pose;                      // Move, Add, Set
-  base::Vec2 velocity = {0.0, 0.0};      // Set, Push [m/s]; Robot: x forwards
+  base::Vec2 velocity = {0.0, 0.0};      // Set, Push [m/s]; Robot: x ahead, y to its left
   double omega = 0.0;                    // Robot [rad/s]
   base::Vec2 desiredVelocity{0.0, 0.0};  // Set [m/s]
 

@@ -5,12 +5,20 @@
 #include <utility>
 
 #include "sim2d/nav/Motion.h"
+#include "sim2d/nav/Teleop.h"
 
 namespace sim2d {
 namespace {
 
 RobotSenses::Scan shownScan(const LaserScan& scan) {
   return {scan.sensor, scan.time, scan.angleMin, scan.perBeam, scan.range, scan.distances};
+}
+
+/// Whether its planner is asked.
+bool wantsToBeAsked(const Planner& planner, const ResolvedRobot& robot, const RobotState& state,
+                    double time) {
+  const bool hasGoal = state.goal < robot.goals.size() || !planner.needsGoal();
+  return hasGoal && time >= robot.startTime - kTick;
 }
 
 bool drives(const ResolvedRobot& robot, const RobotState& state, double time) {
@@ -29,7 +37,8 @@ void RobotDrive::sense(const FrozenWorld& world) {
   const std::vector<ResolvedRobot>& robots = world.model.robots;
   isScanRead_.resize(robots.size());
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    const bool isUnderWay = world.state.robots[i].goal < robots[i].goals.size();
+    const bool isUnderWay =
+        world.state.robots[i].goal < robots[i].goals.size() || !planners_[i]->needsGoal();
     isScanRead_[i] =
         wantsSenses_ || robots[i].recordsScans || (isUnderWay && planners_[i]->readsScan());
   }
@@ -42,12 +51,21 @@ void RobotDrive::sense(const FrozenWorld& world) {
   }
 }
 
+void RobotDrive::steer(std::size_t robot, const BodyTwist& command) {
+  if (auto* const teleop = dynamic_cast<TeleopPlanner*>(planners_[robot].get())) {
+    teleop->input()->drive(command);
+  } else {
+    steered_[robot] = command;
+  }
+}
+
 void RobotDrive::observe(const FrozenWorld& world, std::size_t robot) {
   const ResolvedRobot& constants = world.model.robots[robot];
   const RobotState& now = world.state.robots[robot];
   observation_.pose = sensors_.odometry(robot).pose();
   observation_.motion = sensors_.odometry(robot).motion();
-  observation_.goal = constants.goals[now.goal];
+  observation_.goal =
+      now.goal < constants.goals.size() ? constants.goals[now.goal] : observation_.pose.position;
   observation_.goalRadius = constants.goalRadius;
   observation_.time = world.state.time;
   observation_.dt = world.model.dt;
@@ -62,7 +80,9 @@ BodyTwist RobotDrive::ask(std::size_t robot, const std::string& name) {
   if (wanted) {
     return *wanted;
   }
-  failure_ = "robot '" + name + "': " + wanted.diagnostics().front().text();
+  const std::string& said = wanted.diagnostics().front().message;
+  const std::string who = "robot '" + name + "': ";
+  failure_ = said.rfind(who, 0) == 0 ? said : who + said;
   return {};
 }
 
@@ -99,7 +119,7 @@ const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, Worl
     bool isAsked = false;
     if (const auto steered = steered_.find(i); steered != steered_.end()) {
       wanted = steered->second;
-    } else if (drives(robot, now, state.time)) {
+    } else if (wantsToBeAsked(*planners_[i], robot, now, state.time)) {
       observe(world, i);
       wanted = ask(i, robot.name);
       isAsked = true;
@@ -136,7 +156,8 @@ void RobotDrive::afterMotion(const WorldModel& model, WorldState& state) {
 
 std::vector<Vec2> RobotDrive::path(std::size_t robot, const WorldModel& model,
                                    const WorldState& state) const {
-  const bool isOnTheWay = drives(model.robots[robot], state.robots[robot], state.time);
+  const bool isOnTheWay =
+      isAsked(*planners_[robot], model.robots[robot], state.robots[robot], state.time);
   return isOnTheWay ? planners_[robot]->path() : std::vector<Vec2>{};
 }
 

@@ -18,7 +18,8 @@ class RobotDrive {
   RobotDrive(std::vector<std::shared_ptr<Planner>> planners, const WorldModel& model);
 
   /// In the next `command` instead of what the planner says.
-  void steer(std::size_t robot, const BodyTwist& command) { steered_[robot] = command; }
+  /// A planner that is driven from outside takes it as the newest word.
+  void steer(std::size_t robot, const BodyTwist& command);
   /// Commands of this step, within the limits of speed and acceleration. Emits `replan`.
   const std::vector<BodyTwist>& command(const FrozenWorld& world, WorldState& state);
   /// What a planner said when it could not go on; empty: nothing did.

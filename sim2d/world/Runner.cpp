@@ -9,6 +9,7 @@ namespace {
 constexpr double kAfterArrival = 1.0;   // [s]
 constexpr double kWithRobot = 120.0;    // [s], at most
 constexpr double kWithoutRobot = 60.0;  // [s]
+constexpr const char* kInterrupted = "interrupted";
 
 bool moves(const Robot& robot) {
   return robot.listed && (robot.goal.point || !robot.goal.goals.empty());
@@ -24,7 +25,16 @@ std::string reasonToStop(const World& world, const StopRule& rule,
   if (world.stepIndex() >= rule.maximumSteps) {
     return "duration";
   }
-  return wantsStop && wantsStop(world.frame()) ? "interrupted" : "";
+  return wantsStop && wantsStop(world.frame()) ? kInterrupted : "";
+}
+
+/// None: it was told to stop while it waited for a planner; the world stays as it was.
+std::optional<bool> stepUnlessStopped(World& world, const StepInputs& inputs) {
+  try {
+    return world.step(inputs);
+  } catch (const base::Stopped&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -47,9 +57,13 @@ RunResult run(World& world, const StopRule& rule, FrameSink& sink,
   while (result.reason.empty()) {
     const StepInputs inputs = takeInputs ? takeInputs() : StepInputs();
     const double begin = secondsBy(StepClock::Wall);
-    const bool isFine = world.step(inputs);
+    const std::optional<bool> isFine = stepUnlessStopped(world, inputs);
     result.steppingSeconds += secondsBy(StepClock::Wall) - begin;
     if (!isFine) {
+      result.reason = kInterrupted;
+      break;
+    }
+    if (!*isFine) {
       result.status = RunStatus::Failed;
       result.reason = world.failure();
       break;
@@ -58,7 +72,7 @@ RunResult run(World& world, const StopRule& rule, FrameSink& sink,
     last = world.frame();
     result.reason = reasonToStop(world, rule, wantsStop);
   }
-  if (result.reason == "interrupted") {
+  if (result.reason == kInterrupted) {
     result.status = RunStatus::Interrupted;
   }
   result.steps = world.stepIndex();

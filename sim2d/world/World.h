@@ -29,6 +29,10 @@ struct WorldSetup {
   int threads = 1;
   bool exact = false;
   std::unique_ptr<HumanBehavior> behavior;
+  CodeUse code = CodeUse::Refused;  // programs and libraries that robots name
+  std::string folder;               // where relative files of planners begin
+  /// Ends the waiting for a planner in another program, by `base::Stopped`.
+  base::StopFlagPtr stop = std::make_shared<const base::StopFlag>();
 };
 
 /// The running world. One step (fixed dt):

@@ -126,15 +126,35 @@ void warnOfSensors(const Robot& robot, const ResolvedRobot& resolved, ProblemsOf
   }
 }
 
+/// Numbers and texts of its planner, by what they are there.
+void giveParameters(const ResolvedRobot& robot, const std::vector<base::ParameterSpec>& specs,
+                    PlannerSetup& to) {
+  const auto isText = [&](const std::string& key) {
+    return std::any_of(specs.begin(), specs.end(), [&](const base::ParameterSpec& spec) {
+      return spec.key == key && spec.type == base::ParameterType::Text;
+    });
+  };
+  for (const auto& [key, value] : robot.plannerParameters) {
+    if (!isText(key)) {
+      to.parameters.emplace_back(key, value);
+    }
+  }
+  for (const auto& [key, text] : robot.plannerTexts) {
+    if (isText(key)) {
+      to.texts.emplace_back(key, text);
+    }
+  }
+}
+
 /// Null when there is a problem.
-std::shared_ptr<Planner> makePlanner(const WorldModel& model, const ResolvedRobot& robot,
-                                     EntityId key, ProblemsOf& found, base::Diagnostics& problems) {
+std::shared_ptr<Planner> makePlanner(const WorldSetup& world, const WorldModel& model,
+                                     const ResolvedRobot& robot, EntityId key, ProblemsOf& found,
+                                     base::Diagnostics& problems) {
   const auto* const entry =
       needEntry(model.registries->planners, robot.planner, "world.unknown-planner", found);
   bool isFine = entry != nullptr;
-  for (std::size_t i = 0; entry != nullptr && i < robot.plannerParameters.size(); ++i) {
-    isFine &=
-        needParameter(*entry, robot.plannerParameters[i].first, "world.unknown-parameter", found);
+  for (std::size_t i = 0; entry != nullptr && i < robot.plannerTexts.size(); ++i) {
+    isFine &= needParameter(*entry, robot.plannerTexts[i].first, "world.unknown-parameter", found);
   }
   if (!isFine) {
     return nullptr;
@@ -142,9 +162,13 @@ std::shared_ptr<Planner> makePlanner(const WorldModel& model, const ResolvedRobo
   PlannerSetup setup;
   setup.robot = robot.name;
   setup.body = bodyOf(robot);
-  setup.parameters = robot.plannerParameters;
+  giveParameters(robot, entry->parameters, setup);
   setup.seed = model.seed;
   setup.robotId = robot.id;
+  setup.command = robot.command;
+  setup.folder = world.folder;
+  setup.code = world.code;
+  setup.stop = world.stop;
   const base::Result<std::shared_ptr<Planner>> planner = entry->make(setup);
   for (const base::Diagnostic& diagnostic : planner.diagnostics()) {
     ProblemsOf(key, {}, problems).add(diagnostic);
@@ -152,7 +176,8 @@ std::shared_ptr<Planner> makePlanner(const WorldModel& model, const ResolvedRobo
   return planner ? *planner : nullptr;
 }
 
-void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& problems) {
+void addRobots(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& problems) {
+  const Scenario& scenario = *setup.scenario;
   const Registries& registries = *parts.model.registries;
   for (const Robot& robot : scenario.robots) {
     if (!robot.listed) {
@@ -165,7 +190,7 @@ void addRobots(const Scenario& scenario, WorldParts& parts, base::Diagnostics& p
     ProblemsOf found(robot.key, "robot '" + resolved.name + "'", problems);
     checkRobot(registries, resolved, found);
     warnOfSensors(robot, resolved, found);
-    parts.planners.push_back(makePlanner(parts.model, resolved, robot.key, found, problems));
+    parts.planners.push_back(makePlanner(setup, parts.model, resolved, robot.key, found, problems));
   }
   if (!parts.model.robots.empty() && parts.model.ring.isClosed()) {
     problems.push_back(base::warning("world.robot-on-ring"));
@@ -224,7 +249,7 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
   }
   checkModelParameters(model, problems);
   addPeople(setup, model, problems);
-  addRobots(scenario, parts, problems);
+  addRobots(setup, parts, problems);
   addAreas(scenario, model, problems);
 }
 

@@ -48,7 +48,7 @@ std::string RunningWorld::take(Input& input) {
     if (robot >= model_.robots.size()) {
       return "there is no robot " + std::to_string(input.id);
     }
-    robots_.steer(robot, {input.velocity.x(), input.omega});
+    robots_.steer(robot, {input.velocity.x(), input.omega, input.velocity.y()});
     return {};
   }
   if (input.kind == InputKind::Open || input.kind == InputKind::Close) {
