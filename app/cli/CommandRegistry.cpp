@@ -141,6 +141,11 @@ void addMetricsOptions(CLI::App& command, MetricsWords& words) {
       ->check(oneOf({"corrected", "hunav2"}));
 }
 
+void addAllowCode(CLI::App& command, bool& allowed) {
+  command.add_flag("--allow-code", allowed,
+                   "Programs and libraries that the scenario names as planners may start");
+}
+
 void addRunOptions(CLI::App& command, RunOptions& options) {
   command.add_option("--map", options.map,
                      "Map to use instead of the scenario's; none = open plane");
@@ -163,6 +168,7 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
       ->allow_extra_args(false);
   command.add_flag("--exact", options.exact, "Full double sum of forces");
   command.add_option("--compat", options.compat, "hunav2, or quirks of the original: Q-13,Q-20");
+  addAllowCode(command, options.allowCode);
 }
 
 namespace {

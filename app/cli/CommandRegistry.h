@@ -96,6 +96,8 @@ CLI::Validator oneOf(const std::vector<std::string>& names);
 CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::string& help);
 /// The options of `run`, which the window has too.
 void addRunOptions(CLI::App& command, RunOptions& options);
+/// One of them.
+void addAllowCode(CLI::App& command, bool& allowed);
 /// Those of them that choose metrics.
 void addMetricsOptions(CLI::App& command, MetricsWords& words);
 

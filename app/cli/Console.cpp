@@ -19,6 +19,12 @@ namespace {
 // Set by the signal handler only.
 volatile std::sig_atomic_t interruptFlag = 0;
 volatile std::sig_atomic_t hasCtrlC = 0;
+base::StopFlag* stopAtInterrupt = nullptr;  // set before the handler is
+
+const std::shared_ptr<base::StopFlag>& interruptStopFlag() {
+  static const auto kFlag = std::make_shared<base::StopFlag>();
+  return kFlag;
+}
 
 /// SIGTERM after Ctrl-C, as a terminal and a parent send them, is no second Ctrl-C.
 void onInterrupt(int signal) {
@@ -27,6 +33,9 @@ void onInterrupt(int signal) {
   }
   hasCtrlC = signal == SIGINT ? 1 : hasCtrlC;
   interruptFlag = 1;
+  if (stopAtInterrupt != nullptr) {
+    stopAtInterrupt->stop();  // sets an atomic flag: safe here
+  }
 }
 
 /// The word of its severity stands out where somebody looks at it (no-color.org).
@@ -109,6 +118,7 @@ void printJson(const base::Diagnostics& diagnostics) {
 }
 
 void catchInterrupts() {
+  stopAtInterrupt = interruptStopFlag().get();
   struct sigaction action = {};
   action.sa_handler = onInterrupt;
   sigaction(SIGINT, &action, nullptr);
@@ -127,6 +137,10 @@ void keepAliveWhenFilesAreFull() {
 
 bool wasInterrupted() {
   return interruptFlag != 0;
+}
+
+base::StopFlagPtr interruptStop() {
+  return interruptStopFlag();
 }
 
 Progress::Progress(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO) != 0) {}

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim2d/base/Result.h"
+#include "sim2d/base/Stop.h"
 
 /// Standard output and standard error of the commands, and Ctrl-C.
 namespace app {
@@ -29,6 +30,8 @@ void catchInterrupts();
 /// A file beyond the limit of its size is an error of the write, not the end of the program.
 void keepAliveWhenFilesAreFull();
 bool wasInterrupted();
+/// Stopped by the same: for what waits.
+base::StopFlagPtr interruptStop();
 
 /// A line on standard error that is renewed in place; silent unless that is a terminal.
 class Progress {

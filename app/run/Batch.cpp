@@ -15,10 +15,12 @@
 
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
+#include "app/run/PlannerFiles.h"
 #include "app/run/RunFolder.h"
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioFile.h"
 #include "sim2d/trace/Csv.h"
 
 namespace app {
@@ -89,6 +91,9 @@ std::vector<std::string> wordsOf(const Experiment& experiment, std::size_t run,
                                     "--quiet",     "-o",  folder};
   if (experiment.record == Experiment::Record::Metrics) {
     words.emplace_back("--totals");  // nothing else of the folder is looked at
+  }
+  if (experiment.allowCode) {
+    words.emplace_back("--allow-code");
   }
   words.insert(words.end(), {"--seed", std::to_string(values.seed)});
   for (const auto& [option, value] : experiment.options) {
@@ -284,6 +289,27 @@ std::vector<std::string> metricColumns(const BatchRows& rows) {
   return columns;
 }
 
+/// Code that runs want to start and may not: those of the first values, and of each other value
+/// beside them.
+base::Diagnostics codeOfRuns(const Experiment& experiment, const sim2d::Scenario& first,
+                             const std::string& scenarioPath) {
+  std::vector<ForeignCode> all = foreignCodeOf(first);
+  for (const auto& [path, texts] : experiment.values) {
+    for (const std::string& text : texts) {
+      sim2d::Scenario changed = first;
+      if (base::hasErrors(sim2d::setValue(changed, path, text))) {
+        continue;  // told by who read the experiment
+      }
+      for (const ForeignCode& code : foreignCodeOf(changed)) {
+        if (std::find(all.begin(), all.end(), code) == all.end()) {
+          all.push_back(code);
+        }
+      }
+    }
+  }
+  return tellForeignCode(all, base::Severity::Error, scenarioPath);
+}
+
 }  // namespace
 
 base::Diagnostics checkExperiment(const Experiment& experiment, const sim2d::ImageLoader& loader) {
@@ -301,12 +327,16 @@ base::Diagnostics checkExperiment(const Experiment& experiment, const sim2d::Ima
         options.*option = value->second;
       }
     }
-    const Verdict verdict = check(readBundle(options, {}, loader));
+    const Bundle bundle = readBundle(options, {}, loader);
+    const Verdict verdict = check(bundle);
     for (base::Diagnostic diagnostic : verdict.wrongWords) {
       diagnostic.file = diagnostic.file.empty() ? experiment.path : diagnostic.file;
       problems.push_back(std::move(diagnostic));
     }
     base::append(problems, errorsOf(verdict.problems));
+    if (!experiment.allowCode) {
+      base::append(problems, codeOfRuns(experiment, *bundle.scenario, scenario));
+    }
   }
   return problems;
 }

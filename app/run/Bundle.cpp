@@ -6,6 +6,7 @@
 
 #include "app/run/DataPaths.h"
 #include "app/run/Echoes.h"
+#include "app/run/PlannerFiles.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -114,6 +115,39 @@ void checkMetrics(const Bundle& bundle, Verdict& verdict) {
   }
 }
 
+/// What robots want to start is an error of a run that may not, else only worth telling.
+void tellCode(const Bundle& bundle, const std::vector<ForeignCode>& code, Verdict& verdict) {
+  const sim2d::CodeUse use = bundle.settings.code;
+  if (code.empty() || use == sim2d::CodeUse::Allowed) {
+    return;
+  }
+  base::Diagnostics told = tellForeignCode(
+      code, use == sim2d::CodeUse::Refused ? base::Severity::Error : base::Severity::Warning,
+      bundle.path);
+  sim2d::addPlaces(told, bundle.lines, bundle.path);
+  base::append(verdict.problems, told);
+}
+
+void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup, Verdict& verdict) {
+  setup.scenario = bundle.scenario;
+  setup.compatibility = bundle.settings.compatibility;
+  setup.threads = bundle.settings.threads;
+  setup.exact = bundle.settings.exact;
+  setup.code = bundle.settings.code;
+  setup.folder = folderOfPlanners(bundle.path);
+  setup.stop = bundle.left;
+  base::Result<std::unique_ptr<sim2d::World>> world = sim2d::World::create(std::move(setup));
+  base::Diagnostics ofWorld = world.diagnostics();
+  sim2d::addPlaces(ofWorld, bundle.lines, bundle.path);
+  bundle.stop->check();
+  base::Diagnostics all = verdict.problems;
+  base::append(all, ofWorld);
+  base::append(world ? verdict.worldRemarks : verdict.problems, withoutEchoes(ofWorld, all));
+  if (world && isRunnable) {
+    verdict.world = *std::move(world);
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const sim2d::Surroundings> KnownSurroundings::of(
@@ -168,6 +202,9 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings,
                                    shippedMapsFolder()};
     readMapOf(bundle, places, loader);
     findTrees(bundle, places, reading.hasBlock);
+    for (std::string& file : filesThatPlannersRead(*bundle.scenario, options.scenario)) {
+      bundle.inputs.push_back(std::move(file));
+    }
   }
   return bundle;
 }
@@ -191,25 +228,15 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   setup.behavior = bt::makeTreeBehavior(*bundle.scenario, bundle.trees, verdict.problems,
                                         bundle.settings.compatibility);
   checkMetrics(bundle, verdict);
+  const std::vector<ForeignCode> code = foreignCodeOf(*bundle.scenario);
+  tellCode(bundle, code, verdict);
   verdict.problems = withoutEchoes(verdict.problems, verdict.problems);
   if (depth == CheckDepth::Meaning || !verdict.ok()) {
     return verdict;
   }
   bundle.left->check();
-  setup.scenario = bundle.scenario;
-  setup.compatibility = bundle.settings.compatibility;
-  setup.threads = bundle.settings.threads;
-  setup.exact = bundle.settings.exact;
-  base::Result<std::unique_ptr<sim2d::World>> world = sim2d::World::create(std::move(setup));
-  base::Diagnostics ofWorld = world.diagnostics();
-  sim2d::addPlaces(ofWorld, bundle.lines, bundle.path);
-  bundle.stop->check();
-  base::Diagnostics all = verdict.problems;
-  base::append(all, ofWorld);
-  base::append(world ? verdict.worldRemarks : verdict.problems, withoutEchoes(ofWorld, all));
-  if (world) {
-    verdict.world = *std::move(world);
-  }
+  const bool isRunnable = code.empty() || bundle.settings.code == sim2d::CodeUse::Allowed;
+  checkWorld(bundle, isRunnable, std::move(setup), verdict);
   return verdict;
 }
 

@@ -39,7 +39,8 @@ struct Bundle {
   std::shared_ptr<const sim2d::OccupancyGrid> map;  // null: there should be one; empty: open plane
   std::shared_ptr<KnownSurroundings> known = std::make_shared<KnownSurroundings>();  // of both
   base::StopFlagPtr stop = std::make_shared<const base::StopFlag>();  // of the work on the map
-  base::StopFlagPtr left = std::make_shared<const base::StopFlag>();  // of one run's making alone
+  base::StopFlagPtr left = std::make_shared<const base::StopFlag>();  // of one run: ends its making
+                                                                      // and the waiting in it
   std::string mapPath;  // of the map's YAML; empty: in none
   int comments = 0;     // in the scenario file
   bt::TreeFiles trees;

@@ -20,6 +20,7 @@ struct Experiment {
   std::map<std::string, std::string> options;  // of `run`: "--dt" -> "0.05"
   std::vector<std::pair<std::string, std::vector<std::string>>> values;  // --set path -> texts
   Record record = Record::Metrics;
+  bool allowCode = false;  // said by who starts the batch, never in the file
 
   /// Run `index`: scenarios outermost, then values in their order, seeds innermost.
   struct Run {

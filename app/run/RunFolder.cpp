@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/DataPaths.h"
+#include "app/run/PlannerFiles.h"
 #include "app/run/Sha256.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/ReportFiles.h"
@@ -123,6 +124,17 @@ Json robotJson(const sim2d::TraceRobot& robot) {
   return json;
 }
 
+/// Whether programs and libraries of others could start, and which did.
+Json codeJson(const Bundle& bundle) {
+  Json started = Json::array();
+  for (const ForeignCode& code : foreignCodeOf(*bundle.scenario)) {
+    started.push_back({{"robot", code.robot},
+                       {code.key, code.words},
+                       {"files", inputsJson(filesOf(code, bundle.path))}});
+  }
+  return {{"allowed", bundle.settings.code == sim2d::CodeUse::Allowed}, {"started", started}};
+}
+
 /// What it came from, what it was set to, how it ended.
 std::string runManifest(const Bundle& bundle, const FinishedRun& run,
                         const std::vector<std::string>& commandLine) {
@@ -136,6 +148,7 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   json["status"] = kStatusNames[static_cast<int>(result.status)];
   json["reason"] = result.reason;
   json["inputs"] = inputsJson(allInputs(bundle));
+  json["code"] = codeJson(bundle);
   json["seed"] = header.seed;
   json["dt"] = header.dt;
   json["model"] = desktop.model.value_or("sfm");
@@ -432,6 +445,7 @@ std::string batchManifest(const Experiment& experiment, const BatchRows& rows) {
   inputs.insert(inputs.end(), experiment.scenarioPaths.begin(), experiment.scenarioPaths.end());
   const Json json = {{"program", programJson()},
                      {"inputs", inputsJson(inputs)},
+                     {"code", {{"allowed", experiment.allowCode}}},
                      {"status", count.finished == rows.size() ? "finished" : "interrupted"},
                      {"runs", rows.size()},
                      {"finished", count.finished},

@@ -134,12 +134,16 @@ base::Result<RunSettings> runSettingsOf(const RunOptions& options) {
   if (base::hasErrors(wrong)) {
     return wrong;
   }
-  return {RunSettings{*compatibility, options.threads, options.exact}, std::move(wrong)};
+  const sim2d::CodeUse code = options.allowCode ? sim2d::CodeUse::Allowed : sim2d::CodeUse::Refused;
+  return {RunSettings{*compatibility, options.threads, options.exact, code}, std::move(wrong)};
 }
 
 base::Diagnostics applyOptions(sim2d::Scenario& scenario, const RunOptions& options,
                                const sim2d::Compatibility& compatibility) {
   base::Diagnostics problems;
+  if (firstRobot(scenario) == nullptr && options.robotStart) {
+    applyRobot(scenario, options);  // so that --set finds it; what is wrong is told below
+  }
   for (const std::string& pair : options.set) {
     const std::size_t equals = pair.find('=');
     base::append(problems,

@@ -6,6 +6,7 @@
 
 #include "app/run/MetricsSetup.h"
 #include "sim2d/base/Result.h"
+#include "sim2d/nav/external/CodePermission.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/world/Compatibility.h"
 
@@ -26,6 +27,7 @@ struct RunOptions {
   bool exact = false;
   bool counterfactual = false;  // the same seed again without robots
   std::string compat;
+  bool allowCode = false;  // programs and libraries that the scenario names may start
   bool totals = false;  // manifest.json and metrics.json alone, nothing per step or behaviour type
 };
 
@@ -34,6 +36,7 @@ struct RunSettings {
   sim2d::Compatibility compatibility;
   int threads = 1;
   bool exact = false;
+  sim2d::CodeUse code = sim2d::CodeUse::LeftOut;  // then there are problems, but no world to run
 };
 /// Errors: what is wrong with the words of the command line (exit code 64).
 base::Result<RunSettings> runSettingsOf(const RunOptions& options);

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/external/CodePermission.h"
 #include "sim2d/scenario/CheckParts.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/scenario/ScenarioTree.h"

@@ -22,6 +22,7 @@ struct BatchOptions {
   std::string experiment;
   std::string output;
   int jobs = 0;  // 0 = number of cores
+  bool allowCode = false;
 };
 
 namespace fs = std::filesystem;
@@ -59,8 +60,9 @@ int report(const Experiment& experiment, const BatchRows& rows, const BatchOptio
 }
 
 int batchCommand(const BatchOptions& options, const Invocation& given) {
-  const base::Result<Experiment> experiment = readExperiment(options.experiment);
+  base::Result<Experiment> experiment = readExperiment(options.experiment);
   requireFine(experiment.diagnostics());
+  experiment->allowCode = options.allowCode;
   base::Diagnostics problems = checkExperiment(*experiment, editor::loadMapImage);
   if (!base::hasErrors(problems)) {  // else nothing will be written
     base::append(problems, checkWritableFolder(options.output));
@@ -104,6 +106,7 @@ void addBatch(CommandRegistry& commands) {
   addOutputFolder(command, options.output, "Folder for the results").required();
   command.add_option("--jobs", options.jobs, "Processes at a time (number of cores)")
       ->check(CLI::Range(1, 1024));
+  addAllowCode(command, options.allowCode);
 }
 
 }  // namespace app

@@ -45,8 +45,12 @@ Json boundJson(double value) {
 
 Json parameterJson(const base::ParameterSpec& spec) {
   const double* const fallback = std::get_if<double>(&spec.fallback);
+  const std::string* const text = std::get_if<std::string>(&spec.fallback);
   return {{"name", spec.key},
-          {"default", fallback != nullptr ? Json(*fallback) : Json()},
+          {"type", spec.type == base::ParameterType::Text ? "text" : "number"},
+          {"default", fallback != nullptr ? Json(*fallback)
+                      : text != nullptr   ? Json(*text)
+                                          : Json()},
           {"unit", spec.unit},
           {"minimum", boundJson(spec.range.low)},
           {"maximum", boundJson(spec.range.high)},

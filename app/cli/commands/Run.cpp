@@ -61,6 +61,7 @@ base::Result<sim2d::Trace> simulateWithoutRobots(Bundle bundle, std::int64_t ste
     robot.listed = false;
   }
   bundle.scenario = scenario;
+  bundle.left = std::make_shared<const base::StopFlag>();  // Ctrl-C is looked at between steps
   const Verdict verdict = check(bundle);
   if (!verdict.world) {
     return verdict.problems;
@@ -168,7 +169,8 @@ void wantNoMore(const RunOptions& options, const Invocation& given, metrics::Sel
 int runCommand(const RunOptions& options, const Invocation& given) {
   const base::Result<RunSettings> settings = runSettingsOf(options);
   requireFine(settings.diagnostics(), ExitWrongCommandLine);
-  const Bundle bundle = readBundle(options, *settings, editor::loadMapImage);
+  Bundle bundle = readBundle(options, *settings, editor::loadMapImage);
+  bundle.left = interruptStop();
   Verdict verdict = check(bundle);
   requireFine(verdict.wrongWords, ExitWrongCommandLine);
   if (!options.output.empty() && verdict.ok()) {  // else nothing will be written

@@ -1,0 +1,115 @@
+#include "app/run/PlannerFiles.h"
+
+#include <filesystem>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/external/CodePermission.h"
+#include "sim2d/nav/external/CommandWords.h"
+#include "sim2d/nav/external/ExternalProcess.h"
+#include "sim2d/nav/external/ShownText.h"
+#include "sim2d/scenario/Defaults.h"
+#include "sim2d/scenario/ScenarioFile.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCommandKey = "command";
+constexpr const char* kFileParameter = "file";
+constexpr const char* kFileKey = "planner_parameters.file";
+constexpr const char* kReplayPlanner = "replay";
+
+std::string plannerOf(const sim2d::Robot& robot) {
+  return robot.planner.value_or(sim2d::ResolvedRobot{}.planner);
+}
+
+/// Empty: none is given.
+std::string fileTextOf(const sim2d::Robot& robot) {
+  for (const auto& [key, yaml] : robot.plannerParameters) {
+    if (key == kFileParameter) {
+      return base::scalarText(yaml);
+    }
+  }
+  return {};
+}
+
+std::string besideScenario(const std::string& file, const std::string& scenarioPath) {
+  return (fs::path(folderOfPlanners(scenarioPath)) / file).lexically_normal().string();
+}
+
+std::vector<std::string> filesOfCommand(const std::string& command) {
+  const auto words = sim2d::commandWords(command);
+  if (sim2d::ExternalProcess::isSocket(command) || !words) {
+    return {};
+  }
+  std::vector<std::string> files;
+  if (const auto program = sim2d::programFile(words->front())) {
+    files.push_back(*program);
+  }
+  std::error_code ignored;
+  for (std::size_t i = 1; i < words->size(); ++i) {
+    if (fs::is_regular_file((*words)[i], ignored)) {
+      files.push_back((*words)[i]);
+    }
+  }
+  return files;
+}
+
+}  // namespace
+
+std::string folderOfPlanners(const std::string& scenarioPath) {
+  return fs::path(scenarioPath).parent_path().string();
+}
+
+std::vector<ForeignCode> foreignCodeOf(const sim2d::Scenario& scenario) {
+  std::vector<ForeignCode> code;
+  sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
+    const std::string planner = plannerOf(robot);
+    const std::string command = robot.command.value_or("");
+    const std::string file = fileTextOf(robot);
+    if (planner == sim2d::kExternalPlanner && !base::trimmed(command).empty()) {
+      code.push_back({robot.key, robot.name, kCommandKey, command});
+    } else if (planner == sim2d::kLibraryPlanner && !file.empty()) {
+      code.push_back({robot.key, robot.name, kFileKey, file});
+    }
+  });
+  return code;
+}
+
+base::Diagnostics tellForeignCode(const std::vector<ForeignCode>& code, base::Severity severity,
+                                  const std::string& scenarioPath) {
+  base::Diagnostics all;
+  for (const ForeignCode& each : code) {
+    base::Diagnostics told = {
+        base::problem(severity, "code.not-allowed",
+                      {each.robot, sim2d::shownText(each.words, each.words.size())}, scenarioPath)};
+    told.front().entity = each.entity;
+    const std::string robot = "hunavsim_desktop.ros__parameters." + each.robot;
+    sim2d::addPlaceOfKey(told, scenarioPath, {robot + "." + each.key, robot + ".planner", robot});
+    base::append(all, told);
+  }
+  return all;
+}
+
+std::vector<std::string> filesOf(const ForeignCode& code, const std::string& scenarioPath) {
+  if (code.key == kCommandKey) {
+    return filesOfCommand(code.words);
+  }
+  return {besideScenario(code.words, scenarioPath)};
+}
+
+std::vector<std::string> filesThatPlannersRead(const sim2d::Scenario& scenario,
+                                               const std::string& scenarioPath) {
+  std::vector<std::string> files;
+  sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
+    const std::string file = fileTextOf(robot);
+    if (plannerOf(robot) == kReplayPlanner && !file.empty()) {
+      files.push_back(besideScenario(file, scenarioPath));
+    }
+  });
+  return files;
+}
+
+}  // namespace app
