@@ -14,6 +14,7 @@
 #include <QScreen>
 #include <QTimer>
 
+#include "app/window/CodeQuestion.h"
 #include "app/window/DocumentGuard.h"
 #include "app/window/FileDialogs.h"
 #include "app/window/KeyRules.h"
@@ -70,6 +71,10 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   setWindowIcon(editor::themedIcon(QStringLiteral("app"), editor::Theme::light()));
   workspace_.document().setShippedMaps(setup.shippedMaps);
   workspace_.setRunSettings({setup.compatibility, setup.options.threads, setup.options.exact});
+  if (setup.options.allowCode) {
+    workspace_.allowCodeOf(QString::fromStdString(setup.options.scenario));
+  }
+  new CodeQuestion(workspace_, *notices_, this);
   files_->setOptions(setup.options, setup.compatibility);
   placeParts(setup);
   connectFiles();

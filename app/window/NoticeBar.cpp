@@ -136,6 +136,7 @@ QWidget* NoticeBar::rowOf(const Notice& notice) {
                       .pixmap(kIcon, kIcon));
   row->add(icon, NoticeRow::IconColumn);
   auto* text = new QLabel(notice.text, row);
+  text->setTextFormat(Qt::PlainText);  // names of files and programs stand in it
   text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   text->setWordWrap(true);

@@ -153,6 +153,10 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
   if (runner.isRecorded()) {
     return playTo(workspace, time);
   }
+  const std::vector<ForeignCode> code = workspace.codeToAllow();
+  if (!code.empty()) {
+    return tellForeignCode(code, base::Severity::Error, workspace.document().path().toStdString());
+  }
   base::Diagnostics problems;
   QObject listener;
   QObject::connect(&runner, &SimulationRunner::notStarted, &listener,

@@ -1,6 +1,7 @@
 #include "app/window/Workspace.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <QActionGroup>
 
@@ -31,7 +32,18 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
   new editor::ToolOptionsBar(tools_, *view_);  // the view owns it
   // The tool just chosen hears its keys, wherever the choice was made.
   connect(&tools_.actions(), &QActionGroup::triggered, view_, [this] { view_->setFocus(); });
-  runner_.setRequest([this] { return editor::runRequestOf(document_, runSettings_); });
+  runner_.setGate([this](bool paused) {
+    const bool mayRun = codeToAllow().empty();
+    if (!mayRun) {
+      Q_EMIT codeWanted(paused);
+    }
+    return mayRun;
+  });
+  runner_.setRequest([this] {
+    editor::RunSettings settings = runSettings_;
+    settings.code = codeToAllow().empty() ? sim2d::CodeUse::Allowed : sim2d::CodeUse::Refused;
+    return editor::runRequestOf(document_, settings);
+  });
   connect(&runner_, &SimulationRunner::frameShown, this, &Workspace::showFrame);
   smooth_.setInterval(kSmoothMs);
   smooth_.setTimerType(Qt::PreciseTimer);
@@ -49,8 +61,37 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
               isReplaced_ = true;
               runner_.reset();  // a run of another file
               isReplaced_ = false;
+              forgetUnsavedCode();
             }
           });
+}
+
+std::vector<ForeignCode> Workspace::codeToAllow() const {
+  const QString file = QFileInfo(document_.path()).canonicalFilePath();
+  if (freeFile_ && (freeFile_->isEmpty() || *freeFile_ == file)) {
+    return {};
+  }
+  std::vector<ForeignCode> code = foreignCodeOf(document_.scenario());
+  code.erase(std::remove_if(code.begin(), code.end(),
+                            [&](const ForeignCode& each) {
+                              return allowedCode_.count({file, each.words}) != 0;
+                            }),
+             code.end());
+  return code;
+}
+
+void Workspace::allowCode(const std::vector<ForeignCode>& code) {
+  const QString file = QFileInfo(document_.path()).canonicalFilePath();
+  for (const ForeignCode& each : code) {
+    allowedCode_.emplace(file, each.words);
+  }
+}
+
+/// Another document without a file is not the one that was meant.
+void Workspace::forgetUnsavedCode() {
+  for (auto at = allowedCode_.begin(); at != allowedCode_.end();) {
+    at = at->first.isEmpty() ? allowedCode_.erase(at) : std::next(at);
+  }
 }
 
 void Workspace::openRecorded(editor::RecordingPtr recording, const QString& name) {

@@ -1,9 +1,17 @@
 #pragma once
 
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <QElapsedTimer>
+#include <QFileInfo>
 #include <QObject>
 #include <QTimer>
 
+#include "app/run/PlannerFiles.h"
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/MapView.h"
 #include "editor/document/ScenarioDocument.h"
@@ -41,11 +49,18 @@ class Workspace : public QObject {
   QString recordedName() const { return recordedName_; }
   /// Of the runs that begin from now on.
   void setRunSettings(const editor::RunSettings& settings) { runSettings_ = settings; }
+  /// Programs and libraries of others that a run would start, and nobody has allowed.
+  std::vector<ForeignCode> codeToAllow() const;
+  /// In this file, for as long as the workspace lives.
+  void allowCode(const std::vector<ForeignCode>& code);
+  /// Whatever this file starts; empty: whatever any file does.
+  void allowCodeOf(const QString& file) { freeFile_ = QFileInfo(file).canonicalFilePath(); }
 
  Q_SIGNALS:
   void themeChanged();
-  void recordedRunLeft();  // by the user: the document before is wanted
-  void editRefused();      // a recorded run is shown
+  void recordedRunLeft();        // by the user: the document before is wanted
+  void editRefused();            // a recorded run is shown
+  void codeWanted(bool paused);  // a run was not started: some of its code is not allowed
 
  private:
   void showState();
@@ -54,6 +69,7 @@ class Workspace : public QObject {
   void hearEvents(int first, int last);
   void followRecorded();
   void refuseEdits();
+  void forgetUnsavedCode();
 
   editor::Theme theme_;
   editor::RunSettings runSettings_;
@@ -65,6 +81,8 @@ class Workspace : public QObject {
   editor::RunEvents events_;
   editor::MetricsFeed feed_;
   editor::PlaybackActions playback_;
+  std::set<std::pair<QString, std::string>> allowedCode_;  // file (empty: not saved yet), its words
+  std::optional<QString> freeFile_;
   QString recordedName_;  // of the recorded run that is shown
   bool isReplaced_ = false;
   // between two frames

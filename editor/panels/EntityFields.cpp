@@ -61,6 +61,16 @@ base::FormHints hintsOf(const base::ParameterSpec& spec) {
   return form;
 }
 
+/// As files have it; none: no number, and no text that says anything.
+std::optional<std::string> yamlOfParameter(const base::ParameterValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    return text->empty() ? std::nullopt
+                         : std::make_optional(base::emitYaml(base::stringNode(*text)));
+  }
+  const std::optional<double> number = numberIn(value);
+  return number ? std::make_optional(base::formatDouble(*number)) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<double> numberIn(const base::ParameterValue& value) {
@@ -142,9 +152,14 @@ EntityField parameterField(const ParameterOwner& owner, const std::string& name,
   field.belongs = [name, inForce = owner.name](const Entity& e) { return inForce(e) == name; };
   field.fallback = [usual = spec.fallback](const Entity&) { return usual; };
   const auto isKey = [key = spec.key](const auto& each) { return each.first == key; };
-  field.get = [isKey, given = owner.given](const Entity& entity) -> base::ParameterValue {
+  field.get = [isKey, isText = spec.type == base::ParameterType::Text,
+               given = owner.given](const Entity& entity) -> base::ParameterValue {
     const ParameterTexts all = given(entity);
     const auto own = std::find_if(all.begin(), all.end(), isKey);
+    if (isText) {
+      return own == all.end() ? base::ParameterValue()
+                              : base::ParameterValue(base::scalarText(own->second));
+    }
     const auto value = own == all.end() ? std::nullopt : base::parseDouble(own->second);
     return value ? base::ParameterValue(*value) : base::ParameterValue();
   };
@@ -152,13 +167,13 @@ EntityField parameterField(const ParameterOwner& owner, const std::string& name,
                   Entity& entity, const base::ParameterValue& value) {
     ParameterTexts all = given(entity);
     const auto own = std::find_if(all.begin(), all.end(), isKey);
-    const std::optional<double> number = numberIn(value);
-    if (!number) {
+    const std::optional<std::string> yaml = yamlOfParameter(value);
+    if (!yaml) {
       all.erase(std::remove_if(all.begin(), all.end(), isKey), all.end());
     } else if (own != all.end()) {
-      own->second = base::formatDouble(*number);
+      own->second = *yaml;
     } else {
-      all.emplace_back(key, base::formatDouble(*number));
+      all.emplace_back(key, *yaml);
     }
     give(entity, std::move(all));
   };
@@ -169,9 +184,11 @@ ParameterTexts otherParameters(const ParameterOwner& owner, const Entity& entity
   const auto specs = owner.known.find(owner.name(entity));
   ParameterTexts others = owner.given(entity);
   const auto hasRow = [&](const auto& parameter) {
-    return specs != owner.known.end() && base::parseDouble(parameter.second) &&
-           std::any_of(specs->second.begin(), specs->second.end(),
-                       [&](const auto& spec) { return spec.key == parameter.first; });
+    return specs != owner.known.end() &&
+           std::any_of(specs->second.begin(), specs->second.end(), [&](const auto& spec) {
+             return spec.key == parameter.first &&
+                    (spec.type == base::ParameterType::Text || base::parseDouble(parameter.second));
+           });
   };
   others.erase(std::remove_if(others.begin(), others.end(), hasRow), others.end());
   return others;

@@ -258,6 +258,14 @@ RobotPage::RobotPage(ScenarioDocument& document, const sim2d::FieldTables& table
   addListed(section);
   addField<Robot>(section, "type", oneOf(registries.robotTypes.names(), tr("generic (default)")));
   addField<Robot>(section, "planner", oneOf(registries.planners.names(), tr("pursuit (default)")));
+  FieldLook command;
+  command.visible = [](const std::vector<Entity>& shown) {
+    return std::all_of(shown.begin(), shown.end(), [](const Entity& each) {
+      return robotOf(each).planner == std::string(sim2d::kExternalPlanner) ||
+             robotOf(each).command.has_value();
+    });
+  };
+  addField<Robot>(section, "command", command);
   addParameterRows(section, plannersOf(registries),
                    tr("Parameters that the planner does not have or that are no numbers"));
   FormSection* start = addSection(tr("Start"));

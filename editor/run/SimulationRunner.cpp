@@ -24,6 +24,9 @@ bool isOver(const std::future<void>& thread, std::chrono::milliseconds patience)
 RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& settings) {
   app::Bundle bundle = document.bundle();
   bundle.settings = settings;
+  if (settings.code == sim2d::CodeUse::LeftOut) {  // there would be no world
+    bundle.settings.code = sim2d::CodeUse::Refused;
+  }
   RunRequest request;
   request.rule = sim2d::stopRuleOf(*bundle.scenario);
   request.recordEvery = bundle.scenario->desktop.recordEvery.value_or(1);
@@ -69,8 +72,12 @@ void SimulationRunner::setState(State state) {
   }
 }
 
-void SimulationRunner::start(bool paused) {
+/// Whether there is a run now.
+bool SimulationRunner::start(bool paused) {
   Q_ASSERT(request_);
+  if (mayStart_ && !mayStart_(paused)) {
+    return false;
+  }
   measuredSpeed_ = 0.0;
   RunRequest request = request_();
   session_ = std::make_unique<app::Session>(request.rule);
@@ -84,6 +91,7 @@ void SimulationRunner::start(bool paused) {
   thread_ = std::async(std::launch::async, run);
   timer_.start();
   setState(paused ? State::Paused : State::Running);
+  return true;
 }
 
 void SimulationRunner::forgetEndings() {
@@ -142,10 +150,11 @@ void SimulationRunner::pause() {
 }
 
 void SimulationRunner::stepOnce() {
-  if (state_ == State::Editing) {
-    start(true);
-  } else if (state_ == State::Running) {
+  if (state_ == State::Running) {
     pause();
+    return;
+  }
+  if (state_ == State::Editing && !start(true)) {
     return;
   }
   if (lookingBack_ || isRecorded_) {

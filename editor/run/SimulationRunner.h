@@ -24,7 +24,7 @@ using sim2d::FramePtr;
 /// A run to be started.
 struct RunRequest {
   app::WorldMaker makeWorld;  // called in the worker thread, so it holds copies of all it needs
-  std::shared_ptr<base::StopFlag> left = std::make_shared<base::StopFlag>();  // ends the making
+  std::shared_ptr<base::StopFlag> left = std::make_shared<base::StopFlag>();  // ends all waiting
   sim2d::StopRule rule;
   int recordEvery = 1;
 };
@@ -53,6 +53,9 @@ class SimulationRunner : public QObject {
 
   /// Called in the GUI thread when a run starts from Editing: takes a snapshot of the document.
   void setRequest(std::function<RunRequest()> request) { request_ = std::move(request); }
+
+  /// Asked in the GUI thread before a run starts from Editing, `paused` or not; false: it does not.
+  void setGate(std::function<bool(bool paused)> mayStart) { mayStart_ = std::move(mayStart); }
 
   State state() const { return state_; }
   bool isFinished() const { return finished_; }  // nothing more is computed; it is played or paused
@@ -94,7 +97,7 @@ class SimulationRunner : public QObject {
   void warned(const base::Diagnostics& diagnostics);      // it could, with remarks
 
  private:
-  void start(bool paused);
+  bool start(bool paused);
   void poll();
   void takeEnd(const sim2d::RunResult& result);
   void setState(State state);
@@ -104,6 +107,7 @@ class SimulationRunner : public QObject {
   void startClock();
 
   std::function<RunRequest()> request_;
+  std::function<bool(bool)> mayStart_;
   std::unique_ptr<app::Session> session_;
   std::future<void> thread_;  // of the session
   struct Ending {
