@@ -86,7 +86,9 @@ class ListProgramTest : public QObject {
     row("models", {QStringLiteral("sfm"), QStringLiteral("das"), QStringLiteral("orca")});
     row("robots", {QStringLiteral("generic"), QStringLiteral("tiago"), QStringLiteral("pepper")});
     row("planners",
-        {QStringLiteral("pursuit"), QStringLiteral("dwa"), QStringLiteral("social_mppi")});
+        {QStringLiteral("pursuit"), QStringLiteral("dwa"), QStringLiteral("social_mppi"),
+         QStringLiteral("external"), QStringLiteral("library"), QStringLiteral("replay"),
+         QStringLiteral("teleop")});
     row("scenarios", {QStringLiteral("corner_cafe_agents"), QStringLiteral("two_workers_agents")});
   }
   void everyList_namesWhatThereIs() {
@@ -108,6 +110,23 @@ class ListProgramTest : public QObject {
     for (const QString& name : known) {
       QVERIFY2(named.contains(name), qPrintable(named.join(QLatin1Char(' '))));
     }
+  }
+
+  void parameters_textAndNumber_tellTheirType() {
+    const outside::Finished json =
+        outside::runProgram({QStringLiteral("list"), QStringLiteral("planners"),
+                             QStringLiteral("--format"), QStringLiteral("json")});
+    QStringList types;
+    for (const auto& planner : QJsonDocument::fromJson(json.out.toUtf8()).array()) {
+      const QJsonObject found = planner.toObject();
+      if (found[QStringLiteral("name")] == QStringLiteral("replay")) {
+        for (const auto& each : found[QStringLiteral("parameters")].toArray()) {
+          types << each.toObject()[QStringLiteral("name")].toString() + QLatin1Char(' ') +
+                       each.toObject()[QStringLiteral("type")].toString();
+        }
+      }
+    }
+    QCOMPARE(types, QStringList({QStringLiteral("file text"), QStringLiteral("robot number")}));
   }
 
   void parameters_ofAPlanner_areTold() {

@@ -140,6 +140,37 @@ class ParameterRowsTest : public QObject {
     QCOMPARE(dog.wag->value(), 1.5);
   }
 
+  /// A text, with the quotes that files need; the program of a planner has a row when it counts.
+  void parameter_text_isARowAsWell() {
+    DogPage dog;
+    QVERIFY(QTest::qWaitForWindowExposed(&dog.page));
+    auto* const file = dog.page.findChild<editor::TextField*>(QStringLiteral("replay.file"));
+    auto* const command = dog.page.findChild<editor::TextField*>(QStringLiteral("command"));
+    QVERIFY(file != nullptr && command != nullptr);
+    QVERIFY(!file->isVisible() && !command->isVisible());
+    dog.change([](sim2d::Robot& each) {
+      each.planner = "replay";
+      each.plannerParameters = {{"file", "\"007\""}};
+    });
+    QVERIFY(file->isVisible() && !dog.others->isVisible());
+    QCOMPARE(file->text(), QStringLiteral("007"));
+    const auto write = [](editor::TextField& to, const char* words) {
+      clear(to);
+      QTest::keyClicks(&to, QLatin1String(words));
+      QTest::keyClick(&to, Qt::Key_Return);
+    };
+    write(*file, "12");
+    QVERIFY(dog.robot().plannerParameters == Pairs({{"file", "\"12\""}}));
+    write(*file, "out/trajectory.csv");
+    QVERIFY(dog.robot().plannerParameters == Pairs({{"file", "out/trajectory.csv"}}));
+    clear(*file);
+    QVERIFY(dog.robot().plannerParameters.empty());
+    dog.change([](sim2d::Robot& each) { each.planner = "external"; });
+    QVERIFY(command->isVisible() && !file->isVisible());
+    write(*command, "python3 follow.py");
+    QVERIFY(dog.robot().command == std::string("python3 follow.py"));
+  }
+
   /// Names that the planner does not declare stay, are told by the check and can be cleared.
   void parameters_thatNoPlannerDeclares_haveARowOfText() {
     DogPage dog;
