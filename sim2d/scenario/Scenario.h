@@ -192,6 +192,8 @@ struct MetricsSettings {
 };
 
 enum class ObstaclePoints { Boundary, Rays };
+/// What a robot must touch on its way for the run to end: people, or whatever is solid.
+enum class StopOnCollision { None, People, Any };
 
 /// The rest of the block `hunavsim_desktop`.
 struct DesktopSettings {
@@ -199,6 +201,8 @@ struct DesktopSettings {
   std::optional<std::string> mapRule;  // "humble", "main"
   std::optional<long long> seed;
   std::optional<double> duration, dt;
+  std::optional<StopOnCollision> stopOnCollision;
+  std::optional<double> stuckAfter;  // [s], 0 = never
   std::optional<int> recordEvery;
   std::optional<std::string> model;
   std::vector<std::pair<std::string, ParameterTexts>> modelParameters;  // by model

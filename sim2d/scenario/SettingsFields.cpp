@@ -140,6 +140,16 @@ Fields<DesktopSettings> settingsFields() {
       field("duration", &Settings::duration,
             "Length of a run; absent: until the robot has arrived plus 1 s, at most 120 s",
             {"Duration", 1, 5.0}, "s", {0.0, 1e6, true}),
+      field("stop_on_collision", &Settings::stopOnCollision,
+            "What a robot must touch on its way for the run to end: `any` is people, robots, walls",
+            {"End on contact"})
+          .words({"none", "people", "any"})
+          .orElse(StopOnCollision::None),
+      field("stuck_after", &Settings::stuckAfter,
+            "A robot that has come no nearer for so long is stuck, and ends the run when no other "
+            "gets on; 0 is never",
+            {"Stuck after", 1, 5.0}, "s", {0.0, 1e6})
+          .orElse(0.0),
       field("dt", &Settings::dt, "Time step", {"Time step", 3, 0.005}, "s", {0.001, 0.1})
           .orElse(0.05),
       field("record_every", &Settings::recordEvery, "Steps from one recorded sample to the next",

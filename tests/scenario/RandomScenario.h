@@ -300,6 +300,8 @@ class RandomScenario {
     maybe(to.mapRule, [&] { return std::string(flip() ? "humble" : "main"); });
     maybe(to.seed, [&] { return upTo(3) == 0 ? 9000000000000000LL : upTo(2); });
     maybe(to.duration, [&] { return size(); });
+    maybe(to.stopOnCollision, [&] { return static_cast<sim2d::StopOnCollision>(upTo(2)); });
+    maybe(to.stuckAfter, [&] { return flip() ? 0.0 : size(); });
     maybe(to.dt, [&] { return flip() ? 0.05 : 0.02; });
     maybe(to.recordEvery, [&] { return 1 + upTo(3); });
     maybe(to.model, [&] { return flip() ? std::string("sfm") : word(); });

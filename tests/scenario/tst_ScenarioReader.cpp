@@ -64,6 +64,7 @@ class ScenarioReaderTest : public QObject {
     QVERIFY(desktop.mapFile == std::string("../maps/yard.yaml"));
     QVERIFY(desktop.mapRule == std::string("main"));
     QVERIFY(desktop.seed == 7 && desktop.duration == 60.0 && desktop.dt == 0.02);
+    QVERIFY(desktop.stopOnCollision == StopOnCollision::People && desktop.stuckAfter == 12.5);
     QVERIFY(desktop.recordEvery == 5 && desktop.model == std::string("das"));
     QVERIFY(desktop.route == Route::Direct && desktop.loopTrees == false);
     QVERIFY(desktop.obstaclePoints == ObstaclePoints::Rays);
