@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "sim2d/trace/Recording.h"
 #include "sim2d/world/World.h"
@@ -10,17 +12,35 @@ namespace sim2d {
 
 enum class RunStatus { Finished, Failed, Interrupted };
 
-struct RunResult {
-  RunStatus status = RunStatus::Finished;
-  std::string reason;  // "duration", "arrived", "interrupted", or what failed
-  std::int64_t steps = 0;
-  double steppingSeconds = 0.0;  // wall time of World::step alone
+/// How the way of a robot ended. Timeout: with the time of the run; Failed, Interrupted: with the
+/// run, for what this robot has not done.
+enum class WayEnd { Arrived, Collision, Stuck, Timeout, Failed, Interrupted };
+const char* wayEndName(WayEnd end);  // "arrived" …
+
+struct RobotResult {
+  int id = -1;
+  std::string name;
+  std::optional<WayEnd> result;  // none: it had nowhere to go
+  double time = 0.0;             // of the run, when its way ended [s]
 };
 
-/// Number of steps of a run, or until the robots have arrived plus 1 s.
+struct RunResult {
+  RunStatus status = RunStatus::Finished;
+  /// "duration", "arrived", "interrupted", "collision: robot1 with anna", "stuck: robot1, robot2",
+  /// or what failed.
+  std::string reason;
+  std::int64_t steps = 0;
+  double steppingSeconds = 0.0;  // wall time of World::step alone
+  std::vector<RobotResult> robots;
+};
+
+/// Number of steps of a run, or until the robots have arrived plus 1 s. In either case a run ends
+/// with a contact that `stopOnCollision` tells, of a robot between setting off and arriving, and
+/// when each robot has arrived or is stuck, one at least the latter (World::robotsOnWay).
 struct StopRule {
   std::int64_t maximumSteps = 2400;
   bool stopOnArrival = true;
+  StopOnCollision stopOnCollision = StopOnCollision::None;
 };
 /// The rule of a scenario: its duration is run to its end; else arrival + 1 s, at most 120 s; 60 s
 /// without a robot that moves.

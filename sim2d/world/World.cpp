@@ -42,7 +42,8 @@ RunningWorld::RunningWorld(WorldParts parts, std::unique_ptr<HumanBehavior> mind
       behavior_(std::move(minds)),
       motion_(model_.threads),
       population_(model_),
-      robots_(std::move(parts.planners), model_) {
+      robots_(std::move(parts.planners), model_),
+      progress_(model_) {
   partNames_ = partNames(*model_.environment);
   const Obstacles& obstacles = surroundings_.obstacles;
   for (int part = 0; part < obstacles.partCount(); ++part) {
@@ -230,10 +231,20 @@ bool RunningWorld::step(const StepInputs& inputs) {
 void RunningWorld::afterMotion() {
   goals_.afterMotion(model_, state_, intents_);
   RobotDrive::afterMotion(model_, state_);
+  progress_.update(model_, state_, *navigation_, willDoorToggle());
   finishRounds();
   for (std::size_t i = 0; i < model_.people.size(); ++i) {
     state_.active[i] = intents_.of(static_cast<int>(i)).active ? 1 : 0;
   }
+}
+
+bool RunningWorld::willDoorToggle() const {
+  for (std::size_t door = 0; door < model_.doors.size(); ++door) {
+    if (toggled_[door] < model_.doors[door]->toggles.size()) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void RunningWorld::decide() {
@@ -294,6 +305,25 @@ std::optional<double> RunningWorld::arrivedAt() const {
     last = std::max(last.value_or(arrived), arrived);
   }
   return last;
+}
+
+std::vector<RobotOnWay> RunningWorld::robotsOnWay() const {
+  std::vector<RobotOnWay> robots;
+  robots.reserve(model_.robots.size());
+  for (std::size_t i = 0; i < model_.robots.size(); ++i) {
+    const ResolvedRobot& robot = model_.robots[i];
+    RobotOnWay& on = robots.emplace_back();
+    on.id = robot.id;
+    on.name = robot.name;
+    on.hasGoal = !robot.goals.empty();
+    on.setsOff = robot.startTime;
+    if (state_.robots[i].arrivedAt >= 0.0) {
+      on.arrived = state_.robots[i].arrivedAt;
+    } else {
+      on.stuck = progress_.stuckSince(i);
+    }
+  }
+  return robots;
 }
 
 base::Result<std::unique_ptr<World>> World::create(WorldSetup setup) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim2d/base/Result.h"
 #include "sim2d/scenario/Scenario.h"
@@ -33,6 +34,16 @@ struct WorldSetup {
   std::string folder;               // where relative files of planners begin
   /// Ends the waiting for a planner in another program, by `base::Stopped`.
   base::StopFlagPtr stop = std::make_shared<const base::StopFlag>();
+};
+
+/// How far a robot has come on the way to its last goal.
+struct RobotOnWay {
+  int id = -1;
+  std::string name;
+  bool hasGoal = false;
+  double setsOff = 0.0;           // [s]
+  std::optional<double> arrived;  // [s]
+  std::optional<double> stuck;    // [s]; not any more: none
 };
 
 /// The running world. One step (fixed dt):
@@ -73,7 +84,8 @@ class World {
   double dt() const { return view().dt(); }
   /// All robots have arrived (false without a moving robot), and since when [s].
   virtual std::optional<double> arrivedAt() const = 0;
-  virtual TraceHeader header() const = 0;  // as of now
+  virtual std::vector<RobotOnWay> robotsOnWay() const = 0;  // -1, -2 …
+  virtual TraceHeader header() const = 0;                   // as of now
   virtual const WorldView& view() const = 0;
   virtual HumanBehavior& behavior() = 0;
 };

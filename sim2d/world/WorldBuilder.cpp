@@ -232,6 +232,7 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
   model.exact = setup.exact;
   model.peoplePass = setup.compatibility.hunav2();
   model.obstaclePoints = scenario.desktop.obstaclePoints.value_or(ObstaclePoints::Boundary);
+  model.stuckAfter = scenario.desktop.stuckAfter.value_or(0.0);
   if (!(model.dt >= 0.001 && model.dt <= 0.1)) {
     problems.push_back(base::error("world.bad-dt", {model.dt}));
   }

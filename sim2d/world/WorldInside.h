@@ -10,6 +10,7 @@
 #include "sim2d/world/Physics.h"
 #include "sim2d/world/Population.h"
 #include "sim2d/world/RobotDrive.h"
+#include "sim2d/world/RobotProgress.h"
 #include "sim2d/world/World.h"
 #include "sim2d/world/WorldViewOf.h"
 
@@ -70,6 +71,7 @@ class RunningWorld : public World {
   void tellSenses(bool wanted) override { robots_.tellSenses(wanted); }
   const Frame& frame() const override { return frame_; }
   std::optional<double> arrivedAt() const override;
+  std::vector<RobotOnWay> robotsOnWay() const override;
   TraceHeader header() const override { return makeHeader(model_, surroundings_); }
   const WorldView& view() const override { return view_; }
   HumanBehavior& behavior() override { return *behavior_; }
@@ -96,6 +98,7 @@ class RunningWorld : public World {
   void leave(std::size_t human);
   void finishRounds();
   void afterMotion();
+  bool willDoorToggle() const;
 
   void decide();
   /// What a failed step says; empty: all numbers are fine.
@@ -143,6 +146,7 @@ class RunningWorld : public World {
   Goals goals_;
   Population population_;
   RobotDrive robots_;
+  RobotProgress progress_;
   Frame frame_;
   std::string failure_;
   base::Diagnostics refused_;           // inputs of the last step

@@ -67,6 +67,7 @@ struct WorldModel {
   bool peoplePass = false;  // through each other, as in the original
   Ring ring;
   ObstaclePoints obstaclePoints = ObstaclePoints::Boundary;
+  double stuckAfter = 0.0;  // of robots [s]; 0: never
   std::vector<Person> people;
   std::vector<ResolvedRobot> robots;      // -1, -2 …
   std::vector<EntityId> robotKeys;        // beside them
