@@ -155,6 +155,10 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
         return base::parseInt(text) ? std::string() : "'" + text + "' is no whole number that fits";
       });
   command.add_option("--duration", options.duration, "Length of the run [s]");
+  command.add_option("--stop-on-collision", options.stopOnCollision,
+                     "End when the robot touches people, or any(thing); usually none");
+  command.add_option("--stuck-after", options.stuckAfter,
+                     "End when the robot has come no nearer for so long [s]; 0 = never");
   command.add_option("--dt", options.dt, "Time step [s]");
   command.add_option("--model", options.model, "How people walk: see list models");
   command.add_option("--robot", options.robot, "Type of the robot: see list robots");

@@ -7,6 +7,7 @@
 #include "app/run/DataPaths.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
+#include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "sim2d/world/World.h"
 
@@ -65,6 +66,9 @@ class Reader {
     readSeeds(root.find("seeds"));
     readNumber(root, "duration", 0.0, 1e6);
     readNumber(root, "dt", 0.000999, 0.1);
+    readNumber(root, "stuck_after", -1e-300, 1e6);
+    readName(root, "stop_on_collision",
+             sim2d::fieldOf<sim2d::DesktopSettings>("stop_on_collision")->spec.choices);
     const sim2d::Registries known = sim2d::programRegistries();
     readName(root, "model", known.models.names());
     readName(root, "robot", known.robotTypes.names());
@@ -81,8 +85,9 @@ class Reader {
 
   void checkKeys(const YamlNode& root) {
     const std::vector<std::string> known = {
-        "hunavsim_experiment", "scenarios", "seeds", "duration", "dt", "model", "robot", "planner",
-        "metrics_profile",     "values",    "record"};
+        "hunavsim_experiment", "scenarios",   "seeds", "duration", "dt",
+        "stop_on_collision",   "stuck_after", "model", "robot",    "planner",
+        "metrics_profile",     "values",      "record"};
     for (const YamlNode& item : root.items) {
       if (std::find(known.begin(), known.end(), item.key) == known.end()) {
         errors_.push_back(base::error("experiment.unknown-key",
@@ -152,12 +157,17 @@ class Reader {
     }
   }
 
+  static std::string optionOf(std::string key) {
+    std::replace(key.begin(), key.end(), '_', '-');
+    return "--" + key;
+  }
+
   void readNumber(const YamlNode& root, const std::string& key, double above, double maximum) {
     const YamlNode* node = root.find(key);
     const std::optional<double> number =
         node != nullptr ? base::parseDouble(node->text) : std::nullopt;
     if (number && *number > above && *number <= maximum) {
-      experiment_.options["--" + key] = base::formatDouble(*number);
+      experiment_.options[optionOf(key)] = base::formatDouble(*number);
     } else if (node != nullptr) {
       error(*node, "experiment.out-of-range", {key});
     }
@@ -179,7 +189,7 @@ class Reader {
     if (node != nullptr && std::find(known.begin(), known.end(), node->text) == known.end()) {
       error(*node, "experiment.unknown-name", {key, node->text, base::join(known, ", ")});
     } else if (node != nullptr) {
-      experiment_.options["--" + key] = node->text;
+      experiment_.options[optionOf(key)] = node->text;
     }
   }
 

@@ -135,6 +135,16 @@ Json codeJson(const Bundle& bundle) {
   return {{"allowed", bundle.settings.code == sim2d::CodeUse::Allowed}, {"started", started}};
 }
 
+/// How its way ended.
+void tellResult(const sim2d::RunResult& run, int robot, Json& to) {
+  for (const sim2d::RobotResult& result : run.robots) {
+    if (result.id == robot) {
+      to["result"] = result.result ? Json(sim2d::wayEndName(*result.result)) : Json();
+      to["time"] = result.result ? Json(result.time) : Json();
+    }
+  }
+}
+
 /// What it came from, what it was set to, how it ended.
 std::string runManifest(const Bundle& bundle, const FinishedRun& run,
                         const std::vector<std::string>& commandLine) {
@@ -169,6 +179,7 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   json["robots"] = Json::array();
   for (const sim2d::TraceRobot& robot : header.robots) {
     json["robots"].push_back(robotJson(robot));
+    tellResult(result, robot.id, json["robots"].back());
   }
   int id = -1;
   sim2d::forEachListed(bundle.scenario->robots, [&](const sim2d::Robot& robot) {

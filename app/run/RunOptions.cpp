@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "sim2d/world/World.h"
 
@@ -37,6 +38,10 @@ sim2d::Robot& addRobot(sim2d::Scenario& scenario) {
   return *scenario.robots.insert(scenario.robots.begin(), robot);
 }
 
+const sim2d::Field<sim2d::DesktopSettings>& collisionField() {
+  return *sim2d::fieldOf<sim2d::DesktopSettings>("stop_on_collision");
+}
+
 base::Diagnostics checkNames(const RunOptions& options) {
   base::Diagnostics wrong;
   const auto check = [&wrong](const char* option, const std::optional<std::string>& name,
@@ -46,6 +51,7 @@ base::Diagnostics checkNames(const RunOptions& options) {
     }
   };
   const sim2d::Registries registries = sim2d::programRegistries();
+  check("--stop-on-collision", options.stopOnCollision, collisionField().spec.choices);
   check("--model", options.model, registries.models.names());
   check("--planner", options.planner, registries.planners.names());
   check("--robot", options.robot, registries.robotTypes.names());
@@ -67,6 +73,8 @@ base::Diagnostics checkOptions(const RunOptions& options) {
   want(parseNumbers(goal, 2).has_value(), "option.robot-goal", {goal});
   want(options.seed.value_or(0) >= 0, "option.seed");
   want(duration > 0.0 && duration <= 1e6, "option.duration");
+  const double stuckAfter = options.stuckAfter.value_or(0.0);
+  want(stuckAfter >= 0.0 && stuckAfter <= 1e6, "option.stuck-after");
   want(dt >= 0.001 && dt <= 0.1, "option.dt");
   want(options.recordEvery.value_or(1) >= 1, "option.record-every");
   want(options.threads >= 1 && options.threads <= 256, "option.threads");
@@ -156,6 +164,10 @@ base::Diagnostics applyOptions(sim2d::Scenario& scenario, const RunOptions& opti
   }
   desktop.seed = options.seed ? options.seed : desktop.seed;
   desktop.duration = options.duration ? options.duration : desktop.duration;
+  desktop.stuckAfter = options.stuckAfter ? options.stuckAfter : desktop.stuckAfter;
+  if (options.stopOnCollision) {
+    collisionField().assign(desktop, *options.stopOnCollision);
+  }
   desktop.dt = options.dt ? options.dt : desktop.dt;
   desktop.model = options.model ? options.model : desktop.model;
   desktop.recordEvery = options.recordEvery ? options.recordEvery : desktop.recordEvery;

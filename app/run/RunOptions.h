@@ -18,7 +18,8 @@ struct RunOptions {
   std::string output;  // -o; empty: nothing is written
   std::string map, trees;
   std::optional<long long> seed;
-  std::optional<double> duration, dt;
+  std::optional<double> duration, dt, stuckAfter;
+  std::optional<std::string> stopOnCollision;  // none, people, any
   std::optional<std::string> model, robot, robotStart, robotGoal, planner;
   int threads = 1;
   MetricsWords metrics;

@@ -1,5 +1,6 @@
 #include "app/window/StatusLine.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QCursor>
@@ -52,9 +53,19 @@ QString endOf(const SimulationRunner& runner) {
         .arg(arrivalIn(*runner.recording()), 0, 'f', 1);
   }
   const QString time = StatusLine::tr("%1 s").arg(runner.newestFrame()->time, 0, 'f', 1);
-  return runner.result()->reason == "duration"
-             ? StatusLine::tr("The duration is over, %1 · ").arg(time)
-             : QString();
+  if (runner.result()->reason == "duration") {
+    return StatusLine::tr("The duration is over, %1 · ").arg(time);
+  }
+  const auto isWay = [&runner](sim2d::WayEnd end) {
+    const auto& robots = runner.result()->robots;
+    return std::any_of(robots.begin(), robots.end(),
+                       [end](const auto& robot) { return robot.result == end; });
+  };
+  if (isWay(sim2d::WayEnd::Collision)) {
+    return StatusLine::tr("The robot has touched something, %1 · ").arg(time);
+  }
+  return isWay(sim2d::WayEnd::Stuck) ? StatusLine::tr("The robot is stuck, %1 · ").arg(time)
+                                     : QString();
 }
 
 /// What the line says of the state, and what can be done.

@@ -121,6 +121,9 @@ void SettingsPage::addRunSection() {
     end->setText(capitalized(words));
     section->setRowVisible(end, !words.isEmpty());
   });
+  addField<Desktop>(section, "stop_on_collision",
+                    inWords({tr("No (default)"), tr("With people"), tr("With anything")}));
+  addField<Desktop>(section, "stuck_after");
   addField<Desktop>(section, "dt");
   FieldLook record;
   record.unit = tr("steps");

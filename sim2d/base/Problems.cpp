@@ -561,6 +561,7 @@ constexpr ProblemText kTexts[] = {
      "--robot-goal takes two numbers of at most 1e6: \"X Y\" (m), not \"{found}\""},
     {"option.seed", "--seed takes a whole number >= 0"},
     {"option.duration", "--duration takes seconds above 0, at most 1000000"},
+    {"option.stuck-after", "--stuck-after takes seconds, 0 (never) to 1000000"},
     {"option.dt", "--dt takes a step of 0.001 to 0.1 s"},
     {"option.record-every", "--record-every takes a number of steps >= 1"},
     {"option.threads", "--threads takes a number from 1 to 256"},

@@ -99,13 +99,25 @@ base::Diagnostics compareWithoutRobots(const Bundle& bundle, const Session& sess
   return alone.diagnostics();
 }
 
+/// "; robot1 arrived at 7.3 s, robot2 timeout at 20.0 s".
+std::string waysText(const sim2d::RunResult& result) {
+  std::string text;
+  for (const sim2d::RobotResult& robot : result.robots) {
+    if (robot.result) {
+      text += (text.empty() ? "; " : ", ") + robot.name + " " + sim2d::wayEndName(*robot.result) +
+              " at " + oneDecimal(robot.time) + " s";
+    }
+  }
+  return text;
+}
+
 std::string lastLine(const FinishedRun& run) {
   const double simulated = static_cast<double>(run.result.steps) * run.header.dt;
   const double wall = run.result.steppingSeconds;
   const std::string factor =
       wall > 0.0 ? base::formatDecimals(std::round(simulated / wall), 0) + "x real time" : "-";
   return factor + " (" + oneDecimal(simulated) + " s simulated in " +
-         base::formatDecimals(std::round(wall * 1000.0) / 1000.0, 3) + " s)";
+         base::formatDecimals(std::round(wall * 1000.0) / 1000.0, 3) + " s)" + waysText(run.result);
 }
 
 /// The table may differ from run to run, the files may not. Not beside metrics chosen by key.
