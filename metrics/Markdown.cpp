@@ -67,8 +67,12 @@ D = gap, at least surprise_minimum_distance. ttc = time to collision on straight
 Profile `corrected` (default) uses the formulas below. Profile `hunav2` gives the same numbers as
 the public HuNavSim 2.0 evaluator, with its peculiarities. A value that a record does not define is
 empty in CSV and `null` in JSON, with the reason; so is an infinite one, which only the evaluator's own
-files (`--layout`) have as `inf`. Of several robots the first is measured
-(`evaluate --robot` chooses another).
+files (`--layout`) have as `inf`.
+
+Of several robots each is measured for itself, as if the others were not there. The values of the
+first stand where those of a single one do; those of the others in `metrics.json` below `robots`, in
+`metrics_<robot>.csv` and `steps_<robot>.csv`, and in columns `<robot>.<key>` of a batch
+(`evaluate --robot` measures one alone). A `--reference` is beside the first.
 
 Metrics that need a robot are those of its way (`corrected`): N and T count from when it sets off to
 when it arrives, between two samples to the second; parked it neither stands still nor runs into

@@ -23,7 +23,8 @@ struct Selection {
   std::string tag = "exp_1";
   int runId = 0;
   int robotId = -1;
-  TimedWay reference;  // RunContext::reference; empty = shortest way
+  bool everyRobot = false;  // those of the others too, beside them: Evaluation::others
+  TimedWay reference;       // RunContext::reference of this robot; empty = shortest way
 
   bool series = true;          // results have their series
   bool seriesOnDisk = false;   // meanwhile in a temporary file
@@ -74,10 +75,14 @@ struct Evaluation {
   std::string tag = "exp_1";
   int runId = 0;
   int robotId = -1;           // whose metrics they are
+  std::string robot;          // its name, by which files can be called; empty: there is none
   bool isSelection = false;   // of keys that the user listed
   std::vector<double> times;  // [s] from the first sample, with series
   std::vector<MetricResult> results;
   std::vector<BehaviorEvaluation> behaviors;  // of the types present
+  /// The same of the other robots in their order, where Selection::everyRobot asks for it; they
+  /// have none themselves.
+  std::vector<Evaluation> others;
 
   const MetricResult* find(std::string_view key) const;
 };

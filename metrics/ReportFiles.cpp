@@ -44,6 +44,14 @@ Json resultsJson(const std::vector<MetricResult>& results) {
   return json;
 }
 
+Json behaviorsJson(const Evaluation& evaluation) {
+  Json json = Json::object();
+  for (const BehaviorEvaluation& behavior : evaluation.behaviors) {
+    json[std::to_string(behavior.behavior)] = resultsJson(behavior.results);
+  }
+  return json;
+}
+
 Json parametersJson(const MetricParameters& parameters) {
   Json json = Json::object();
   for (const ParameterInfo& info : parameterInfos()) {
@@ -258,11 +266,11 @@ std::string toJson(const Evaluation& evaluation) {
   Json root;
   root["profile"] = profileName(evaluation.parameters.profile);
   root["metrics"] = resultsJson(evaluation.results);
-  Json behaviors = Json::object();
-  for (const BehaviorEvaluation& behavior : evaluation.behaviors) {
-    behaviors[std::to_string(behavior.behavior)] = resultsJson(behavior.results);
+  root["behaviors"] = behaviorsJson(evaluation);
+  for (const Evaluation& other : evaluation.others) {
+    root["robots"][other.robot] = {{"metrics", resultsJson(other.results)},
+                                   {"behaviors", behaviorsJson(other)}};
   }
-  root["behaviors"] = behaviors;
   root["parameters"] = parametersJson(evaluation.parameters);
   root["experiment_tag"] = evaluation.tag;
   root["run_id"] = evaluation.runId;
@@ -270,6 +278,10 @@ std::string toJson(const Evaluation& evaluation) {
     root["robot"] = evaluation.robotId;
   }
   return base::jsonText(root) + "\n";
+}
+
+std::string robotFile(const std::string& stem, const std::string& robot) {
+  return stem + "_" + robot + ".csv";
 }
 
 std::string metricsCsv(const Evaluation& evaluation) {
@@ -320,31 +332,53 @@ std::string shownValue(const MetricResult& result) {
   return {text.begin(), end.ptr};
 }
 
+/// The first column begins at the left, the numbers end at the right, the last one is as it is.
+std::string alignedText(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths(rows.front().size(), 5);
+  for (const std::vector<std::string>& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      widths[k] = std::max(widths[k], row[k].size());
+    }
+  }
+  std::string text;
+  for (const std::vector<std::string>& row : rows) {
+    text += row.front() + std::string(widths.front() - row.front().size(), ' ');
+    for (std::size_t k = 1; k + 1 < row.size(); ++k) {
+      text += std::string(2 + widths[k] - row[k].size(), ' ') + row[k];
+    }
+    text += (row.back().empty() ? "" : "  " + row.back()) + "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string tableText(const Evaluation& evaluation) {
-  std::size_t keyWidth = 6;
-  std::size_t valueWidth = 5;
-  std::vector<std::string> values;
+  std::vector<const Evaluation*> robots = {&evaluation};
+  for (const Evaluation& other : evaluation.others) {
+    robots.push_back(&other);
+  }
+  const bool isAlone = robots.size() == 1;
+  std::vector<std::vector<std::string>> rows = {{"metric"}};
+  for (const Evaluation* robot : robots) {
+    rows.front().push_back(isAlone ? "value" : robot->robot);
+  }
+  rows.front().emplace_back("unit");
   for (const MetricResult& result : evaluation.results) {
-    values.push_back(shownValue(result));
-    keyWidth = std::max(keyWidth, result.info.key.size());
-    valueWidth = std::max(valueWidth, values.back().size());
-  }
-  const auto line = [&](const std::string& key, const std::string& value, const std::string& rest) {
-    return key + std::string(keyWidth - key.size() + 2 + valueWidth - value.size(), ' ') + value +
-           (rest.empty() ? "" : "  " + rest) + "\n";
-  };
-  std::string text = line("metric", "value", "unit");
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const MetricResult& result = evaluation.results[k];
+    std::vector<std::string>& row = rows.emplace_back();
+    row.push_back(result.info.key);
     std::string rest = result.info.unit;
-    if (!result.value.why.empty()) {
-      rest.append(rest.empty() ? "(" : " (").append(result.value.why).append(")");
+    for (const Evaluation* robot : robots) {
+      const MetricResult* its = robot->find(result.info.key);
+      row.push_back(its != nullptr ? shownValue(*its) : "");
+      if (its != nullptr && !its->value.why.empty()) {
+        rest += (rest.empty() ? "(" : " (") + (isAlone ? "" : robot->robot + ": ") +
+                its->value.why + ")";
+      }
     }
-    text += line(result.info.key, values[k], rest);
+    row.push_back(std::move(rest));
   }
-  return text;
+  return alignedText(rows);
 }
 
 base::Result<std::vector<std::string>> writeEvaluatorFiles(const Evaluation& evaluation,

@@ -10,10 +10,13 @@
 /// An evaluation as text. Equal evaluations give equal bytes.
 namespace metrics {
 
-std::string toJson(const Evaluation& evaluation);  // metrics.json
+/// metrics.json. Values of other robots stand below `robots` and their names.
+std::string toJson(const Evaluation& evaluation);
 
+/// Name of the file beside `metrics.csv` or `steps.csv` that is of another robot.
+std::string robotFile(const std::string& stem, const std::string& robot);
 /// experiment_tag, run_id and one column per metric; header line and one row. What is undefined or
-/// infinite is empty, also below.
+/// infinite is empty, also below. Of the robot of the evaluation, not of others.
 std::string metricsCsv(const Evaluation& evaluation);
 /// time_stamps and one column per series; one row per sample.
 std::string stepsCsv(const Evaluation& evaluation);
@@ -33,7 +36,8 @@ void writeSteps(const std::vector<double>& times, const std::vector<StepColumn>&
 /// booleans True and False, infinity "inf", undefined "".
 std::string evaluatorNumber(double value, Kind kind);
 
-/// Name, value and unit of each metric in columns; undefined ones with the reason.
+/// Name, value and unit of each metric in columns; undefined ones with the reason. Of several
+/// robots each has a column with its name.
 std::string tableText(const Evaluation& evaluation);
 
 enum class Layout { Hunav2, Hunav1 };  // comma-separated .csv; tab-separated .txt without run id

@@ -217,9 +217,115 @@ base::Result<Evaluation> RunningEvaluation::finish(const SeriesSink& sink) const
   return evaluation;
 }
 
+namespace {
+
+/// The names of the robots, each once and such that files can be called by them.
+std::vector<std::string> fileNamesOf(const std::vector<sim2d::TraceRobot>& robots) {
+  std::vector<std::string> names;
+  names.reserve(robots.size());
+  for (const sim2d::TraceRobot& robot : robots) {
+    std::string name = robot.name.empty() ? "robot" + std::to_string(-robot.id) : robot.name;
+    std::replace_if(
+        name.begin(), name.end(),
+        [](char c) {
+          const bool isLetter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+          return !isLetter && !(c >= '0' && c <= '9') && c != '-';
+        },
+        '_');
+    while (std::find(names.begin(), names.end(), name) != names.end()) {
+      name += '_';
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+}  // namespace
+
+FrameEvaluation::OfRobot::OfRobot(std::string its, const sim2d::TraceHeader& header,
+                                  const Selection& selection, const MetricParameters& parameters)
+    : name(std::move(its)),
+      id(selection.robotId),
+      builder(header, selection.robotId),
+      running(builder.context(), selection, parameters) {}
+
+base::Result<Evaluation> FrameEvaluation::OfRobot::finish(const RobotSeriesSink& sink) const {
+  base::Result<Evaluation> made =
+      running.finish(sink ? SeriesSink([&](const MetricInfo& info, const Series& series) {
+        sink(name, info, series);
+      })
+                          : SeriesSink());
+  if (made) {
+    made->robot = name;
+  }
+  return made;
+}
+
+/// Its window is empty, unlike that of the first.
+Evaluation FrameEvaluation::OfRobot::without(const Evaluation& first,
+                                             const base::Diagnostics& why) const {
+  Evaluation evaluation;
+  evaluation.parameters = first.parameters;
+  evaluation.tag = first.tag;
+  evaluation.runId = first.runId;
+  evaluation.robotId = id;
+  evaluation.robot = name;
+  evaluation.isSelection = first.isSelection;
+  evaluation.results.reserve(first.results.size());
+  for (const MetricResult& result : first.results) {
+    evaluation.results.push_back({result.info, undefinedValue(why.front().message)});
+  }
+  return evaluation;
+}
+
 FrameEvaluation::FrameEvaluation(const sim2d::TraceHeader& header, const Selection& selection,
-                                 const MetricParameters& parameters)
-    : builder_(header, selection.robotId), evaluation_(builder_.context(), selection, parameters) {}
+                                 const MetricParameters& parameters) {
+  const std::vector<std::string> names = fileNamesOf(header.robots);
+  robots_.reserve(header.robots.size() + 1);
+  std::string chosen;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    chosen = header.robots[k].id == selection.robotId ? names[k] : chosen;
+  }
+  robots_.emplace_back(chosen, header, selection, parameters);
+  for (std::size_t k = 0; selection.everyRobot && k < names.size(); ++k) {
+    if (header.robots[k].id != selection.robotId) {
+      Selection other = selection;
+      other.robotId = header.robots[k].id;
+      other.reference.clear();  // of another robot
+      robots_.emplace_back(names[k], header, other, parameters);
+    }
+  }
+}
+
+void FrameEvaluation::addHumans(const std::vector<sim2d::TraceHuman>& humans) {
+  for (OfRobot& robot : robots_) {
+    robot.builder.addHumans(humans);
+  }
+}
+
+void FrameEvaluation::note(double time, const sim2d::Event& event) {
+  for (OfRobot& robot : robots_) {
+    robot.running.note(time, event);
+  }
+}
+
+void FrameEvaluation::append(const sim2d::Frame& frame) {
+  std::vector<Person> people = robots_.front().builder.peopleOf(frame);
+  for (std::size_t k = robots_.size(); k-- > 1;) {
+    robots_[k].running.add(robots_[k].builder.sampleOf(frame, people));
+  }
+  robots_.front().running.add(robots_.front().builder.sampleOf(frame, std::move(people)));
+}
+
+base::Result<Evaluation> FrameEvaluation::finish(const RobotSeriesSink& sink) const {
+  base::Result<Evaluation> first = robots_.front().finish(sink);
+  for (std::size_t k = 1; first && k < robots_.size(); ++k) {
+    base::Result<Evaluation> other = robots_[k].finish(sink);
+    first->others.push_back(other ? *std::move(other)
+                                  : robots_[k].without(*first, other.diagnostics()));
+  }
+  return first;
+}
 
 const MetricResult* Evaluation::find(std::string_view key) const {
   return findResult(results, key);

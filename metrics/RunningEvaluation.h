@@ -58,27 +58,40 @@ class RunningEvaluation {
   std::array<Behavior, kBehaviors> behaviors_;  // of types 1..6; no feed: not wanted
 };
 
-/// The same from frames, as the world makes them or as a recording gives them.
+/// Takes the series of results, which then have none, with the name of the robot.
+using RobotSeriesSink =
+    std::function<void(const std::string& robot, const MetricInfo& info, const Series& series)>;
+
+/// The same from frames, as the world makes them or as a recording gives them; of one robot or, if
+/// the selection asks for it, of each.
 class FrameEvaluation {
  public:
   FrameEvaluation(const sim2d::TraceHeader& header, const Selection& selection,
                   const MetricParameters& parameters);
   /// People that arrived since the header was made; before the first frame with them.
-  void addHumans(const std::vector<sim2d::TraceHuman>& humans) { builder_.addHumans(humans); }
-  void note(double time, const sim2d::Event& event) { evaluation_.note(time, event); }
-  void append(const sim2d::Frame& frame) { evaluation_.add(builder_.sampleOf(frame)); }
-  base::Result<Evaluation> finish(const SeriesSink& sink = {}) const {
-    return evaluation_.finish(sink);
-  }
+  void addHumans(const std::vector<sim2d::TraceHuman>& humans);
+  void note(double time, const sim2d::Event& event);
+  void append(const sim2d::Frame& frame);
+  base::Result<Evaluation> finish(const RobotSeriesSink& sink = {}) const;
   /// So far; empty before the first sample.
   std::vector<MetricResult> values() const {
-    base::Result<Evaluation> evaluation = finish();
+    base::Result<Evaluation> evaluation = robots_.front().finish({});
     return evaluation ? std::move(evaluation->results) : std::vector<MetricResult>();
   }
 
  private:
-  SampleBuilder builder_;
-  RunningEvaluation evaluation_;
+  struct OfRobot {
+    OfRobot(std::string its, const sim2d::TraceHeader& header, const Selection& selection,
+            const MetricParameters& parameters);
+    base::Result<Evaluation> finish(const RobotSeriesSink& sink) const;
+    Evaluation without(const Evaluation& first, const base::Diagnostics& why) const;
+
+    std::string name;
+    int id;
+    SampleBuilder builder;
+    RunningEvaluation running;
+  };
+  std::vector<OfRobot> robots_;  // the selection's first, which is there without a robot too
 };
 
 }  // namespace metrics

@@ -194,7 +194,7 @@ void SampleBuilder::addObstaclePoints(Body& body) {
   body.obstacles = buffer_;
 }
 
-Sample SampleBuilder::sampleOf(const sim2d::Frame& frame) {
+Sample SampleBuilder::sampleOf(const sim2d::Frame& frame, std::vector<Person> people) {
   setDoors(frame.time);
   Sample sample;
   sample.time = frame.time;
@@ -210,9 +210,19 @@ Sample SampleBuilder::sampleOf(const sim2d::Frame& frame) {
       }
     }
   }
-  sample.people.resize(frame.humans.size());
+  sample.people = std::move(people);
+  for (Person& person : sample.people) {
+    person.screened =
+        hasDrawn_ && robot != nullptr && !drawn_.isVisible(person.position, sample.robot.position);
+  }
+  return sample;
+}
+
+std::vector<Person> SampleBuilder::peopleOf(const sim2d::Frame& frame) {
+  setDoors(frame.time);
+  std::vector<Person> people(frame.humans.size());
   for (std::size_t k = 0; k < frame.humans.size(); ++k) {
-    Person& person = sample.people[k];
+    Person& person = people[k];
     copyMotion(frame.humans, k, person);
     person.group = frame.humans.group[k];
     person.state = frame.humans.state[k];
@@ -224,10 +234,8 @@ Sample SampleBuilder::sampleOf(const sim2d::Frame& frame) {
       person.wantsToArrive = !found->second.goals.empty() && !found->second.cyclicGoals;
     }
     addObstaclePoints(person);
-    person.screened =
-        hasDrawn_ && robot != nullptr && !drawn_.isVisible(person.position, sample.robot.position);
   }
-  return sample;
+  return people;
 }
 
 }  // namespace metrics

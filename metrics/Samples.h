@@ -117,7 +117,10 @@ class SampleBuilder {
   /// People that arrived after the header was made.
   void addHumans(const std::vector<sim2d::TraceHuman>& humans);
   RunContext context() const;
-  Sample sampleOf(const sim2d::Frame& frame);
+  Sample sampleOf(const sim2d::Frame& frame) { return sampleOf(frame, peopleOf(frame)); }
+  /// The same in two parts: people are the same for each robot.
+  std::vector<Person> peopleOf(const sim2d::Frame& frame);
+  Sample sampleOf(const sim2d::Frame& frame, std::vector<Person> people);
 
  private:
   struct Door {
