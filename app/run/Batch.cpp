@@ -17,8 +17,6 @@
 #include "app/run/DataPaths.h"
 #include "app/run/PlannerFiles.h"
 #include "app/run/RunFolder.h"
-#include "metrics/MetricRegistry.h"
-#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "sim2d/trace/Csv.h"
@@ -35,19 +33,6 @@ constexpr int kPollMs = 100;
 constexpr std::chrono::seconds kPatience{3};  // for children to end after they were asked to
 constexpr int kNotStarted = 127;              // exit code of a child that is not the program
 constexpr const char* kCannotStart = "the process could not be started";
-
-std::string fieldOf(const Json& value) {
-  if (value.is_null()) {
-    return {};
-  }
-  if (value.is_boolean()) {
-    return value.get<bool>() ? "True" : "False";
-  }
-  if (value.is_number_float()) {
-    return base::formatDouble(value.get<double>());
-  }
-  return base::jsonText(value, -1);
-}
 
 Json readJson(const fs::path& path) {
   const base::Result<std::string> text = base::readTextFile(path.string());
@@ -68,19 +53,15 @@ std::string firstError(const std::string& output) {
 BatchRow readRow(const fs::path& folder) {
   BatchRow row;
   const Json manifest = readJson(folder / "manifest.json");
-  const Json metrics = readJson(folder / "metrics.json");
   if (manifest.is_object()) {
     row.ok = manifest.value("status", "") == "finished";
-    row.reason = row.ok ? std::string() : manifest.value("reason", "");
-    if (manifest.contains("simulated_seconds")) {
-      row.simulated = fieldOf(manifest["simulated_seconds"]);
+    row.reason = manifest.value("reason", "");
+    if (manifest.contains("simulated_seconds") && manifest["simulated_seconds"].is_number()) {
+      row.simulated = base::formatDouble(manifest["simulated_seconds"].get<double>());
     }
   }
-  if (metrics.is_object() && metrics.contains("metrics")) {
-    for (const auto& [key, entry] : metrics["metrics"].items()) {
-      row.metrics[key] = fieldOf(entry.value("value", Json()));
-    }
-  }
+  const base::Result<std::string> metrics = base::readTextFile((folder / "metrics.json").string());
+  row.values = metrics ? resultValues(*metrics) : ResultValues();
   return row;
 }
 
@@ -241,7 +222,10 @@ class Batch {
   BatchRow rowOf(const Child& child, int status) const {
     BatchRow row = readRow(folderOf(child.run));
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    row.ok = row.ok && code == 0;
+    if (row.ok && code != 0) {
+      row.ok = false;
+      row.reason.clear();  // is that of a fine run
+    }
     if (!WIFEXITED(status)) {
       row.reason = "the process crashed";
     } else if (code == kNotStarted) {
@@ -275,18 +259,24 @@ class Batch {
   Clock::time_point deadline_;
 };
 
-/// Keys of the selection, in the order of the registry; every finished run has the same.
+/// Every finished run of a scenario has the same.
 std::vector<std::string> metricColumns(const BatchRows& rows) {
-  std::vector<std::string> columns;
-  for (const metrics::MetricEntry& entry : metrics::standardRegistry().entries()) {
-    const std::string& key = entry.info.key;
-    if (std::any_of(rows.begin(), rows.end(), [&key](const std::optional<BatchRow>& row) {
-          return row && row->metrics.count(key) != 0;
-        })) {
-      columns.push_back(key);
+  std::set<std::string> present;
+  std::vector<std::string> robots;
+  for (const std::optional<BatchRow>& row : rows) {
+    if (!row) {
+      continue;
+    }
+    for (const auto& [column, field] : row->values.fields) {
+      present.insert(column);
+    }
+    for (const std::string& robot : row->values.robots) {
+      if (std::find(robots.begin(), robots.end(), robot) == robots.end()) {
+        robots.push_back(robot);
+      }
     }
   }
-  return columns;
+  return resultColumns(present, robots);
 }
 
 /// Code that runs want to start and may not: those of the first values, and of each other value
@@ -417,8 +407,8 @@ std::string resultsCsv(const Experiment& experiment, const BatchRows& rows) {
     add(row->reason);
     add(row->simulated);
     for (const std::string& key : keys) {
-      const auto found = row->metrics.find(key);
-      add(found == row->metrics.end() ? std::string() : found->second);
+      const auto found = row->values.fields.find(key);
+      add(found == row->values.fields.end() ? std::string() : found->second);
     }
     text += '\n';
   }

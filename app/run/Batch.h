@@ -1,12 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/run/Experiment.h"
+#include "app/run/ResultColumns.h"
 #include "sim2d/map/MapReader.h"
 
 namespace app {
@@ -14,9 +14,9 @@ namespace app {
 /// What is known of one run of a batch after its process has ended.
 struct BatchRow {
   bool ok = false;
-  std::string reason;                          // of a failure
-  std::string simulated;                       // [s], as text; empty when not known
-  std::map<std::string, std::string> metrics;  // key -> CSV field
+  std::string reason;     // why it ended, or failed
+  std::string simulated;  // [s], as text; empty when not known
+  ResultValues values;
 };
 /// By run; nothing = not run, the batch was interrupted before.
 using BatchRows = std::vector<std::optional<BatchRow>>;

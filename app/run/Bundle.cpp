@@ -87,24 +87,7 @@ std::shared_ptr<const sim2d::Surroundings> surroundingsOf(const Bundle& bundle) 
                                       : std::make_shared<const sim2d::Surroundings>();
 }
 
-/// Metrics are those of the first robot: worth telling when there are more.
-void tellRobot(const Bundle& bundle, Verdict& verdict) {
-  std::vector<std::string> names;
-  base::EntityId first;
-  sim2d::forEachListed(bundle.scenario->robots, [&](const sim2d::Robot& robot) {
-    first = names.empty() ? robot.key : first;
-    names.push_back(robot.name);
-  });
-  base::Diagnostics told = tellMeasuredRobot(names, bundle.path);
-  for (base::Diagnostic& said : told) {
-    said.entity = first;
-  }
-  sim2d::addPlaces(told, bundle.lines, bundle.path);
-  base::append(verdict.problems, told);
-}
-
 void checkMetrics(const Bundle& bundle, Verdict& verdict) {
-  tellRobot(bundle, verdict);
   const base::Result<MetricsSetup> setup = metricsSetupOf(*bundle.scenario, bundle.path);
   base::append(verdict.problems, setup.diagnostics());
   if (setup) {

@@ -97,14 +97,6 @@ void noteMetricsFile(const MetricsSetup& setup, sim2d::TraceHeader& header) {
   header.metrics.runId = setup.selection.runId;
 }
 
-base::Diagnostics tellMeasuredRobot(const std::vector<std::string>& robots,
-                                    const std::string& file) {
-  if (robots.size() < 2) {
-    return {};
-  }
-  return {base::warning("metrics.one-robot", {robots.front(), robots.size()}, file)};
-}
-
 base::Result<int> robotOfWord(const sim2d::TraceHeader& header, const std::string& word) {
   const std::optional<long long> number = base::parseInt(word);
   std::vector<std::string> names;

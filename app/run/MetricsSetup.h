@@ -26,9 +26,6 @@ base::Diagnostics readMetricsSetup(const sim2d::TraceHeader& header, MetricsSetu
 /// the rest), so that the record alone gives the same numbers.
 void noteMetricsFile(const MetricsSetup& setup, sim2d::TraceHeader& header);
 
-/// Metrics are those of one robot: of several, which is told.
-base::Diagnostics tellMeasuredRobot(const std::vector<std::string>& robots,
-                                    const std::string& file);
 /// Id of the robot that a word means: its name, its number from 1 on, or its id (-1, -2 …).
 base::Result<int> robotOfWord(const sim2d::TraceHeader& header, const std::string& word);
 

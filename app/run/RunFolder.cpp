@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kStatusNames[] = {"finished", "failed", "interrupted"};  // of RunStatus
 
-std::string pathIn(const std::string& folder, const char* name) {
+std::string pathIn(const std::string& folder, const std::string& name) {
   return (fs::path(folder) / name).string();
 }
 
@@ -190,6 +190,33 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   return base::jsonText(json) + "\n";
 }
 
+/// `metrics_robot2.csv`, `steps_robot2.csv`.
+bool isOfFurtherRobot(const std::string& name) {
+  const bool isTable = name.rfind("metrics_", 0) == 0 || name.rfind("steps_", 0) == 0;
+  return isTable && fs::path(name).extension() == ".csv";
+}
+
+/// Files of further robots that the run before has left, by its manifest.
+std::vector<std::string> formerRobotFiles(const std::string& folder) {
+  std::vector<std::string> files;
+  const base::Result<std::string> text = base::readTextFile(pathIn(folder, "manifest.json"));
+  const Json manifest = text ? Json::parse(*text, nullptr, false) : Json();
+  const Json none = Json::array();
+  const Json& robots =
+      manifest.is_object() && manifest.contains("robots") && manifest["robots"].is_array()
+          ? manifest["robots"]
+          : none;
+  for (const Json& robot : robots) {
+    const Json name = robot.is_object() ? robot.value("name", Json()) : Json();
+    const std::string word = name.is_string() ? name.get<std::string>() : std::string();
+    if (!word.empty() && word.find('/') == std::string::npos) {
+      files.push_back(metrics::robotFile("metrics", word));
+      files.push_back(metrics::robotFile("steps", word));
+    }
+  }
+  return files;
+}
+
 /// A file that a run writes, or the beginning of one that was cut short.
 bool isOfRun(const fs::directory_entry& entry, bool isOurs = true) {
   constexpr const char* kFiles[] = {"trajectory.csv",     "events.csv",   "trees.csv",
@@ -198,22 +225,24 @@ bool isOfRun(const fs::directory_entry& entry, bool isOurs = true) {
                                     "counterfactual.csv", "manifest.json"};
   std::error_code error;
   const std::string name = entry.path().filename().string();
-  return fs::is_regular_file(entry.symlink_status(error)) &&
-         std::any_of(std::begin(kFiles), std::end(kFiles), [&](const std::string& file) {
-           return (isOurs && name == file) || name.rfind(file + ".new-", 0) == 0;
-         });
+  const std::size_t end = name.rfind(".new-");
+  const std::string file = name.substr(0, end);  // that it is or becomes
+  const bool isKnown = isOfFurtherRobot(file) ||
+                       std::find(std::begin(kFiles), std::end(kFiles), file) != std::end(kFiles);
+  return fs::is_regular_file(entry.symlink_status(error)) && isKnown &&
+         (isOurs || end != std::string::npos);
 }
 
 class Folder {
  public:
   explicit Folder(const std::string& path) : path_(path) {}
 
-  std::string file(const char* name) const { return pathIn(path_, name); }
-  void write(const char* name, const std::string& content) {
+  std::string file(const std::string& name) const { return pathIn(path_, name); }
+  void write(const std::string& name, const std::string& content) {
     note(base::writeFileAtomically(file(name), content));
   }
-  void remove(const std::vector<const char*>& names) {
-    for (const char* name : names) {
+  void remove(const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
       std::error_code error;
       fs::remove(file(name), error);  // no error when it is not there
       if (error) {
@@ -222,7 +251,7 @@ class Folder {
     }
   }
   /// Without content there is no such file.
-  void writeOrRemove(const char* name, const std::string& content) {
+  void writeOrRemove(const std::string& name, const std::string& content) {
     content.empty() ? remove({name}) : write(name, content);
   }
   void note(const base::Diagnostics& problems) { base::append(problems_, problems); }
@@ -251,7 +280,11 @@ void writeParts(Folder& folder, const FinishedRun& run, RunWriter& writer) {
   folder.writeOrRemove("metrics.json", run.evaluation ? metrics::toJson(*run.evaluation) : "");
   if (run.evaluation && !run.totalsOnly) {
     folder.write("metrics.csv", metrics::metricsCsv(*run.evaluation));
-    folder.note(writer.writeSteps(folder.file("steps.csv"), run.evaluation->times));
+    folder.note(writer.writeSteps(folder.file("steps.csv"), *run.evaluation));
+    for (const metrics::Evaluation& other : run.evaluation->others) {
+      folder.write(metrics::robotFile("metrics", other.robot), metrics::metricsCsv(other));
+      folder.note(writer.writeSteps(folder.file(metrics::robotFile("steps", other.robot)), other));
+    }
   } else {
     folder.remove({"metrics.csv", "steps.csv"});
   }
@@ -380,8 +413,10 @@ void RunWriter::append(const sim2d::Frame& frame) {
 }
 
 base::Result<metrics::Evaluation> RunWriter::evaluation() {
-  return evaluation_.finish([this](const metrics::MetricInfo& info, const metrics::Series& series) {
+  return evaluation_.finish([this](const std::string& robot, const metrics::MetricInfo& info,
+                                   const metrics::Series& series) {
     Column& column = columns_.emplace_back();
+    column.robot = robot;
     column.key = info.key;
     column.kind = series.kind;
     for (const double value : series.values) {
@@ -390,10 +425,12 @@ base::Result<metrics::Evaluation> RunWriter::evaluation() {
   });
 }
 
-base::Diagnostics RunWriter::writeSteps(const std::string& path, const std::vector<double>& times) {
+base::Diagnostics RunWriter::writeSteps(const std::string& path,
+                                        const metrics::Evaluation& ofRobot) {
+  const std::vector<double>& times = ofRobot.times;
   std::vector<metrics::StepColumn> columns;
   for (const Column& column : columns_) {
-    if (column.values.size() == times.size()) {
+    if (column.robot == ofRobot.robot && column.values.size() == times.size()) {
       columns.push_back({column.key, column.kind,
                          [reader = metrics::StoredNumbersReader(column.values)]() mutable {
                            return reader.next();
@@ -436,6 +473,7 @@ base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run
   Folder folder(path);
   folder.note(writer.complete());
   if (folder.isWhole()) {  // until here a former run stays as it is
+    folder.remove(formerRobotFiles(path));
     folder.remove({"manifest.json", "trace.json"});
   }
   if (folder.isWhole()) {

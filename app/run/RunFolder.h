@@ -28,8 +28,8 @@ class RunWriter : public sim2d::FrameSink {
 
   /// Once, at the end. Its results have no series: those are for writeSteps().
   base::Result<metrics::Evaluation> evaluation();
-  /// steps.csv of the evaluation.
-  base::Diagnostics writeSteps(const std::string& path, const std::vector<double>& times);
+  /// steps.csv of a robot of the evaluation.
+  base::Diagnostics writeSteps(const std::string& path, const metrics::Evaluation& ofRobot);
   bool hasInputs() const { return files_[Inputs].has_value(); }  // something came from outside
   bool hasScans() const { return files_[Scans].has_value(); }    // a robot records its lidar
   /// A file could not be written: there is no use in going on.
@@ -46,7 +46,7 @@ class RunWriter : public sim2d::FrameSink {
   void write(const sim2d::Frame& frame, bool isRecorded);
   void writeScans(const std::vector<sim2d::RecordedScan>& scans);
   struct Column {
-    std::string key;
+    std::string robot, key;
     metrics::Kind kind = metrics::Kind::Number;
     metrics::StoredNumbers values;
   };

@@ -228,10 +228,13 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
       sparkline_(new SparklineDelegate(feed, this)),
       stack_(new QStackedLayout(this)),
       table_(new QTableWidget(0, MetricColumns, this)),
+      robot_(new QComboBox(this)),
+      chooser_(makeChooser()),
       plot_(new MetricPlot(theme)) {
   makeTable();
   auto* both = new QSplitter(Qt::Horizontal, this);
-  both->addWidget(table_);
+  auto* left = new QWidget(both);
+  arranged(new QVBoxLayout(left), {}, 0, {chooser_, table_});
   both->addWidget(plot_);
   both->setStretchFactor(0, 3);
   both->setStretchFactor(1, 2);
@@ -253,6 +256,43 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
     }
   });
   setTheme(theme);
+}
+
+/// Whose metrics the table shows.
+QWidget* MetricsDock::makeChooser() {
+  auto* chooser = new QWidget(this);
+  robot_->setAccessibleName(tr("Metrics of"));
+  robot_->setToolTip(tr("The robot whose metrics are shown"));
+  robot_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  robot_->setFocusPolicy(Qt::TabFocus);
+  auto* row = arranged(new QHBoxLayout(chooser), {12, 6, 12, 6}, 8,
+                       {secondaryLabel(tr("Metrics of"), chooser), robot_});
+  row->addStretch(1);
+  connect(robot_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+    const std::string chosen = chosen_;  // of the same metric
+    feed_.setRobot(robot_->itemData(index).toInt());
+    chosen_ = chosen;
+  });
+  chooser->hide();
+  return chooser;
+}
+
+void MetricsDock::fillChooser() {
+  const auto robots = feed_.robots();
+  const int count = static_cast<int>(robots.size());
+  bool isSame = robot_->count() == count;
+  for (int k = 0; isSame && k < count; ++k) {
+    const auto& [id, name] = robots[static_cast<std::size_t>(k)];
+    isSame = robot_->itemData(k) == id && robot_->itemText(k) == QString::fromStdString(name);
+  }
+  if (!isSame) {
+    robot_->clear();
+    for (const auto& [id, name] : robots) {
+      robot_->addItem(QString::fromStdString(name), id);
+    }
+  }
+  robot_->setCurrentIndex(robot_->findData(feed_.robot()));
+  chooser_->setVisible(count > 1);
 }
 
 /// In a narrow dock the names have the room: first the plot goes, then the courses.
@@ -299,6 +339,7 @@ void MetricsDock::setTheme(const Theme& theme) {
 /// which depends on what is measured alone, not on when it was told.
 void MetricsDock::takeSnapshot() {
   const QScopedValueRollback<bool> choosing(isChoosing_, true);
+  fillChooser();
   fillRows();
   const bool any = table_->rowCount() > 0;
   if (fittedRows_ != table_->rowCount()) {

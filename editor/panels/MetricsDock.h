@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QComboBox>
 #include <QLabel>
 #include <QStackedLayout>
 #include <QTableWidget>
@@ -44,12 +45,15 @@ class MetricsDock : public QWidget {
   MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Theme& theme);
   void setTheme(const Theme& theme);
   QTableView& table() const { return *table_; }
+  QComboBox& robot() const { return *robot_; }  // hidden unless the run has several
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void makeTable();
+  QWidget* makeChooser();
+  void fillChooser();
   void takeSnapshot();
   void fillRows();
   void showSelected();
@@ -63,6 +67,8 @@ class MetricsDock : public QWidget {
   SparklineDelegate* sparkline_;
   QStackedLayout* stack_;
   QTableWidget* table_;
+  QComboBox* robot_;
+  QWidget* chooser_;  // with its label
   MetricPlot* plot_;
   int fittedRows_ = 0;
   std::string chosen_;       // key of the metric that the user wants to see

@@ -149,6 +149,34 @@ void MetricsFeed::setSelection(std::optional<metrics::Selection> selection) {
   }
 }
 
+void MetricsFeed::setRobot(int id) {
+  if (id == robot_) {
+    return;
+  }
+  robot_ = id;
+  if (recording_) {
+    begin();
+    follow();
+  }
+}
+
+std::vector<std::pair<int, std::string>> MetricsFeed::robots() const {
+  std::vector<std::pair<int, std::string>> robots;
+  if (recording_) {
+    for (const sim2d::TraceRobot& robot : recording_->header()->robots) {
+      robots.emplace_back(robot.id, robot.name);
+    }
+  }
+  return robots;
+}
+
+int MetricsFeed::robot() const {
+  const auto all = robots();
+  const bool isThere = std::any_of(all.begin(), all.end(),
+                                   [this](const auto& each) { return each.first == robot_; });
+  return isThere ? robot_ : -1;
+}
+
 bool MetricsFeed::isCurrent() const {
   const std::optional<std::size_t> past = pastIndex();
   const bool isOfShown = !past || (past_ && past_->index == *past);
@@ -176,6 +204,7 @@ void MetricsFeed::begin() {
   metrics::Selection wanted = selection();
   wanted.window = {};  // values so far, of everybody
   wanted.behaviors = false;
+  wanted.robotId = robot();
   makeWork_ = [wanted, header = recording_->header(), parameters = found->parameters] {
     auto work = std::make_shared<Work>();
     work->live = std::make_unique<metrics::FrameEvaluation>(*header, wanted, parameters);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <QObject>
@@ -45,6 +46,10 @@ class MetricsFeed : public QObject {
   /// Which metrics, instead of those of the scenario's settings; counts from the next frame on.
   void setSelection(std::optional<metrics::Selection> selection);
   metrics::Selection selection() const;
+  /// Of which robot: its id, of the run's robots; the first one is -1.
+  void setRobot(int id);
+  int robot() const;
+  std::vector<std::pair<int, std::string>> robots() const;  // ids and names; none without a run
   /// All frames of the run so far are in the snapshot, and shown() is of what is shown.
   bool isCurrent() const;
 
@@ -73,6 +78,7 @@ class MetricsFeed : public QObject {
   const ScenarioDocument& document_;
   SimulationRunner& runner_;
   std::optional<metrics::Selection> selection_;
+  int robot_ = -1;                                   // that was chosen; the run may not have it
   std::function<std::shared_ptr<Work>()> makeWork_;  // of this run, in any thread
   std::shared_ptr<Work> work_;
   RecordingPtr recording_;

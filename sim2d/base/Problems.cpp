@@ -463,9 +463,6 @@ constexpr ProblemText kTexts[] = {
     {"metrics.negative-frequency", "frequency must be 0 or greater"},
     {"metrics.no-samples", "the record has no samples, so there is nothing to measure"},
     {"metrics.empty-window", "no sample lies between '{from}' and '{until}'"},
-    {"metrics.one-robot",
-     "metrics are those of {robot}, the first of {count} robots (evaluate --robot NAME measures "
-     "another)"},
     {"metrics.series-lost", "series in a temporary file could not be read back"},
     {"formula.too-long", "the formula is too long"},
     {"formula.left-over", "something is left over: '{found}'"},

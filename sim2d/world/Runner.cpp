@@ -120,7 +120,7 @@ class WayEnds {
     std::string names;
     for (const RobotOnWay& robot : world_.robotsOnWay()) {
       if (robot.stuck) {
-        names += (names.empty() ? "stuck: " : ", ") + robot.name;
+        names += (names.empty() ? "stuck: " : " and ") + robot.name;
       } else if (robot.hasGoal && !robot.arrived) {
         return {};
       }

@@ -26,8 +26,8 @@ struct RobotResult {
 
 struct RunResult {
   RunStatus status = RunStatus::Finished;
-  /// "duration", "arrived", "interrupted", "collision: robot1 with anna", "stuck: robot1, robot2",
-  /// or what failed.
+  /// "duration", "arrived", "interrupted", "collision: robot1 with anna", "stuck: robot1 and
+  /// robot2", or what failed.
   std::string reason;
   std::int64_t steps = 0;
   double steppingSeconds = 0.0;  // wall time of World::step alone

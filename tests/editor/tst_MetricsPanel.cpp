@@ -121,6 +121,56 @@ class MetricsPanelTest : public QObject {
     QVERIFY(!feed.snapshot().curves.at("path_length").times.empty());
   }
 
+  /// With several robots the dock asks whose metrics are wanted; what is selected stays.
+  void dock_severalRobots_showsTheChosenOne() {
+    sim2d::Scenario scenario = passing();
+    sim2d::Robot second = scenario.robots[0];
+    second.key.key = 4;
+    second.name = "slow";
+    second.start.position.y() = 4.0;
+    second.goal.point = base::Vec2(1.0, 4.0);
+    second.maxVel = 0.3;
+    ScenarioDocument document;
+    document.load(passing());
+    SimulationRunner runner;
+    runner.setRequest([&] { return editor::runRequestOf(document); });
+    MetricsFeed feed(document, runner);
+    MetricsDock dock(feed, runner, editor::Theme::light());
+    dock.show();
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() && feed.isCurrent(), 20000);
+    QVERIFY(!dock.robot().isVisible());
+    scenario.robots.push_back(second);
+    document.load(scenario);
+    runner.reset();
+    runner.play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.isFinished() && feed.isCurrent(), 20000);
+    QVERIFY(dock.robot().isVisible());
+    QCOMPARE(dock.robot().count(), 2);
+    QCOMPARE(dock.robot().currentText(), QStringLiteral("robot1"));
+    dock.table().selectRow(rowOf(dock, QStringLiteral("path_length")));
+    const auto showsThoseOf = [&](int id) {
+      metrics::Selection selection = feed.selection();
+      selection.robotId = id;
+      const auto expected = metrics::evaluate(runner.recording()->trace(), selection, {});
+      return std::all_of(expected->results.begin(), expected->results.end(),
+                         [&](const metrics::MetricResult& result) {
+                           const int row = rowOf(dock, QString::fromStdString(result.info.key));
+                           return dock.table().model()->index(row, 1).data() ==
+                                  editor::metricText(result);
+                         });
+    };
+    QVERIFY(showsThoseOf(-1) && !showsThoseOf(-2));
+    QTest::keyClick(&dock.robot(), Qt::Key_Down);
+    QCOMPARE(feed.robot(), -2);
+    QTRY_VERIFY_WITH_TIMEOUT(feed.isCurrent(), 20000);
+    QVERIFY(showsThoseOf(-2) && !showsThoseOf(-1));
+    const QModelIndexList kept = dock.table().selectionModel()->selectedRows();
+    QCOMPARE(kept.size(), 1);
+    QCOMPARE(kept.front().data(Qt::UserRole).toString(), QStringLiteral("path_length"));
+  }
+
   /// "Now" is the moment that is shown, forwards and backwards.
   void dock_lookingBack_hasTheValuesOfThen() {
     ScenarioDocument document;

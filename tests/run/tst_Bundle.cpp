@@ -128,26 +128,6 @@ class BundleTest : public QObject {
              textOf(verdict.problems).c_str());
   }
 
-  /// Only who takes part counts: the first robot of three is switched off.
-  void check_severalRobots_tellsWhichIsMeasured() {
-    const auto toldOf = [](std::size_t listed) {
-      return textOf(app::check(bundleOf([listed](sim2d::Scenario& scenario) {
-                      for (std::size_t k = 0; k < 3; ++k) {
-                        sim2d::Robot robot;
-                        robot.key = {base::EntityKind::Robot, static_cast<int>(30 + k)};
-                        robot.name = "robot" + std::to_string(k);
-                        robot.listed = k >= 3 - listed;
-                        robot.start.position = {0.0, -5.0 - 2.0 * static_cast<double>(k)};
-                        scenario.robots.push_back(robot);
-                      }
-                    })).problems);
-    };
-    QVERIFY2(toldOf(2).find("warning: metrics are those of robot1, the first of 2 robots") !=
-                 std::string::npos,
-             toldOf(2).c_str());
-    QVERIFY2(toldOf(1).find("metrics are") == std::string::npos, toldOf(1).c_str());
-  }
-
   void check_metricParameterOutOfItsRange_isRefused() {
     const auto toldOf = [](const std::string& parameter, double value) {
       const app::Verdict verdict = app::check(bundleOf([&](sim2d::Scenario& scenario) {

@@ -136,22 +136,15 @@ base::Result<sim2d::Trace> readSource(const std::string& source,
                : base::Result<sim2d::Trace>(std::move(told));
 }
 
-/// Which robot of a run is measured. Returns what is worth telling; a wrong word is `wrong`.
-base::Diagnostics chooseRobot(const EvaluateOptions& options, const sim2d::TraceHeader& header,
-                              metrics::Selection& selection, base::Diagnostics& wrong) {
-  if (options.robot.empty()) {
-    std::vector<std::string> names;
-    for (const sim2d::TraceRobot& robot : header.robots) {
-      names.push_back(robot.name);
-    }
-    return tellMeasuredRobot(names, options.source);
-  }
-  if (isRunFolder(options.source)) {
+/// Which robot of a run is measured: the one of the word, else every one.
+void chooseRobot(const EvaluateOptions& options, const sim2d::TraceHeader& header,
+                 metrics::Selection& selection, base::Diagnostics& wrong) {
+  selection.everyRobot = options.robot.empty();
+  if (!options.robot.empty() && isRunFolder(options.source)) {
     const base::Result<int> robot = robotOfWord(header, options.robot);
     base::append(wrong, robot.diagnostics());
     selection.robotId = robot ? *robot : selection.robotId;
   }
-  return {};
 }
 
 base::Diagnostics replaceMap(const EvaluateOptions& options, sim2d::Trace& trace) {
@@ -218,19 +211,39 @@ base::Result<metrics::TimedWay> readReference(const std::string& source,
   return {*way, trace.diagnostics()};
 }
 
+/// Tables of the robots beside the first.
+std::vector<std::string> robotFiles(const sim2d::TraceHeader& header) {
+  std::vector<std::string> files;
+  for (const sim2d::TraceRobot& robot : header.robots) {
+    if (robot.name.find('/') == std::string::npos) {
+      files.push_back(metrics::robotFile("metrics", robot.name));
+      files.push_back(metrics::robotFile("steps", robot.name));
+    }
+  }
+  return files;
+}
+
 base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trace& trace,
                                const metrics::Evaluation& evaluation) {
   const fs::path folder = options.output;
   base::Diagnostics problems;
-  const auto write = [&](const char* name, const std::string& content) {
+  const auto write = [&](const std::string& name, const std::string& content) {
     base::append(problems, base::writeFileAtomically((folder / name).string(), content));
   };
   const bool isSecond = options.layout == "hunav2";
+  for (const std::string& file : robotFiles(trace.header)) {  // of another choice before
+    std::error_code ignored;
+    fs::remove(folder / file, ignored);
+  }
   write("metrics.json", metrics::toJson(evaluation));
   if (!isSecond) {  // else rows are added to the table of this name
     write("metrics.csv", metrics::metricsCsv(evaluation));
   }
   write("steps.csv", metrics::stepsCsv(evaluation));
+  for (const metrics::Evaluation& other : evaluation.others) {
+    write(metrics::robotFile("metrics", other.robot), metrics::metricsCsv(other));
+    write(metrics::robotFile("steps", other.robot), metrics::stepsCsv(other));
+  }
   if (!isRunFolder(options.source)) {  // as a run, so that it can be drawn and measured again
     write("trajectory.csv", sim2d::trajectoryCsv(trace));
     write("events.csv", sim2d::eventsCsv(trace));
@@ -246,8 +259,10 @@ base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trac
 }
 
 /// Files that are read and would be replaced by results of the same name; the run of a folder.
-base::Diagnostics lostInputs(const EvaluateOptions& options) {
-  std::vector<const char*> written = {"metrics.json", "metrics.csv", "steps.csv", "metrics.yaml"};
+base::Diagnostics lostInputs(const EvaluateOptions& options, const sim2d::TraceHeader& header) {
+  std::vector<std::string> written = {"metrics.json", "metrics.csv", "steps.csv", "metrics.yaml"};
+  const std::vector<std::string> ofRobots = robotFiles(header);
+  written.insert(written.end(), ofRobots.begin(), ofRobots.end());
   if (!isRunFolder(options.source)) {
     written.insert(written.end(), {"trajectory.csv", "events.csv", "trace.json"});
   }
@@ -259,7 +274,7 @@ base::Diagnostics lostInputs(const EvaluateOptions& options) {
   }
   for (const std::string& read :
        {options.source, options.reference, options.map, options.metrics.metrics}) {
-    for (const char* name : written) {
+    for (const std::string& name : written) {
       std::error_code ignored;  // what is not there is not lost
       const fs::path place = fs::path(options.output) / name;
       if (fs::is_regular_file(read, ignored) && fs::equivalent(read, place, ignored)) {
@@ -289,7 +304,7 @@ int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
   if (trace) {
     base::append(problems, replaceMap(options, *trace));
     base::append(problems, readMetricsSetup(trace->header, setup));
-    base::append(problems, chooseRobot(options, trace->header, setup.selection, wrong));
+    chooseRobot(options, trace->header, setup.selection, wrong);
   }
   base::append(problems, chooseMetrics(options.metrics, setup, wrong));
   requireFine(wrong, ExitWrongCommandLine);
@@ -300,7 +315,7 @@ int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
       setup.selection.reference = *reference;
     }
   }
-  base::append(problems, lostInputs(options));
+  base::append(problems, lostInputs(options, trace ? trace->header : sim2d::TraceHeader()));
   base::append(problems, checkWritableFolder(options.output));
   requireFine(problems, ExitBadInput, base::Severity::Warning);
   setup.selection.tag = options.tag.value_or(setup.selection.tag);
@@ -328,9 +343,10 @@ void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
   command.add_flag("--degrees", options.degrees, "Its headings are in degrees (csv)");
   command.add_option("--radius", options.radius, "Of everybody in it [m]");
   command.add_option("--dt", options.step, "Step of the samples made of it [s]");
-  command.add_option("--robot", options.robot,
-                     "Of a run: name or number of the robot to measure; else the id or word of the "
-                     "person who is the robot");
+  command.add_option(
+      "--robot", options.robot,
+      "Of a run: name or number of the only robot to measure; else the id or word of "
+      "the person who is the robot");
   command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
 }
 

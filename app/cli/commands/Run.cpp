@@ -173,6 +173,7 @@ int conclude(const RunOptions& options, const Invocation& given, const Bundle& b
 /// behaviour type for them and for JSON.
 void wantNoMore(const RunOptions& options, const Invocation& given, metrics::Selection& selection) {
   const bool hasFiles = !options.totals && !options.output.empty();
+  selection.everyRobot = true;
   selection.series = selection.seriesOnDisk = hasFiles;
   selection.behaviors = !options.totals && (hasFiles || given.json);
   selection.behaviorSeries = false;  // in none of the files
