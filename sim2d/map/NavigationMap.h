@@ -104,6 +104,13 @@ class NavigationMap {
 
   /// From start to goal; empty when there is none.
   std::vector<Vec2> plan(double radius, const Vec2& start, const Vec2& goal) const;
+  /// The same, and out of convex polygons, none of which holds the start; empty as well where
+  /// nothing else stands: there is room to pass.
+  std::vector<Vec2> planAround(double radius, const Vec2& start, const Vec2& goal,
+                               const std::vector<std::vector<Vec2>>& closed) const {
+    return isOpenPlane() ? std::vector<Vec2>()
+                         : plannerFor(radius)->planAround(start, goal, closed);
+  }
   bool isReachable(double radius, const Vec2& start, const Vec2& goal) const {
     return isOpenPlane() || plannerFor(radius)->isReachable(start, goal);
   }

@@ -2,16 +2,82 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
+
+#include "sim2d/map/ConvexPolygon.h"
+#include "sim2d/map/GoalField.h"
 
 namespace sim2d {
 
 namespace {
 
+using Polygons = std::vector<std::vector<Vec2>>;
+constexpr double kMostAround = 4e6;  // cells that a way round bodies is searched among
+
+bool meets(const Polygons& polygons, const Vec2& from, const Vec2& to) {
+  return std::any_of(polygons.begin(), polygons.end(), [&](const std::vector<Vec2>& polygon) {
+    return entryInto(polygon, from, to).has_value();
+  });
+}
+
+/// Cells of a terrain but for those in polygons.
+class TerrainAround {
+ public:
+  using Index = Terrain::Index;
+
+  TerrainAround(const Terrain& terrain, const OccupancyGrid& grid, const Polygons& closed)
+      : terrain_(terrain), isClosed_(terrain.size(), 0) {
+    for (const std::vector<Vec2>& polygon : closed) {
+      close(grid, polygon);
+    }
+  }
+
+  std::size_t size() const { return terrain_.size(); }
+  const base::StopFlag& stopFlag() const { return terrain_.stopFlag(); }
+  bool isUnknown(Index index) const { return terrain_.isUnknown(index); }
+  template <class Visit>
+  void forEachStep(Index from, Visit visit) const {
+    terrain_.forEachStep(from, [&](Index to, std::uint32_t cost) {
+      if (isClosed_[static_cast<std::size_t>(to)] == 0) {
+        visit(to, cost);
+      }
+    });
+  }
+
+ private:
+  void close(const OccupancyGrid& grid, const std::vector<Vec2>& polygon) {
+    Vec2 middle = Vec2::Zero();
+    for (const Vec2& corner : polygon) {
+      middle += corner / static_cast<double>(polygon.size());
+    }
+    double reach = 0.0;
+    for (const Vec2& corner : polygon) {
+      reach = std::max(reach, (corner - middle).norm());
+    }
+    const Cell centre = grid.worldToCell(middle);
+    const int cells = static_cast<int>(std::ceil(reach / grid.resolution())) + 1;
+    for (int row = centre.row - cells; row <= centre.row + cells; ++row) {
+      for (int column = centre.column - cells; column <= centre.column + cells; ++column) {
+        const Index index = terrain_.indexOf({column, row});
+        const bool isThere = index >= 0 && static_cast<std::size_t>(index) < size() &&
+                             terrain_.cellOf(index) == Cell{column, row};
+        if (isThere && isInside(polygon, grid.cellToWorld({column, row}))) {
+          isClosed_[static_cast<std::size_t>(index)] = 1;
+        }
+      }
+    }
+  }
+
+  const Terrain& terrain_;
+  std::vector<char> isClosed_;
+};
+
 /// The places of a way over cells, to be pulled straight.
 class CellWay {
  public:
-  explicit CellWay(const WalkSpace& space) : space_(space) {}
+  explicit CellWay(const WalkSpace& space, const Polygons& closed = {})
+      : space_(space), closed_(closed) {}
 
   void append(const Vec2& place) {
     const int before = unknownUpTo_.empty() ? 0 : unknownUpTo_.back();
@@ -38,7 +104,7 @@ class CellWay {
   bool canShorten(std::size_t from, std::size_t to, double lowest) const {
     const int unknown = unknownUpTo_[to] - (from > 0 ? unknownUpTo_[from - 1] : 0);
     const bool isAllUnknown = unknown == static_cast<int>(to - from + 1);
-    if (unknown > 0 && !isAllUnknown) {
+    if ((unknown > 0 && !isAllUnknown) || meets(closed_, places_[from], places_[to])) {
       return false;
     }
     const double wanted =
@@ -72,6 +138,7 @@ class CellWay {
   }
 
   const WalkSpace& space_;
+  Polygons closed_;  // to be kept out of
   std::vector<Vec2> places_;
   std::vector<double> clearance_;  // [m]
   std::vector<int> unknownUpTo_;   // unknown places among those up to each
@@ -149,6 +216,42 @@ std::vector<Vec2> PathPlanner::plan(const Vec2& start, const Vec2& goal) {
     way.insert(way.begin(), start);
   }
   return way;
+}
+
+std::vector<Vec2> PathPlanner::planAround(const Vec2& start, const Vec2& goal,
+                                          const Polygons& closed) const {
+  const std::optional<WalkSpace::Anchor> from = space_.anchorOf(start);
+  const std::optional<WalkSpace::Anchor> to = space_.anchorOf(goal);
+  if (!from || !to) {
+    return {};
+  }
+  const OccupancyGrid& grid = space_.grid();
+  const int margin = static_cast<int>(kAroundReach / grid.resolution());
+  const auto low = [margin](int a, int b) { return std::max(0, std::min(a, b) - margin); };
+  const auto high = [margin](int a, int b, int size) {
+    return std::min(size - 1, std::max(a, b) + margin);
+  };
+  const Cell first{low(from->cell.column, to->cell.column), low(from->cell.row, to->cell.row)};
+  const Cell last{high(from->cell.column, to->cell.column, grid.width()),
+                  high(from->cell.row, to->cell.row, grid.height())};
+  if (double(last.column - first.column + 1) * double(last.row - first.row + 1) > kMostAround) {
+    return {};
+  }
+  const Terrain terrain(space_.field(), space_.radius(), first, last);
+  const TerrainAround open(terrain, grid, closed);
+  GoalSearch<TerrainAround> search(open, terrain.indexOf(to->cell));
+  if (!search.reach(terrain.indexOf(from->cell))) {
+    return {};
+  }
+  CellWay way(space_, closed);
+  way.append(from->place);
+  way.append(grid.cellToWorld(from->cell));
+  for (Terrain::Index at = terrain.indexOf(from->cell); at != search.goal();) {
+    at = search.next(at);
+    way.append(grid.cellToWorld(terrain.cellOf(at)));
+  }
+  way.append(to->place);
+  return way.pulled();
 }
 
 bool PathPlanner::isReachable(const Vec2& start, const Vec2& goal) {

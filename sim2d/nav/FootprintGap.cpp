@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "sim2d/map/ConvexPolygon.h"
 #include "sim2d/map/Outlines.h"
 
 namespace sim2d {
@@ -147,6 +148,23 @@ double gapToDisc(const Footprint& footprint, const Pose2& pose, const Vec2& cent
     return (centre - pose.position).norm() - footprint.radius - radius;
   }
   return signedDistanceToEdges(footprint.corners, pose.toLocal(centre)) - radius;
+}
+
+std::vector<Vec2> outlineAround(const Footprint& footprint, const Pose2& pose, double distance) {
+  constexpr int kCorners = 12;  // of the polygon round a circle
+  const double radius = (distance + (footprint.isDisc() ? footprint.radius : 0.0)) * kOutlineExcess;
+  const std::vector<Vec2> middles =
+      footprint.isDisc() ? std::vector<Vec2>{Vec2::Zero()} : footprint.corners;
+  std::vector<Vec2> points;
+  points.reserve(middles.size() * kCorners);
+  for (const Vec2& middle : middles) {
+    const Vec2 centre = pose.toWorld(middle);
+    for (int k = 0; k < kCorners; ++k) {
+      points.emplace_back(centre + radius * base::directionOf(base::wrapToPi(
+                                                pose.heading + 2.0 * base::kPi * k / kCorners)));
+    }
+  }
+  return convexHull(std::move(points));
 }
 
 double gapToWalls(const Footprint& footprint, const Pose2& pose, const Obstacles& obstacles,

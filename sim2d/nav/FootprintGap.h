@@ -16,6 +16,12 @@ double inscribedRadius(const Footprint& footprint);
 /// ones). Allocates nothing.
 double gapToDisc(const Footprint& footprint, const Pose2& pose, const Vec2& centre, double radius);
 
+/// A convex polygon round the footprint, world frame: no place outside of it is nearer to the
+/// footprint than `distance` [m] (> 0), none of its corners farther away than `distance` times
+/// `kOutlineExcess` but for those round notches.
+std::vector<Vec2> outlineAround(const Footprint& footprint, const Pose2& pose, double distance);
+constexpr double kOutlineExcess = 1.0353;  // 1 / cos(15 degrees)
+
 /// To the nearest wall, `limit` (>= 0) when none is nearer. Exact apart; overlapping it is minus
 /// the larger of two depths:
 /// - how far inside of the footprint the middle of the piece of a wall's border lies that it holds;

@@ -111,6 +111,11 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, Wor
     }
   };
   workers_.forSlices(wanted_.size(), kSlice, moveSlice);
+  for (const std::size_t human : givingWay_.people()) {
+    if (isWalking(plans_.steps[human].motion) && sim2d::isSound(wanted_[human])) {
+      wanted_[human] = givingWay_.limited(world, human, wanted_[human], wallsNear(human));
+    }
+  }
 }
 
 bool PersonMotion::isSound() const {
@@ -125,6 +130,7 @@ void PersonMotion::expectWork() {
 }
 
 void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, WorldState& state) {
+  givingWay_.update(world);
   for (std::size_t human = 0; human < wanted_.size(); ++human) {
     const Intent& intent = intents.of(static_cast<int>(human));
     const HumanControl& control = state.controls[human];
@@ -148,9 +154,11 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
                                          control.frozen ? 0.0 : intent.speed,
                                          state.time,
                                          spreadOf(world, human)};
-    const RouteFollower::Leg leg = person.route == Route::Direct
-                                       ? RouteFollower::straight(request)
-                                       : plannedLeg(human, request, world);
+    RouteFollower::Leg leg = person.route == Route::Direct ? RouteFollower::straight(request)
+                                                           : plannedLeg(human, request, world);
+    if (givingWay_.concerns(human) && !leg.direction.isZero(0.0) && request.speed > 0.0) {
+      giveWay(human, request, world, leg);
+    }
     plans_.directions[human] = leg.direction;
     plan.changes = wasOnTheWay == leg.direction.isZero(0.0);
     writeNew(plans_.steps[human], plan);
@@ -171,6 +179,23 @@ RouteFollower::Leg PersonMotion::plannedLeg(std::size_t human,
     routes_[human] = std::make_unique<RouteFollower>();
   }
   return routes_[human]->follow(request, world.navigation, world.obstacles);
+}
+
+void PersonMotion::giveWay(std::size_t human, const RouteFollower::Request& request,
+                           const FrozenWorld& world, RouteFollower::Leg& leg) {
+  RouteFollower* const route =
+      world.model.people[human].constants.route == Route::Direct ? nullptr : routes_[human].get();
+  const GivingWay::Lead lead = givingWay_.lead(
+      world, {human, request.position, request.radius, request.speed, leg.direction,
+              route != nullptr ? route->rest() : std::vector<Vec2>{request.target.position}});
+  leg.direction = lead.direction;
+  if (lead.waits && route != nullptr) {
+    route->wait(request.time);
+    leg.replanned =
+        (!lead.closed.empty() &&
+         route->takeAnotherWay(request, lead.closed, lead.stoodFor, world.navigation)) ||
+        leg.replanned;
+  }
 }
 
 void PersonMotion::findWalls(std::size_t human, const FrozenWorld& world) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim2d/world/Crowd.h"
+#include "sim2d/world/GivingWay.h"
 #include "sim2d/world/RouteFollower.h"
 
 namespace sim2d {
@@ -47,10 +48,14 @@ class PersonMotion {
                   Situation& situation);
   RouteFollower::Leg plannedLeg(std::size_t human, const RouteFollower::Request& request,
                                 const FrozenWorld& world);
+  /// Round robots in the way of somebody, or waits for them.
+  void giveWay(std::size_t human, const RouteFollower::Request& request, const FrozenWorld& world,
+               RouteFollower::Leg& leg);
   void findWalls(std::size_t human, const FrozenWorld& world);
 
   WorkerPool workers_;
   Crowd crowd_;
+  GivingWay givingWay_;
   std::vector<Workspace> workspaces_;                   // by thread
   std::vector<std::unique_ptr<RouteFollower>> routes_;  // null: straight ways so far
   StepPlans plans_;

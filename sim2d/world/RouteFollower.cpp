@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim2d/map/ConvexPolygon.h"
 #include "sim2d/map/Outlines.h"
 
 namespace sim2d {
@@ -16,6 +17,10 @@ constexpr double kBetweenPlans = 1.0;  // [s]
 constexpr double kStuckAfter = 4.0;    // [s] without progress
 constexpr double kProgress = 0.1;      // [m]
 constexpr double kWalkingSpeed = 0.05;  // [m/s]; slower people cannot be stuck
+
+constexpr double kPatience = 10.0;     // [s]; nobody waits longer before taking another way
+constexpr double kFirstPause = 1.0;    // [s] between searches for one
+constexpr double kLongestPause = 8.0;  // idem, when there is none
 
 constexpr double kRoom = 0.15;       // [m] between the bodies when they pass
 constexpr double kSightAhead = 2.5;  // [m]; who stands farther away does not count yet
@@ -95,6 +100,8 @@ RouteFollower::Leg RouteFollower::follow(const Request& request, const Navigatio
   const bool isForThisTarget = version_ == navigation.version() &&
                                (request.target.position - target_).norm() <= kTargetMoved;
   if (!isForThisTarget) {
+    closed_.clear();
+    searchPause_ = 0.0;
     leg.replanned = version_ >= 0 && version_ != navigation.version();
     plan(request, navigation);
     clearAt_ = progressAt_ = request.time;
@@ -124,7 +131,15 @@ RouteFollower::Leg RouteFollower::follow(const Request& request, const Navigatio
 }
 
 void RouteFollower::plan(const Request& request, const NavigationMap& navigation) {
-  path_ = navigation.plan(request.radius, request.position, request.target.position);
+  path_.clear();
+  if (!closed_.empty()) {
+    path_ =
+        navigation.planAround(request.radius, request.position, request.target.position, closed_);
+  }
+  if (path_.empty()) {
+    closed_.clear();
+    path_ = navigation.plan(request.radius, request.position, request.target.position);
+  }
   if (!path_.empty()) {
     path_.back() = request.target.position;
   }
@@ -134,6 +149,50 @@ void RouteFollower::plan(const Request& request, const NavigationMap& navigation
   plannedAt_ = clearAt_ = request.time;
   beside_ = Vec2::Zero();
   isRound_ = false;
+}
+
+std::vector<Vec2> RouteFollower::rest() const {
+  std::vector<Vec2> rest(path_.begin() + static_cast<std::ptrdiff_t>(next_), path_.end());
+  if (!rest.empty()) {
+    rest.front() += beside_;
+  }
+  return rest;
+}
+
+bool RouteFollower::takeAnotherWay(const Request& request,
+                                   const std::vector<std::vector<Vec2>>& closed, double waited,
+                                   const NavigationMap& navigation) {
+  if (path_.empty() || request.time - searchedAt_ < searchPause_) {
+    return false;
+  }
+  searchedAt_ = request.time;
+  std::vector<Vec2> way =
+      navigation.planAround(request.radius, request.position, request.target.position, closed);
+  if (way.empty()) {
+    searchPause_ = std::clamp(2.0 * searchPause_, kFirstPause, kLongestPause);
+    return false;
+  }
+  searchPause_ = kFirstPause;
+  const double longer = lengthOfWay(way) - lengthOfWay(request.position, path_, next_);
+  if (waited < std::min(longer / std::max(request.speed, kWalkingSpeed), kPatience)) {
+    return false;
+  }
+  path_ = std::move(way);
+  path_.back() = request.target.position;
+  next_ = path_.size() > 1 ? 1 : 0;
+  closed_ = closed;
+  plannedAt_ = clearAt_ = progressAt_ = request.time;
+  bestRest_ = 1e300;
+  beside_ = Vec2::Zero();
+  isRound_ = false;
+  return true;
+}
+
+/// Out of what is kept out of.
+bool RouteFollower::isOpen(const Vec2& from, const Vec2& to) const {
+  return std::none_of(closed_.begin(), closed_.end(), [&](const std::vector<Vec2>& polygon) {
+    return entryInto(polygon, from, to).has_value();
+  });
 }
 
 void RouteFollower::goRound(const Request& request, const std::vector<StandingBody>& standing,
@@ -178,10 +237,10 @@ void RouteFollower::passWayPoints(const Request& request, const NavigationMap& n
     return (path_[next_] - request.position).norm() < kPassed ||
            (path_[next_] + beside_ - request.position).norm() < kPassed;
   };
-  while (
-      next_ + 1 < path_.size() &&
-      (hasPassed() || (looks && !isRound_ &&
-                       navigation.isClear(request.radius, request.position, path_[next_ + 1])))) {
+  while (next_ + 1 < path_.size() &&
+         (hasPassed() || (looks && !isRound_ &&
+                          navigation.isClear(request.radius, request.position, path_[next_ + 1]) &&
+                          isOpen(request.position, path_[next_ + 1])))) {
     ++next_;
     isRound_ = false;
     beside_ = Vec2::Zero();

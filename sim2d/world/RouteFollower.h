@@ -47,6 +47,16 @@ class RouteFollower {
                const NavigationMap& navigation);
   void reset() { *this = RouteFollower{}; }
 
+  /// The points still to be walked to.
+  std::vector<Vec2> rest() const;
+  /// Who waits is not stuck.
+  void wait(double time) { progressAt_ = time; }
+  /// Round what stands in the only straight way (`closed`: convex polygons, kept out of until there
+  /// is another target). Another way is taken once the wait has been as long as it takes longer, or
+  /// 10 s. True: it was taken.
+  bool takeAnotherWay(const Request& request, const std::vector<std::vector<Vec2>>& closed,
+                      double waited, const NavigationMap& navigation);
+
  private:
   void plan(const Request& request, const NavigationMap& navigation);
   void passWayPoints(const Request& request, const NavigationMap& navigation, bool looks);
@@ -54,7 +64,12 @@ class RouteFollower {
   bool isStuck(const Request& request);
   Vec2 besideCorner(const Request& request, const NavigationMap& navigation) const;
 
+  bool isOpen(const Vec2& from, const Vec2& to) const;
+
   std::vector<Vec2> path_;
+  std::vector<std::vector<Vec2>> closed_;  // polygons to keep out of
+  double searchedAt_ = -1e9;               // for another way [s]
+  double searchPause_ = 0.0;               // until the next search [s]
   std::size_t next_ = 0;
   bool isRound_ = false;        // the next way point leads round somebody: it is not left out
   Vec2 beside_ = Vec2::Zero();  // from the next way point to where it is passed [m]

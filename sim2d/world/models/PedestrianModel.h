@@ -68,6 +68,8 @@ class PedestrianModel {
   virtual SocialLaw socialLaw() const { return {}; }
   /// The model wants to know where others are heading.
   virtual bool looksAtDesires() const { return false; }
+  /// Such people walk round robots and stop before them (`GivingWay`).
+  virtual bool givesWayToRobots() const { return true; }
   /// In a crowd such people use the whole width of a way round a corner.
   virtual bool spreadsAtCorners() const { return false; }
   /// Radius that counts for this person instead of the one of the scenario [m]; none: that counts.

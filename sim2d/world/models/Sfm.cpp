@@ -48,6 +48,8 @@ class Sfm : public PedestrianModel {
 
   SocialLaw socialLaw() const override { return {&parameters_, isOriginal_}; }
 
+  bool givesWayToRobots() const override { return !isOriginal_; }
+
   double range(double fastest, double ownSpeed) const override {
     return socialRange(parameters_, ownSpeed, fastest, cutOff_);
   }

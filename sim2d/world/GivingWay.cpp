@@ -1,0 +1,401 @@
+#include "sim2d/world/GivingWay.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim2d/map/ConvexPolygon.h"
+#include "sim2d/map/PathPlanner.h"
+#include "sim2d/map/TautWay.h"
+
+namespace sim2d {
+namespace {
+
+constexpr double kSight = 6.0;                           // [m]
+constexpr double kHalfView = 100.0 / 180.0 * base::kPi;  // [rad] to each side of the heading
+constexpr double kStanding = 0.1;                        // [m/s]; slower robots stand
+constexpr double kForesight = 4.0;                       // [s]
+constexpr double kLookAhead = 6.0;                       // [m] along the way
+
+// Room between the bodies [m]:
+constexpr double kRoom = 0.3;        // that people like to leave
+constexpr double kLeastRoom = 0.15;  // with which they still pass
+constexpr double kKept = 0.08;       // into which they do not walk
+constexpr double kWaiting = 0.6;     // to a robot that stands in the way
+constexpr double kComingNear = 2.5;  // to one that comes, from which on people step aside
+constexpr double kAside = 0.25;      // beside the strip that such a robot drives along
+
+constexpr double kSkin = 0.001;        // [m]
+constexpr double kShortestLeg = 0.02;  // [m]; shorter ones have no direction
+constexpr double kJustStopped = 5.0;   // [s]; a robot that stands for less may go on
+constexpr double kRemembered = 2.0;    // [s]; the side on which somebody passes
+constexpr double kLoyalty = 1.5;       // [m]; the other side must be shorter by so much …
+constexpr double kLoyaltyToMoving = 0.5;
+constexpr double kToTheRight = 0.1;  // [m]; … or this one longer, in the first place
+
+constexpr double kBraking = 1.5;        // [m/s²]
+constexpr double kReaction = 0.3;       // [s]
+constexpr double kPartingTime = 0.5;    // [s]
+constexpr double kParting = 0.3;        // [m/s], at most
+constexpr double kNearby = 5.0;         // [m]; farther off nobody has to brake
+constexpr double kSteppingAside = 0.8;  // [m/s]; so fast also who wanted to be slower
+constexpr double kWallTime = 0.2;       // [s]; nobody gives way into a wall
+constexpr double kTolerance = 1e-6;     // [m/s]
+constexpr int kMostRounds = 4;
+
+bool isSeen(const FrozenWorld& world, const Vec2& eye, const Vec2& point) {
+  return world.navigation.isOpenBetween(eye, point) || world.obstacles.isVisible(eye, point);
+}
+
+bool isInFront(const FrozenWorld& world, std::size_t human, const Vec2& point) {
+  const double bearing =
+      base::headingOf(point - world.state.position(human)) - world.state.heading[human];
+  return std::fabs(base::wrapToPi(bearing)) <= kHalfView;
+}
+
+/// The place and the points of the way, up to where nobody looks any more.
+std::vector<Vec2> lineOf(const GivingWay::Walking& who) {
+  std::vector<Vec2> line = {who.position};
+  double left = kLookAhead;
+  for (const Vec2& point : who.way) {
+    const Vec2 leg = point - line.back();
+    const double length = leg.norm();
+    if (length < kSkin) {
+      continue;
+    }
+    line.emplace_back(line.back() + std::min(1.0, left / length) * leg);
+    left -= length;
+    if (left <= 0.0) {
+      break;
+    }
+  }
+  return line;
+}
+
+/// For how long the person walks until the robot, both as they go on now, is nearest [s].
+std::optional<double> meetingTime(const Vec2& apart, const Vec2& relative) {
+  constexpr double kSameSpeed = 0.2;  // [m/s]
+  const double closing = apart.dot(relative);
+  if (closing <= 0.0 || relative.norm() < kSameSpeed) {
+    return std::nullopt;
+  }
+  const double time = closing / relative.squaredNorm();
+  return time <= kForesight ? std::optional(time) : std::nullopt;
+}
+
+Vec2 outwardsOf(const std::vector<Vec2>& polygon, std::size_t edge) {
+  const Vec2 along = polygon[edge + 1 < polygon.size() ? edge + 1 : 0] - polygon[edge];
+  return Vec2(along.y(), -along.x()) / along.norm();
+}
+
+double lengthOrNone(const std::vector<Vec2>* way) {
+  return way != nullptr ? lengthOfWay(*way) : 1e300;
+}
+
+}  // namespace
+
+double closingSpeedFor(double room) {
+  if (room <= 0.0) {
+    return std::max(room / kPartingTime, -kParting);
+  }
+  return kBraking * (std::sqrt(kReaction * kReaction + 2.0 * room / kBraking) - kReaction);
+}
+
+void GivingWay::update(const FrozenWorld& world) {
+  near_.clear();
+  people_.clear();
+  const WorldState& state = world.state;
+  if (state.robots.empty() || world.model.compatibility.hunav2()) {
+    return;
+  }
+  memory_.resize(state.present.size());
+  movedAt_.resize(state.robots.size(), state.time);
+  for (std::size_t robot = 0; robot < state.robots.size(); ++robot) {
+    const ResolvedRobot& constants = world.model.robots[robot];
+    if (footprints_.size() == robot) {
+      footprints_.push_back({constants.radius, constants.footprint});
+    }
+    const RobotState& now = state.robots[robot];
+    movedAt_[robot] = now.velocity.norm() < kStanding ? movedAt_[robot] : state.time;
+    world.grid.forEachNear(now.pose.position, kSight + reachOf(constants), [&](int human) {
+      const auto at = static_cast<std::size_t>(human);
+      if (world.model.people[at].model->givesWayToRobots()) {
+        near_.emplace_back(at, robot);
+      }
+    });
+  }
+  std::sort(near_.begin(), near_.end());
+  for (const auto& [human, robot] : near_) {
+    if (people_.empty() || people_.back() != human) {
+      people_.push_back(human);
+    }
+  }
+}
+
+bool GivingWay::concerns(std::size_t human) const {
+  return !people_.empty() && std::binary_search(people_.begin(), people_.end(), human);
+}
+
+std::pair<std::size_t, std::size_t> GivingWay::nearOf(std::size_t human) const {
+  const auto first = std::lower_bound(near_.begin(), near_.end(), std::make_pair(human, 0UL));
+  const auto last = std::lower_bound(first, near_.end(), std::make_pair(human + 1, 0UL));
+  return {static_cast<std::size_t>(first - near_.begin()),
+          static_cast<std::size_t>(last - near_.begin())};
+}
+
+/// Those that stand are met where they are; of the others those in view that come near.
+std::vector<GivingWay::Met> GivingWay::metBy(const FrozenWorld& world, const Walking& who) const {
+  std::vector<Met> met;
+  const auto [first, last] = nearOf(who.human);
+  for (std::size_t i = first; i < last; ++i) {
+    const std::size_t robot = near_[i].second;
+    const RobotState& now = world.state.robots[robot];
+    const Vec2& place = now.pose.position;
+    Met item{robot, now.pose, now.velocity.norm() < kStanding, {}};
+    if (!item.stands) {
+      const std::optional<double> time =
+          meetingTime(place - who.position, who.speed * who.direction - now.velocity);
+      if (!time || !isInFront(world, who.human, place)) {
+        continue;
+      }
+      item.pose.position += *time * now.velocity;
+    }
+    if (isSeen(world, who.position, place)) {
+      met.push_back(std::move(item));
+    }
+  }
+  return met;
+}
+
+/// Outlines at a distance that leaves the person outside.
+void GivingWay::draw(std::vector<Met>& met, const Walking& who, double room) const {
+  for (Met& item : met) {
+    const Footprint& footprint = footprints_[item.robot];
+    const double own = footprint.isDisc() ? footprint.radius : 0.0;
+    const double apart = gapToDisc(footprint, item.pose, who.position, 0.0) + own;
+    const double most = apart / kOutlineExcess - own - kSkin;
+    const double wide = std::min(who.radius + room, most);
+    item.outline = wide > 0.0 ? outlineAround(footprint, item.pose, wide) : std::vector<Vec2>();
+    if (!item.outline.empty() && isInside(item.outline, who.position)) {
+      item.outline.clear();  // in a notch
+    }
+  }
+}
+
+GivingWay::Lead GivingWay::lead(const FrozenWorld& world, const Walking& who) {
+  Lead lead;
+  lead.direction = who.direction;
+  std::vector<Met> met = metBy(world, who);
+  if (met.empty()) {
+    return lead;
+  }
+  const std::vector<Vec2> line = lineOf(who);
+  Conflict conflict;
+  for (const double room : {kRoom, kLeastRoom}) {
+    draw(met, who, room);
+    bool isFree = true;
+    for (std::size_t leg = 0; leg + 1 < line.size() && isFree; ++leg) {
+      for (std::size_t i = 0; i < met.size(); ++i) {
+        const std::optional<Entry> entry =
+            met[i].outline.empty() ? std::nullopt
+                                   : entryInto(met[i].outline, line[leg], line[leg + 1]);
+        if (entry && (isFree || entry->share < conflict.share)) {
+          conflict = {i, leg, entry->share};
+          isFree = false;
+        }
+      }
+    }
+    if (isFree) {
+      return lead;
+    }
+    if (const std::optional<Vec2> direction = wayPast(world, who, met, line, conflict)) {
+      lead.direction = *direction;
+      return lead;
+    }
+  }
+  return waiting(world, who, met, conflict.met);
+}
+
+/// Beside the robot, as near to `place` as its outline allows.
+Vec2 GivingWay::besideOf(const FrozenWorld& world, const Met& met, const Vec2& place,
+                         double radius) const {
+  const Footprint& footprint = footprints_[met.robot];
+  const Obstacles::Point foot = nearestPointOf(world.model.robots[met.robot], met.pose, place);
+  Vec2 outwards = foot.inside ? Vec2(foot.position - place) : Vec2(place - foot.position);
+  const double length = outwards.norm();
+  outwards = length > kSkin ? Vec2(outwards / length) : base::directionOf(met.pose.heading);
+  const double own = footprint.isDisc() ? footprint.radius : 0.0;
+  const double distance = (radius + kRoom + own) * kOutlineExcess - own + kSkin;
+  return foot.position + distance * outwards;
+}
+
+/// Where to head, round the robot on the better side; nothing: there is no room on either.
+std::optional<Vec2> GivingWay::wayPast(const FrozenWorld& world, const Walking& who,
+                                       const std::vector<Met>& met, const std::vector<Vec2>& line,
+                                       const Conflict& conflict) {
+  const Met& around = met[conflict.met];
+  const auto isWithin = [&](const Vec2& place) { return isInside(around.outline, place); };
+  std::size_t begin = conflict.leg;
+  while (begin > 0 && isWithin(line[begin])) {
+    --begin;
+  }
+  std::size_t end = conflict.leg + 1;
+  while (end + 1 < line.size() && isWithin(line[end])) {
+    ++end;
+  }
+  const bool isTaken = isWithin(line[end]);
+  const Vec2 aim = isTaken ? besideOf(world, around, line[end], who.radius) : line[end];
+  if (isTaken && (aim - who.position).norm() < kRoom) {
+    return std::nullopt;  // nearer one cannot come
+  }
+  WaysRound ways = waysRound(around.outline, line[begin], aim);
+  if (ways.left.empty()) {
+    ways.left = ways.right = {line[begin], aim};
+  }
+  const double clear =
+      std::min(who.radius, world.obstacles.clearance(who.position, who.radius)) - 0.01;
+  const auto ifFree = [&](const std::vector<Vec2>& way) -> const std::vector<Vec2>* {
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      if (!isWayClear(way[i - 1], way[i], world.obstacles, clear) ||
+          std::any_of(met.begin(), met.end(), [&](const Met& other) {
+            return &other != &around && !other.outline.empty() &&
+                   entryInto(other.outline, way[i - 1], way[i]);
+          })) {
+        return nullptr;
+      }
+    }
+    return &way;
+  };
+  const std::vector<Vec2>* const way =
+      choose(ifFree(ways.left), ifFree(ways.right), who.human, around, world.state.time);
+  if (way == nullptr || begin > 0) {
+    return way == nullptr ? std::nullopt : std::optional(who.direction);
+  }
+  for (std::size_t i = 1; i < way->size(); ++i) {
+    const Vec2 leg = (*way)[i] - who.position;
+    if (leg.norm() > kShortestLeg) {
+      return Vec2(leg.normalized());
+    }
+  }
+  return who.direction;
+}
+
+/// The side chosen before, if it is not much longer, so that nobody dithers.
+const std::vector<Vec2>* GivingWay::choose(const std::vector<Vec2>* left,
+                                           const std::vector<Vec2>* right, std::size_t human,
+                                           const Met& met, double time) {
+  if (left == nullptr && right == nullptr) {
+    return nullptr;
+  }
+  Memory& memory = memory_[human];
+  double advantage = kToTheRight;  // of the right
+  if (memory.robot == met.robot && time - memory.at <= kRemembered) {
+    const double loyalty = met.stands ? kLoyalty : kLoyaltyToMoving;
+    advantage = memory.isLeft ? -loyalty : loyalty;
+  }
+  memory = {met.robot, lengthOrNone(left) < lengthOrNone(right) - advantage, time};
+  return memory.isLeft ? left : right;
+}
+
+/// At some distance; out of the strip of one that comes through.
+GivingWay::Lead GivingWay::waiting(const FrozenWorld& world, const Walking& who,
+                                   const std::vector<Met>& met, std::size_t blocking) const {
+  const std::size_t robot = met[blocking].robot;
+  const RobotState& now = world.state.robots[robot];
+  Lead lead;
+  lead.waits = true;
+  lead.direction = who.direction;
+  lead.stoodFor = world.state.time - movedAt_[robot];
+  for (const Met& item : met) {
+    if (met[blocking].stands && item.stands && !item.outline.empty()) {
+      lead.closed.push_back(item.outline);
+    }
+  }
+  const double gap = gapToDisc(footprints_[robot], now.pose, who.position, who.radius);
+  if (gap < kWaiting) {
+    lead.direction = Vec2::Zero();
+  }
+  const Vec2 drives =
+      now.velocity.norm() < kStanding ? now.pose.direction() : Vec2(now.velocity.normalized());
+  const Vec2 apart = who.position - now.pose.position;
+  if (lead.stoodFor > kJustStopped || gap > kComingNear || apart.dot(drives) <= 0.0) {
+    return lead;
+  }
+  lead.direction = Vec2::Zero();
+  const double left = base::cross(drives, apart);
+  const double missing = reachOf(footprints_[robot]) + who.radius + kAside - std::fabs(left);
+  for (const double side : {left >= 0.0 ? 1.0 : -1.0, left >= 0.0 ? -1.0 : 1.0}) {
+    const Vec2 aside = side * Vec2(-drives.y(), drives.x());
+    if (missing > 0.0 &&
+        isWayClear(who.position, who.position + missing * aside, world.obstacles, who.radius)) {
+      lead.direction = aside;
+      break;
+    }
+  }
+  return lead;
+}
+
+/// The edge of the robot's outline that the person would walk into, as a bound of the speed towards
+/// it; nothing: it holds.
+std::optional<HalfPlane> GivingWay::boundBy(const FrozenWorld& world, std::size_t human,
+                                            std::size_t robot, const Vec2& velocity) const {
+  const RobotState& now = world.state.robots[robot];
+  const Vec2 place = world.state.position(human);
+  const double radius = world.model.people[human].constants.radius;
+  const Vec2 apart = now.pose.position - place;
+  if (apart.norm() > kNearby + reachOf(footprints_[robot])) {
+    return std::nullopt;
+  }
+  const std::vector<Vec2> outline = outlineAround(footprints_[robot], now.pose, radius + kKept);
+  const Obstacles::Point nearest = nearestPointOf(world.model.robots[robot], now.pose, place);
+  const Vec2 arm = nearest.position - now.pose.position;
+  Vec2 drives = now.velocity + now.omega * Vec2(-arm.y(), arm.x());
+  if (drives.dot(apart) < 0.0 && !isInFront(world, human, nearest.position)) {
+    drives = Vec2::Zero();  // nobody looks back
+  }
+  const std::optional<Entry> entry =
+      entryInto(outline, place, place + kForesight * (velocity - drives));
+  if (!entry) {
+    return std::nullopt;
+  }
+  const Vec2 inwards = -outwardsOf(outline, entry->edge);
+  const double room = (outline[entry->edge] - place).dot(inwards);
+  const double most = closingSpeedFor(room) + drives.dot(inwards);
+  if (velocity.dot(inwards) <= most + kTolerance ||
+      !(isSeen(world, place, nearest.position) || isSeen(world, place, now.pose.position))) {
+    return std::nullopt;
+  }
+  return HalfPlane{most * inwards, Vec2(-inwards.y(), inwards.x())};
+}
+
+Vec2 GivingWay::limited(const FrozenWorld& world, std::size_t human, const Vec2& wanted,
+                        const std::vector<Obstacles::Point>* walls) const {
+  std::vector<HalfPlane> planes;
+  std::size_t fixed = 0;
+  Vec2 velocity = wanted;
+  const auto [first, last] = nearOf(human);
+  for (int round = 0; round < kMostRounds; ++round) {
+    const std::size_t before = planes.size();
+    for (std::size_t i = first; i < last; ++i) {
+      const std::optional<HalfPlane> plane = boundBy(world, human, near_[i].second, velocity);
+      if (!plane) {
+        continue;
+      }
+      if (planes.empty() && walls != nullptr) {
+        const Walker self{0, world.state.position(human), velocity,
+                          world.model.people[human].constants.radius};
+        for (const Obstacles::Point& point : *walls) {
+          planes.push_back(avoidPoint(self, point, kWallTime, world.model.dt));
+        }
+        fixed = planes.size();
+      }
+      planes.push_back(*plane);
+    }
+    if (planes.size() == before) {
+      break;
+    }
+    velocity = nearestAllowed(planes, fixed, wanted, std::max(wanted.norm(), kSteppingAside));
+  }
+  return velocity;
+}
+
+}  // namespace sim2d
