@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim2d/trace/Culprit.h"
+
 namespace metrics {
 
 bool isInGoalRegion(const RunContext& context, const Vec2& position,
@@ -50,18 +52,13 @@ bool isWithin(const Robot& robot, const Person& person, double limit) {
 
 /// The velocities before the sample, as the contact may have stopped the bodies already.
 void Contacts::addEntry(const Instant& at, const Person& person, Culprits& to) {
-  constexpr double kEqualSpeeds = 1e-6;  // [m/s]
   const Robot& robot = at.now.robot;
   const Person* personBefore = at.before != nullptr ? findPerson(*at.before, person.id) : nullptr;
-  const Vec2 between = person.position - robot.position;
-  const double separation = lengthOf(between);
-  const Vec2 normal = separation > 0.0 ? Vec2(between / separation) : Vec2(0.0, 0.0);
-  const Vec2& robotVelocity = at.before != nullptr ? at.before->robot.velocity : robot.velocity;
-  const Vec2& personVelocity = personBefore != nullptr ? personBefore->velocity : person.velocity;
-  const double byRobot = robotVelocity.dot(normal);
-  const double byPerson = -personVelocity.dot(normal);
-  to.robot += byRobot > byPerson - kEqualSpeeds ? 1.0 : 0.0;
-  to.person += byPerson > byRobot - kEqualSpeeds ? 1.0 : 0.0;
+  const sim2d::Culprit culprit = sim2d::culpritOf(
+      robot.position, at.before != nullptr ? at.before->robot.velocity : robot.velocity,
+      person.position, personBefore != nullptr ? personBefore->velocity : person.velocity);
+  to.robot += culprit != sim2d::Culprit::Second ? 1.0 : 0.0;
+  to.person += culprit != sim2d::Culprit::First ? 1.0 : 0.0;
 }
 
 void Contacts::add(const Instant& at) {

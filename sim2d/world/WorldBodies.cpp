@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cmath>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/trace/Culprit.h"
 #include "sim2d/world/WorldInside.h"
 
 /// How one step moves the bodies: kept apart ahead of time, then by the solver, which is asked only
@@ -74,6 +76,18 @@ Vec2 velocityAlong(const Vec2& chord, const BodyTwist& twist) {
 /// Who is pushed from behind does not drive faster, who is blocked drives slower.
 double heldByWheels(double speed, double commanded) {
   return std::clamp(speed, std::min(commanded, 0.0), std::max(commanded, 0.0));
+}
+
+/// Of a robot, by the direction from it to what it touches.
+const char* sideOf(const Pose2& robot, const Vec2& direction) {
+  const double bearing = base::angleDiff(base::headingOf(direction), robot.heading);
+  if (std::fabs(bearing) <= base::kPi / 4.0) {
+    return "ahead";
+  }
+  if (std::fabs(bearing) >= 3.0 * base::kPi / 4.0) {
+    return "behind";
+  }
+  return bearing > 0.0 ? "left" : "right";
 }
 
 }  // namespace
@@ -304,6 +318,20 @@ int RunningWorld::idOf(std::size_t body) const {
   return isRobot(body) ? model_.robots[body].id : model_.people[humanOf(body)].constants.id;
 }
 
+/// Who closed in on whom, and on which side of the robot: " person behind".
+std::string RunningWorld::faultOf(const Touch& touch,
+                                  const std::vector<BodyTwist>& commands) const {
+  const auto robot = static_cast<std::size_t>(touch.body);
+  const auto other = static_cast<std::size_t>(touch.other);
+  const Culprit culprit = culpritOf(discs_[robot].position, wantedVelocity(robot, commands),
+                                    discs_[other].position, wantedVelocity(other, commands));
+  std::string fault = " both ";
+  if (culprit != Culprit::Both) {
+    fault = culprit == Culprit::First ? " robot " : (isRobot(other) ? " other " : " person ");
+  }
+  return fault + sideOf(state_.robots[robot].pose, touch.normal);
+}
+
 /// When two bodies, or a body and an obstacle, begin to touch: one event per pair until they have
 /// parted, with the speed at which contacts stopped them.
 void RunningWorld::tellContacts(const std::vector<BodyTwist>& commands) {
@@ -329,6 +357,9 @@ void RunningWorld::tellContacts(const std::vector<BodyTwist>& commands) {
       }
     }
     event.text = base::formatDouble(std::max(0.0, relative.dot(touch.normal)));
+    if (isRobot(body) && touch.other >= 0 && !model_.compatibility.hunav2()) {
+      event.text += faultOf(touch, commands);
+    }
     const auto part = static_cast<std::size_t>(std::max(touch.part, 0));
     if (part > 0 && !partNames_[part].empty()) {  // walls of the map have no name in events
       event.text += " " + partNames_[part];

@@ -113,6 +113,7 @@ class RunningWorld : public World {
   int subSteps() const;
   bool meetsSomething(std::size_t robot) const;
   bool mayMeet(const DiscPair& pair) const;
+  std::string faultOf(const Touch& touch, const std::vector<BodyTwist>& commands) const;
   void tellContacts(const std::vector<BodyTwist>& commands);
   void readPeople();
   Vec2 aroundTheRing(std::size_t human, const Pose2& pose);

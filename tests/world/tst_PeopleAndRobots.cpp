@@ -1,0 +1,414 @@
+#include <algorithm>
+#include <cmath>
+
+#include <QtTest>
+
+#include "sim2d/nav/FootprintGap.h"
+#include "sim2d/world/GivingWay.h"
+#include "tests/world/TestWorld.h"
+
+using namespace testworld;
+
+/// By every model but the original's, people walk round robots or wait for them, and do not run
+/// into them.
+class PeopleAndRobotsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void closingSpeed_leavesRoomToStop();
+  void parkedRobot_onTheLine_isPassedWithRoom_data() { addModels(); }
+  void parkedRobot_onTheLine_isPassedWithRoom();
+  void parkedRobot_onTheGoal_isNotTouched_data() { addModels(); }
+  void parkedRobot_onTheGoal_isNotTouched();
+  void parkedRobot_longFootprint_isPassed_data() { addModels(); }
+  void parkedRobot_longFootprint_isPassed();
+  void robotInDoorway_isWaitedFor_data() { addModels(); }
+  void robotInDoorway_isWaitedFor();
+  void robotInDoorway_otherWay_isTaken_data() { addModels(); }
+  void robotInDoorway_otherWay_isTaken();
+  void robotComesThroughDoorway_isLetThrough_data() { addModels(); }
+  void robotComesThroughDoorway_isLetThrough();
+  void crossingRobot_inView_isNotTouched_data();
+  void crossingRobot_inView_isNotTouched();
+  void headOn_inACorridor_isPassed_data() { addModels(); }
+  void headOn_inACorridor_isPassed();
+  void crowd_pastAParkedRobot_doesNotTouchIt_data() { addModels(); }
+  void crowd_pastAParkedRobot_doesNotTouchIt();
+  void fastRobot_fromBehindACorner_isAtFault_data() { addModels(); }
+  void fastRobot_fromBehindACorner_isAtFault();
+  void robot_fromBehind_isAtFault();
+  void blindPerson_intoARobot_isAtFault_data();
+  void blindPerson_intoARobot_isAtFault();
+  void twoRobots_fault_isOfTheFasterOne();
+  void originalModel_walksAsBefore();
+
+ private:
+  static void addModels();
+};
+
+namespace {
+
+constexpr double kRobotRadius = 0.35;
+
+Scenario byModel(const QString& model) {
+  Scenario scenario;
+  scenario.desktop.model = model.toStdString();
+  return scenario;
+}
+
+/// Without a goal.
+Robot& park(Scenario& scenario, const Vec2& place, double heading = 0.0) {
+  Robot& robot = addRobot(scenario, place, Vec2::Zero());
+  robot.goal.point.reset();
+  robot.start.heading = heading;
+  robot.radius = kRobotRadius;
+  return robot;
+}
+
+StepInputs driving(double speed, int id = -1) {
+  Input input;
+  input.kind = InputKind::Robot;
+  input.id = id;
+  input.velocity = Vec2(speed, 0.0);
+  return {input};
+}
+
+struct Met {
+  std::vector<Event> contacts;  // of robots with people
+  bool arrived = false;         // the first person
+  int replans = 0;
+  double leastGap = 1e9;  // [m], of the first person
+};
+
+using Inputs = std::function<StepInputs(const Frame&)>;
+
+Met walk(World& world, double seconds, const Inputs& inputs = {}) {
+  Met met;
+  const Footprint disc{kRobotRadius, {}};
+  const double radius = world.view().constants(0).radius;
+  for (int i = 0; i < std::lround(seconds / 0.05); ++i) {
+    if (!world.step(inputs ? inputs(world.frame()) : StepInputs{})) {
+      break;
+    }
+    const Frame& frame = world.frame();
+    for (const Event& event : frame.events) {
+      if (event.kind == EventKind::Contact && event.id < 0 && event.hasOther) {
+        met.contacts.push_back(event);
+      }
+      met.arrived = met.arrived || (event.kind == EventKind::Arrived && event.id == 1);
+      met.replans += event.kind == EventKind::Replan && event.id == 1 ? 1 : 0;
+    }
+    if (frame.humans.size() > 0 && frame.robots.size() > 0) {
+      met.leastGap = std::min(
+          met.leastGap, gapToDisc(disc, {robotPosition(frame), 0.0}, positionOf(frame, 0), radius));
+    }
+  }
+  return met;
+}
+
+QByteArray told(const Met& met) {
+  QByteArray text = "arrived " + QByteArray::number(met.arrived) + ", least gap " +
+                    QByteArray::number(met.leastGap) + ", contacts";
+  for (const Event& event : met.contacts) {
+    text += " [" + QByteArray::fromStdString(event.text) + "]";
+  }
+  return text;
+}
+
+/// A wall across x = 5 with openings of `width` about the given places.
+void addWallWithDoors(Scenario& scenario, const std::vector<double>& doors, double width) {
+  double from = -8.0;
+  for (const double door : doors) {
+    addWall(scenario, {Vec2(5.0, from), Vec2(5.0, door - width / 2.0)});
+    from = door + width / 2.0;
+  }
+  addWall(scenario, {Vec2(5.0, from), Vec2(5.0, 10.0)});
+}
+
+}  // namespace
+
+void PeopleAndRobotsTest::addModels() {
+  QTest::addColumn<QString>("model");
+  for (const std::string& name : programRegistries().models.names()) {
+    if (name != "sfm-hunav2") {
+      QTest::newRow(name.c_str()) << QString::fromStdString(name);
+    }
+  }
+}
+
+/// Reaction at full speed, then braking: v t + v² / (2 a) is the room.
+void PeopleAndRobotsTest::closingSpeed_leavesRoomToStop() {
+  for (const double speed : {0.1, 0.5, 1.0, 1.5, 2.0}) {
+    const double room = speed * 0.3 + speed * speed / (2.0 * 1.5);
+    QVERIFY(std::fabs(closingSpeedFor(room) - speed) < 1e-9);
+  }
+  QCOMPARE(closingSpeedFor(0.0), 0.0);
+  QVERIFY(std::fabs(closingSpeedFor(-0.05) + 0.1) < 1e-9);
+  QCOMPARE(closingSpeedFor(-1.0), -0.3);
+}
+
+void PeopleAndRobotsTest::parkedRobot_onTheLine_isPassedWithRoom() {
+  QFETCH(QString, model);
+  for (const double beside : {0.0, 0.2, -0.5}) {
+    Scenario scenario = byModel(model);
+    addGoal(scenario, 1, 10.0, 0.0);
+    addPerson(scenario, 1, Vec2(0.0, 0.0), {1});
+    park(scenario, Vec2(5.0, beside), 2.0);
+    const std::unique_ptr<World> world = make(scenario);
+    const Met met = walk(*world, 12.0);
+    QVERIFY2(met.arrived && met.contacts.empty() && met.leastGap >= 0.1, told(met));
+  }
+}
+
+void PeopleAndRobotsTest::parkedRobot_onTheGoal_isNotTouched() {
+  QFETCH(QString, model);
+  Scenario scenario = byModel(model);
+  addGoal(scenario, 1, 5.1, 0.1);
+  addPerson(scenario, 1, Vec2(0.0, 0.0), {1});
+  park(scenario, Vec2(5.0, 0.0));
+  const std::unique_ptr<World> world = make(scenario);
+  const Met met = walk(*world, 20.0);
+  QVERIFY2(met.contacts.empty() && met.leastGap > 0.02, told(met));
+  QVERIFY2((positionOf(world->frame(), 0) - Vec2(5.0, 0.0)).norm() < 2.0, told(met));
+}
+
+void PeopleAndRobotsTest::parkedRobot_longFootprint_isPassed() {
+  QFETCH(QString, model);
+  for (const double heading : {0.0, 0.7, 1.57, 2.5}) {
+    Scenario scenario = byModel(model);
+    addGoal(scenario, 1, 10.0, 0.0);
+    addPerson(scenario, 1, Vec2(0.0, 0.0), {1});
+    Robot& robot = park(scenario, Vec2(5.0, 0.3), heading);
+    robot.footprintX = {-0.4, 1.6, 1.6, -0.4};
+    robot.footprintY = {-0.3, -0.3, 0.3, 0.3};
+    const std::unique_ptr<World> world = make(scenario);
+    const Met met = walk(*world, 14.0);
+    QVERIFY2(met.arrived && met.contacts.empty(), told(met));
+  }
+}
+
+/// The door is wide enough for one. The robot leaves after 12 s, and the person goes on.
+void PeopleAndRobotsTest::robotInDoorway_isWaitedFor() {
+  QFETCH(QString, model);
+  Scenario scenario = byModel(model);
+  addWallWithDoors(scenario, {0.0}, 1.1);
+  addGoal(scenario, 1, 9.0, 4.0);
+  addPerson(scenario, 1, Vec2(1.0, 0.0), {1});
+  park(scenario, Vec2(5.0, 0.0));
+  const std::unique_ptr<World> world = make(scenario);
+  const Met waited = walk(*world, 12.0);
+  QVERIFY2(!waited.arrived && waited.contacts.empty(), told(waited));
+  QVERIFY((robotPosition(world->frame()) - Vec2(5.0, 0.0)).norm() < 1e-9);
+  QVERIFY(positionOf(world->frame(), 0).x() < 4.9 && positionOf(world->frame(), 0).x() > 2.0);
+  const Met gone = walk(*world, 16.0, [](const Frame& frame) {
+    return robotPosition(frame).x() < 8.0 ? driving(0.8) : StepInputs{};
+  });
+  QVERIFY2(gone.arrived && gone.contacts.empty(), told(gone));
+}
+
+void PeopleAndRobotsTest::robotInDoorway_otherWay_isTaken() {
+  QFETCH(QString, model);
+  Scenario scenario = byModel(model);
+  addWallWithDoors(scenario, {0.0, 6.0}, 1.1);
+  addRoom(scenario, Vec2(-1.0, -8.0), Vec2(11.0, 10.0));
+  addGoal(scenario, 1, 9.0, 0.0);
+  addPerson(scenario, 1, Vec2(1.0, 0.0), {1});
+  park(scenario, Vec2(5.0, 0.0));
+  const std::unique_ptr<World> world = make(scenario);
+  double mostY = 0.0;
+  const Met met = walk(*world, 30.0, [&](const Frame& frame) {
+    mostY = std::max(mostY, positionOf(frame, 0).y());
+    return StepInputs{};
+  });
+  QVERIFY2(met.arrived && met.contacts.empty(), told(met));
+  QVERIFY(mostY > 5.4);
+  QVERIFY2(met.replans >= 1 && met.replans <= 3, QByteArray::number(met.replans));
+}
+
+/// A robot that stops before people is let through by somebody who wants to come the other way.
+void PeopleAndRobotsTest::robotComesThroughDoorway_isLetThrough() {
+  QFETCH(QString, model);
+  Scenario scenario = byModel(model);
+  addWallWithDoors(scenario, {0.0}, 1.1);
+  addGoal(scenario, 1, 9.0, 0.0);
+  addPerson(scenario, 1, Vec2(1.0, 0.0), {1});
+  addRobot(scenario, Vec2(6.0, 0.0), Vec2(0.0, -3.0)).start.heading = base::kPi;
+  const std::unique_ptr<World> world = make(scenario);
+  const Met met = walk(*world, 40.0);
+  QVERIFY2(met.arrived && met.contacts.empty(), told(met));
+  QVERIFY(world->arrivedAt().has_value());
+}
+
+void PeopleAndRobotsTest::crossingRobot_inView_isNotTouched_data() {
+  QTest::addColumn<QString>("model");
+  QTest::addColumn<double>("ahead");  // the robot is at the crossing before the person [s]
+  for (const std::string& name : programRegistries().models.names()) {
+    for (const int tenths : {-8, -4, 0, 4, 8}) {
+      if (name != "sfm-hunav2") {
+        QTest::addRow("%s %d", name.c_str(), tenths)
+            << QString::fromStdString(name) << 0.1 * tenths;
+      }
+    }
+  }
+}
+
+/// It does not look itself. The person walks at 1 m/s.
+void PeopleAndRobotsTest::crossingRobot_inView_isNotTouched() {
+  QFETCH(QString, model);
+  QFETCH(double, ahead);
+  Scenario scenario = byModel(model);
+  addGoal(scenario, 1, 10.0, 0.0);
+  addPerson(scenario, 1, Vec2(0.0, 0.0), {1}).maxVel = 1.0;
+  park(scenario, Vec2(5.0, -5.0 - 0.5 + ahead), base::kPi / 2.0);
+  const std::unique_ptr<World> world = make(scenario);
+  const Met met = walk(*world, 16.0, [](const Frame&) { return driving(1.0); });
+  QVERIFY2(met.arrived && met.contacts.empty(), told(met));
+}
+
+/// A corridor of 2 m, in which the robot drives straight on at 1 m/s, half a metre off its middle.
+void PeopleAndRobotsTest::headOn_inACorridor_isPassed() {
+  QFETCH(QString, model);
+  Scenario scenario = byModel(model);
+  addWall(scenario, {Vec2(-2.0, -1.1), Vec2(22.0, -1.1)});
+  addWall(scenario, {Vec2(-2.0, 1.1), Vec2(22.0, 1.1)});
+  addGoal(scenario, 1, 18.0, 0.0);
+  addPerson(scenario, 1, Vec2(0.0, -0.4), {1}).radius = 0.3;
+  park(scenario, Vec2(14.0, -0.5), base::kPi);
+  const std::unique_ptr<World> world = make(scenario);
+  const Met met = walk(*world, 20.0, [](const Frame& frame) {
+    return robotPosition(frame).x() > 0.0 ? driving(1.0) : StepInputs{};
+  });
+  QVERIFY2(met.arrived && met.contacts.empty(), told(met));
+}
+
+void PeopleAndRobotsTest::crowd_pastAParkedRobot_doesNotTouchIt() {
+  QFETCH(QString, model);
+  Scenario scenario = byModel(model);
+  addWall(scenario, {Vec2(-8.0, -3.1), Vec2(24.0, -3.1)});
+  addWall(scenario, {Vec2(-8.0, 3.1), Vec2(24.0, 3.1)});
+  for (int i = 0; i < 20; ++i) {
+    const int row = i / 4;
+    const double y = -2.1 + 1.4 * (i % 4) + 0.1 * (row % 3);
+    addGoal(scenario, i + 1, 20.0, y);
+    addPerson(scenario, i + 1, Vec2(-6.0 + 1.3 * row, y), {i + 1}).radius = 0.3;
+    scenario.humans.back().maxVel = 1.0 + 0.05 * (i % 7);
+    scenario.humans.back().goalRadius = 1.0;
+  }
+  park(scenario, Vec2(6.0, 0.2));
+  const std::unique_ptr<World> world = make(scenario);
+  const Met met = walk(*world, 40.0);
+  QVERIFY2(met.contacts.empty(), told(met));
+  for (std::size_t i = 0; i < world->frame().humans.size(); ++i) {
+    QVERIFY2(world->frame().humans.x[i] > 15.0, QByteArray::number(world->frame().humans.x[i]));
+  }
+}
+
+/// Behind a block until 0.3 s before.
+void PeopleAndRobotsTest::fastRobot_fromBehindACorner_isAtFault() {
+  QFETCH(QString, model);
+  int touched = 0;
+  for (const double behind : {1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.2}) {
+    Scenario scenario = byModel(model);
+    addWall(scenario, {Vec2(3.0, -1.3), Vec2(4.9, -1.3)}, 1.4);
+    addWall(scenario, {Vec2(4.4, -12.0), Vec2(4.4, -1.3)}, 1.0);
+    addGoal(scenario, 1, 10.0, 0.0);
+    addPerson(scenario, 1, Vec2(2.0, 0.0), {1}).maxVel = 1.0;
+    Robot& robot = park(scenario, Vec2(5.4, -10.0 + behind), base::kPi / 2.0);
+    robot.maxVel = 3.0;
+    robot.maxAcc = 60.0;
+    const std::unique_ptr<World> world = make(scenario);
+    const Met met = walk(*world, 6.0, [](const Frame&) { return driving(3.0); });
+    for (const Event& event : met.contacts) {
+      const QString text = QString::fromStdString(event.text);
+      QVERIFY2(text.section(' ', 1, 1) == "robot", told(met));
+      ++touched;
+    }
+  }
+  QVERIFY(touched > 0);
+}
+
+/// It catches up with somebody who does not look back.
+void PeopleAndRobotsTest::robot_fromBehind_isAtFault() {
+  Scenario scenario = byModel("sfm");
+  addGoal(scenario, 1, 30.0, 0.0);
+  addPerson(scenario, 1, Vec2(3.0, 0.0), {1}).maxVel = 0.5;
+  scenario.humans.back().behavior.configuration = Configuration::Custom;
+  scenario.humans.back().behavior.socialForceFactor = 0.0;
+  park(scenario, Vec2(0.0, 0.0));
+  const std::unique_ptr<World> world = make(scenario);
+  const Met met = walk(*world, 10.0, [](const Frame&) { return driving(1.0); });
+  QVERIFY2(!met.contacts.empty(), told(met));
+  const QString text = QString::fromStdString(met.contacts[0].text);
+  QCOMPARE(text.section(' ', 1), QStringLiteral("robot ahead"));
+  QVERIFY(std::fabs(text.section(' ', 0, 0).toDouble() - 0.5) < 0.1);  // 1 less 0.5
+}
+
+void PeopleAndRobotsTest::blindPerson_intoARobot_isAtFault_data() {
+  QTest::addColumn<double>("heading");  // of the robot; the person comes from -x
+  QTest::addColumn<QString>("side");
+  QTest::newRow("ahead") << base::kPi << "ahead";
+  QTest::newRow("left") << -base::kPi / 2.0 + 0.2 << "right";
+  QTest::newRow("right") << base::kPi / 2.0 << "left";
+  QTest::newRow("behind") << 0.1 << "behind";
+}
+
+/// By the original's model, without social forces.
+void PeopleAndRobotsTest::blindPerson_intoARobot_isAtFault() {
+  QFETCH(double, heading);
+  QFETCH(QString, side);
+  Scenario scenario = byModel("sfm-hunav2");
+  addGoal(scenario, 1, 8.0, 0.0);
+  addPerson(scenario, 1, Vec2(0.0, 0.0), {1});
+  scenario.humans.back().behavior.configuration = Configuration::Custom;
+  scenario.humans.back().behavior.socialForceFactor = 0.0;
+  park(scenario, Vec2(4.0, 0.0), heading);
+  const std::unique_ptr<World> world = make(scenario);
+  const Met met = walk(*world, 4.0);
+  QVERIFY(!met.contacts.empty());
+  const QString text = QString::fromStdString(met.contacts[0].text);
+  QCOMPARE(text.section(' ', 1), "person " + side);
+  QVERIFY(std::fabs(text.section(' ', 0, 0).toDouble() - 1.5) < 0.05);
+}
+
+void PeopleAndRobotsTest::twoRobots_fault_isOfTheFasterOne() {
+  Scenario scenario;
+  park(scenario, Vec2(0.0, 0.0));
+  park(scenario, Vec2(3.0, 0.0), base::kPi);
+  const std::unique_ptr<World> world = make(scenario);
+  const Met met = walk(*world, 6.0, [](const Frame&) {
+    StepInputs inputs = driving(0.2, -1);
+    inputs.push_back(driving(0.8, -2)[0]);
+    return inputs;
+  });
+  QVERIFY(!met.contacts.empty());
+  QCOMPARE(met.contacts[0].id, -1);
+  QCOMPARE(met.contacts[0].other, -2);
+  QCOMPARE(QString::fromStdString(met.contacts[0].text).section(' ', 1),
+           QStringLiteral("other ahead"));
+}
+
+/// The original's model and its quirks know nothing of all that: who walks straight at a robot
+/// touches it.
+void PeopleAndRobotsTest::originalModel_walksAsBefore() {
+  for (const bool isCompat : {false, true}) {
+    Scenario scenario = byModel(isCompat ? "sfm" : "sfm-hunav2");
+    addGoal(scenario, 1, 8.0, 0.0);
+    addPerson(scenario, 1, Vec2(0.0, 0.0), {1});
+    scenario.humans.back().behavior.configuration = Configuration::Custom;
+    scenario.humans.back().behavior.socialForceFactor = 0.0;
+    park(scenario, Vec2(4.0, 0.0));
+    WorldSetup setup;
+    setup.scenario = std::make_shared<const Scenario>(scenario);
+    setup.behavior = std::make_unique<ScriptedBehavior>();
+    if (isCompat) {
+      setup.compatibility = *Compatibility::parse("hunav2");
+    }
+    const std::unique_ptr<World> world = *World::create(std::move(setup));
+    const Met met = walk(*world, 4.0);
+    QVERIFY(!met.contacts.empty());
+    QCOMPARE(QString::fromStdString(met.contacts[0].text).contains(' '), !isCompat);
+  }
+}
+
+QTEST_APPLESS_MAIN(PeopleAndRobotsTest)
+#include "tst_PeopleAndRobots.moc"
