@@ -132,8 +132,8 @@ class RobotItem : public EntityItem {
     if (robot_.goal.point) {
       paintRobotGoal(*painter, theme(), *robot_.goal.point);
     }
-    const RobotFigure figure =
-        robotFigure(radius_, footprint_, robot_.start.heading, pixelsPerMetreOf(*painter));
+    const RobotFigure figure = robotFigure(radius_, footprint_, kinematics_, robot_.start.heading,
+                                           pixelsPerMetreOf(*painter));
     const PixelFrame frame(*painter, toScene(robot_.start.position));
     if (isHovered() && !isSelectedEntity()) {
       paintRing(*painter, QPen(theme().color(Role::Accent, 0.6), 1.5), figure.radiusPx + 3.0);
@@ -146,6 +146,7 @@ class RobotItem : public EntityItem {
     robot_ = std::get<sim2d::Robot>(value);
     const sim2d::ResolvedRobot resolved = sim2d::resolveRobot(document().scenario(), robot_, -1);
     footprint_ = resolved.footprint;
+    kinematics_ = resolved.kinematics;
     radius_ = resolved.radius;
     for (const Vec2& point : footprint_) {
       radius_ = std::max(radius_, point.norm());
@@ -167,6 +168,7 @@ class RobotItem : public EntityItem {
   sim2d::Robot robot_;
   double radius_ = 0.35;         // of the circle around the footprint [m]
   std::vector<Vec2> footprint_;  // robot frame
+  sim2d::Kinematics kinematics_ = sim2d::Kinematics::Differential;
 };
 
 constexpr double kPinWidthPx = 18.0;
@@ -239,10 +241,11 @@ void EntityItem::zoomChanged() {
   }
 }
 
-RobotFigure robotFigure(double radius, const std::vector<Vec2>& footprint, double heading,
-                        double pixelsPerMetre) {
+RobotFigure robotFigure(double radius, const std::vector<Vec2>& footprint,
+                        sim2d::Kinematics kinematics, double heading, double pixelsPerMetre) {
   const double scale = std::max(pixelsPerMetre, kLeastFigurePx / radius);
   RobotFigure figure;
+  figure.kinematics = kinematics;
   figure.radiusPx = radius * scale;
   figure.headingDeg = degrees(heading);
   for (const Vec2& point : footprint) {

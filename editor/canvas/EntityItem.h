@@ -74,8 +74,8 @@ std::unique_ptr<EntityItem> makeShapeItem(const MapScene& scene, EntityId id);
 /// Marker of a robot's own goal point.
 void paintRobotGoal(QPainter& painter, const Theme& theme, const Vec2& at);
 /// A robot as large as it is on the ground [px], but never too small to be seen.
-RobotFigure robotFigure(double radius, const std::vector<Vec2>& footprint, double heading,
-                        double pixelsPerMetre);
+RobotFigure robotFigure(double radius, const std::vector<Vec2>& footprint,
+                        sim2d::Kinematics kinematics, double heading, double pixelsPerMetre);
 /// Intimate, personal and social space (Hall) around somebody.
 void paintSpaces(QPainter& painter, const Vec2& at, QColor color);
 constexpr double kRobotGoalPx = 10.0;   // its radius

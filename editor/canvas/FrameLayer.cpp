@@ -32,17 +32,26 @@ void FrameLayer::begin() {
   const long long seed = scenario.desktop.seed.value_or(1);
   for (const sim2d::Human& human : scenario.humans) {
     const sim2d::ResolvedHuman resolved = sim2d::resolveHuman(scenario, human, seed);
-    agents_[human.id] = {QString::fromStdString(human.name), human.key,
-                         lookOfPerson(document(), human),    resolved.kind,
-                         mapScene().bodyRadius(human),       {}};
+    agents_[human.id] = {QString::fromStdString(human.name),
+                         human.key,
+                         lookOfPerson(document(), human),
+                         resolved.kind,
+                         mapScene().bodyRadius(human),
+                         {},
+                         {}};
   }
   int id = 0;
   for (const sim2d::Robot& robot : scenario.robots) {
     if (robot.listed) {
       --id;
       const sim2d::ResolvedRobot resolved = sim2d::resolveRobot(scenario, robot, id);
-      agents_[id] = {QString::fromStdString(robot.name), robot.key,       Look::Regular,
-                     sim2d::PersonKind::Adult,           resolved.radius, resolved.footprint};
+      agents_[id] = {QString::fromStdString(robot.name),
+                     robot.key,
+                     Look::Regular,
+                     sim2d::PersonKind::Adult,
+                     resolved.radius,
+                     resolved.footprint,
+                     resolved.kinematics};
     }
   }
   stranger_ = Agent();
@@ -109,6 +118,7 @@ void FrameLayer::meet(const sim2d::TraceHeader& header, const sim2d::Frame& fram
                            lookOf(static_cast<sim2d::BehaviorType>(human.behavior)),
                            stranger_.kind,
                            human.radius,
+                           {},
                            {}};
     }
   }
@@ -298,8 +308,9 @@ void FrameLayer::paintPeople(QPainter& painter) const {
 }
 
 void FrameLayer::paintRobot(QPainter& painter, const Body& robot) const {
-  const RobotFigure figure = robotFigure(robot.agent->radius, robot.agent->footprint,
-                                         robot.pose.heading, pixelsPerMetreOf(painter));
+  const RobotFigure figure =
+      robotFigure(robot.agent->radius, robot.agent->footprint, robot.agent->kinematics,
+                  robot.pose.heading, pixelsPerMetreOf(painter));
   const PixelFrame frame(painter, toScene(robot.pose.position));
   if (isChosen(robot)) {
     paintRing(painter, QPen(theme().color(Role::Accent), 2.0), figure.radiusPx + 5.0);

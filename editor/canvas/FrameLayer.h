@@ -48,6 +48,7 @@ class FrameLayer : public FullLayer {
     sim2d::PersonKind kind = sim2d::PersonKind::Adult;
     double radius = 0.35;         // [m]
     std::vector<Vec2> footprint;  // robots
+    sim2d::Kinematics kinematics = sim2d::Kinematics::Differential;
   };
   /// A person, or a robot (with a negative id), in the frame that is shown.
   struct Body {

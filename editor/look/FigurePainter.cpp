@@ -186,19 +186,44 @@ void FigurePainter::belongings(QPainter& painter, const PersonFigure& figure) co
   }
 }
 
+/// Two on the axle, which goes through the origin of the robot; those of a car at its four corners,
+/// the front ones turned; four askew that go any way.
+void FigurePainter::wheels(QPainter& painter, const RobotFigure& figure, const QRectF& box) const {
+  const double thickness = 0.16 * box.height();
+  const auto pair = [&](double x, double half, double turnedDeg, double outerDeg) {
+    const bool isDisc = figure.footprintPx.size() < 3;
+    const double r = figure.radiusPx;
+    const double reach = isDisc ? std::sqrt(std::max(0.0, r * r - x * x)) : 0.0;
+    for (const double side : {isDisc ? -reach : box.top(), isDisc ? reach : box.bottom()}) {
+      painter.save();
+      painter.translate(x, side);
+      painter.rotate(turnedDeg + (side < box.center().y() ? outerDeg : -outerDeg));
+      painter.drawRoundedRect(QRectF(-half, -0.5 * thickness, 2.0 * half, thickness),
+                              0.4 * thickness, 0.4 * thickness);
+      painter.restore();
+    }
+  };
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(theme_.color(Role::RobotLine));
+  const double width = box.width();
+  if (figure.kinematics == sim2d::Kinematics::Omnidirectional) {
+    pair(box.center().x() + 0.3 * width, 0.13 * width, 0.0, 45.0);
+    pair(box.center().x() - 0.3 * width, 0.13 * width, 0.0, -45.0);
+  } else if (figure.kinematics == sim2d::Kinematics::Ackermann) {
+    pair(0.0, 0.11 * width, 0.0, 0.0);
+    pair(0.68 * box.right(), 0.11 * width, -20.0, 0.0);
+  } else {
+    const double room = std::min(box.right(), -box.left());
+    pair(0.0, std::clamp(room, 0.08 * width, 0.22 * width), 0.0, 0.0);
+  }
+}
+
 void FigurePainter::robot(QPainter& painter, const RobotFigure& figure) const {
   const QPainterPath body = bodyOf(figure);
   const QRectF box = body.boundingRect();
   painter.save();
   painter.rotate(-figure.headingDeg);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme_.color(Role::RobotLine));
-  for (const double side : {box.top(), box.bottom()}) {
-    const double thickness = 0.16 * box.height();
-    painter.drawRoundedRect(
-        QRectF(-0.22 * box.width(), side - 0.5 * thickness, 0.44 * box.width(), thickness),
-        0.4 * thickness, 0.4 * thickness);
-  }
+  wheels(painter, figure, box);
   painter.setPen(outlinePen(theme_.color(Role::MapFree), 0.5 * box.height()));
   painter.setBrush(theme_.color(Role::RobotBody));
   painter.drawPath(body);

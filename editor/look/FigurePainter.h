@@ -8,6 +8,7 @@
 #include <QPainterPath>
 
 #include "editor/look/Theme.h"
+#include "sim2d/nav/Body.h"
 #include "sim2d/scenario/Scenario.h"
 
 namespace editor {
@@ -25,6 +26,7 @@ struct RobotFigure {
   double radiusPx = 18.0;
   double headingDeg = 0.0;
   std::vector<QPointF> footprintPx;  // robot frame, y up; empty = disc
+  sim2d::Kinematics kinematics = sim2d::Kinematics::Differential;  // tells where its wheels are
 };
 
 /// An icon drawn around the origin with one unit per pixel, at these pixel ratios.
@@ -57,6 +59,7 @@ class FigurePainter {
 
  private:
   void belongings(QPainter& painter, const PersonFigure& figure) const;
+  void wheels(QPainter& painter, const RobotFigure& figure, const QRectF& box) const;
   const Theme& theme_;
 };
 

@@ -144,6 +144,7 @@ void describe(QAction& action, const QString& says) {
 FormSection::FormSection(const QString& title, QWidget* parent)
     : QWidget(parent),
       heading_(new QToolButton(this)),
+      top_(new QHBoxLayout),
       note_(secondaryLabel({}, this)),
       body_(new QWidget(this)),
       grid_(new QGridLayout(body_)) {
@@ -156,12 +157,11 @@ FormSection::FormSection(const QString& title, QWidget* parent)
   QFont bold = heading_->font();
   bold.setWeight(QFont::DemiBold);
   heading_->setFont(bold);
-  connect(heading_, &QToolButton::clicked, this,
-          [this] { setOpen(heading_->arrowType() == Qt::RightArrow); });
+  connect(heading_, &QToolButton::clicked, this, [this] { setOpen(!isOpen()); });
 
-  auto* top = arranged(new QHBoxLayout, {8, 0, 12, 0}, -1, {heading_});
-  top->addStretch();
-  top->addWidget(note_);
+  arranged(top_, {8, 0, 12, 0}, 8, {heading_});
+  top_->addStretch();
+  top_->addWidget(note_);
 
   grid_->setContentsMargins(12, 0, 12, 8);
   grid_->setHorizontalSpacing(kGap);
@@ -170,9 +170,25 @@ FormSection::FormSection(const QString& title, QWidget* parent)
   grid_->setColumnStretch(1, 1);
 
   auto* layout = arranged(new QVBoxLayout(this), {}, 0);
-  layout->addLayout(top);
+  layout->addLayout(top_);
   layout->addWidget(body_);
   layout->addWidget(dividerLine(this));
+}
+
+QString FormSection::title() const {
+  return heading_->text();
+}
+
+void FormSection::setTitle(const QString& title) {
+  heading_->setText(title);
+}
+
+QToolButton* FormSection::addLink(const QString& text, const QString& says,
+                                  const std::function<void()>& action) {
+  QToolButton* link = linkButton(text, says, this, action);
+  top_->addWidget(link);
+  link->hide();
+  return link;
 }
 
 void FormSection::addRow(const QString& label, QWidget* field) {
@@ -255,6 +271,10 @@ void FormSection::setRowVisible(const QWidget* field, bool visible) {
 void FormSection::setOpen(bool open) {
   body_->setVisible(open);
   heading_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+}
+
+bool FormSection::isOpen() const {
+  return heading_->arrowType() == Qt::DownArrow;
 }
 
 }  // namespace editor

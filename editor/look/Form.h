@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
@@ -20,7 +21,13 @@ class FormSection : public QWidget {
  public:
   explicit FormSection(const QString& title, QWidget* parent = nullptr);
 
+  QString title() const;
+  void setTitle(const QString& title);
+  QString note() const { return note_->text(); }
   void setNote(const QString& note) { note_->setText(note); }  // right of the heading, secondary
+  /// A link at the right end of the heading, hidden until it is shown. Once.
+  QToolButton* addLink(const QString& text, const QString& says,
+                       const std::function<void()>& action);
   /// `field` takes the whole column of fields.
   void addRow(const QString& label, QWidget* field);
   /// A slider or other short control left of the field, or two fields side by side.
@@ -29,10 +36,12 @@ class FormSection : public QWidget {
   void moveLastRow(const QWidget* field);
   void setRowVisible(const QWidget* field, bool visible);
   void setOpen(bool open);
+  bool isOpen() const;
 
  private:
   int rowOf(const QWidget* field) const;  // -1 = none
   QToolButton* heading_;
+  QHBoxLayout* top_;
   QLabel* note_;
   QWidget* body_;
   QGridLayout* grid_;

@@ -45,7 +45,7 @@ struct ParameterOwner {
   std::function<sim2d::ParameterTexts(const Entity&)> given;      // for that one
   std::function<void(Entity&, sim2d::ParameterTexts)> give;       // none of them: left out
 };
-/// A parameter that the owner of this name declares; written as text, as files have it.
+/// A parameter that the owner of this name declares, a number or a text; written as files have it.
 EntityField parameterField(const ParameterOwner& owner, const std::string& name,
                            const base::ParameterSpec& spec);
 /// What the file sets and no row shows: names that the owner does not declare, values that are no

@@ -43,18 +43,27 @@ class PersonPage : public PropertyPage {
   std::optional<long long> ownSeed_;  // tried out here; none = the scenario's
 };
 
-/// The parameters of a planner have rows while a robot that has this planner is shown.
+class RobotPicture;
+
+/// A picture of the body over what one sets first: type, planner, start, goal. The parameters of
+/// the chosen planner, sensors and limits are folds.
 class RobotPage : public PropertyPage {
  public:
   explicit RobotPage(ScenarioDocument& document,
                      const sim2d::FieldTables& tables = sim2d::fieldTables(),
                      const sim2d::Registries& registries = sim2d::programRegistries());
+  void setTheme(const Theme& theme) override;
 
  private:
+  void addTypeRows(FormSection* section, const sim2d::Registries& registries);
+  void addPlannerRows(FormSection* section, const sim2d::Registries& registries);
   void addGoalSection();
   template <class Part>
-  void addFolded(const QString& title, const sim2d::FieldTables& tables,
-                 const std::map<std::string, FieldLook>& looks = {});
+  void addPart(const QString& title, const sim2d::FieldTables& tables,
+               const std::map<std::string, FieldLook>& looks = {});
+
+  RobotPicture* picture_;
+  QToolButton* source_ = nullptr;
 };
 
 /// What belongs to the scenario as a whole; shown when nothing is selected. The parameters of the

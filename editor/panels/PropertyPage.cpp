@@ -66,6 +66,19 @@ ParameterValue valueInForce(const EntityField& field, const Entity& entity) {
   return own == ParameterValue() && field.fallback ? field.fallback(entity) : own;
 }
 
+/// What the file itself says; an empty text says nothing.
+ParameterValue ownValue(const EntityField& field, const Entity& entity) {
+  const ParameterValue own =
+      field.belongs && !field.belongs(entity) ? ParameterValue() : field.get(entity);
+  return own == ParameterValue(std::string()) ? ParameterValue() : own;
+}
+
+/// What counts without a word of the file.
+ParameterValue usualValue(const EntityField& field, Entity entity) {
+  field.set(entity, {});
+  return field.fallback ? field.fallback(entity) : ParameterValue();
+}
+
 QString listProblem(const base::Range& range, const QString& text) {
   const auto values = listFromText(text);
   const bool fits = values && std::all_of(values->begin(), values->end(),
@@ -112,6 +125,59 @@ FormSection* PropertyPage::addSection(const QString& title) {
   layout_->insertWidget(layout_->count() - 1, section);
   sections_.push_back(section);
   return section;
+}
+
+FormSection* PropertyPage::addFold(const QString& title) {
+  FormSection* section = addSection(title);
+  section->setOpen(false);
+  const std::size_t number = folds_.size();
+  folds_.push_back({section, {}});
+  QToolButton* reset = section->addLink(tr("Reset"), tr("All of these as they are by default"),
+                                        [this, section] { resetFold(section); });
+  reset->setObjectName(QStringLiteral("reset"));
+  addRefresh([this, number, reset](const std::vector<Entity>& shown) {
+    showFold(folds_[number], *reset, shown);
+  });
+  return section;
+}
+
+FormSection* PropertyPage::foldOf(const QString& group) {
+  const auto found = std::find_if(folds_.begin(), folds_.end(), [&group](const Fold& fold) {
+    return fold.section->title() == group;
+  });
+  return found == folds_.end() ? addFold(group) : found->section;
+}
+
+void PropertyPage::showFold(const Fold& fold, QToolButton& reset,
+                            const std::vector<Entity>& shown) {
+  std::size_t changed = 0;
+  bool isGiven = false;
+  bool hasRows = false;
+  for (const auto& [field, applies] : fold.rows) {
+    hasRows = hasRows || applies(shown);
+    bool isChanged = false;
+    for (const Entity& entity : shown) {
+      const ParameterValue own = ownValue(field, entity);
+      isGiven = isGiven || own != ParameterValue();
+      isChanged = isChanged || (own != ParameterValue() && own != usualValue(field, entity));
+    }
+    changed += isChanged ? 1 : 0;
+  }
+  fold.section->setVisible(hasRows);
+  fold.section->setNote(changed == 0 ? QString() : tr("%1 changed").arg(changed));
+  reset.setVisible(isGiven);
+}
+
+void PropertyPage::resetFold(const FormSection* section) {
+  const auto fold = std::find_if(folds_.begin(), folds_.end(),
+                                 [section](const Fold& each) { return each.section == section; });
+  apply(tr("Reset %1").arg(section->title().toLower()), [fold](Entity& entity) {
+    for (const auto& [field, applies] : fold->rows) {
+      if (ownValue(field, entity) != ParameterValue()) {
+        field.set(entity, {});
+      }
+    }
+  });
 }
 
 long long PropertyPage::seed() const {
@@ -194,9 +260,18 @@ QWidget* PropertyPage::addRow(FormSection* section, const EntityField& field,
     section->addRow(labelOf(spec), row);
   }
   QWidget* whole = spec.form.sliderTo > 0.0 ? row->parentWidget() : row;
+  const Applies applies = [belongs = field.belongs,
+                           visible = look.visible](const std::vector<Entity>& shown) {
+    return (!belongs || std::all_of(shown.begin(), shown.end(), belongs)) &&
+           (!visible || visible(shown));
+  };
+  for (Fold& fold : folds_) {
+    if (fold.section == section) {
+      fold.rows.emplace_back(field, applies);
+    }
+  }
   addRefresh([=](const std::vector<Entity>& shown) {
-    const bool belongs = !field.belongs || std::all_of(shown.begin(), shown.end(), field.belongs);
-    section->setRowVisible(row, belongs && (!look.visible || look.visible(shown)));
+    section->setRowVisible(row, applies(shown));
     whole->setEnabled(!look.enabled || look.enabled(shown));
   });
   return row;
@@ -286,21 +361,24 @@ QWidget* PropertyPage::makeChoice(const EntityField& field, const FieldLook& loo
   for (const std::string& value : field.spec.choices.empty() ? look.names : field.spec.choices) {
     const int index = box->count() - (hasNone ? 1 : 0);
     box->addItem(index < look.words.size() ? look.words[index] : QString::fromStdString(value));
+    box->setItemData(box->count() - 1, index < look.hints.size() ? look.hints[index] : QString(),
+                     Qt::ToolTipRole);
     values.emplace_back(value);
   }
   box->setToolTip(helpOf(field.spec));
   connect(box, qOverload<int>(&QComboBox::activated), this, [=](int index) {
     const ParameterValue& value = values[static_cast<std::size_t>(index)];
     apply(tr("Change %1").arg(labelOf(field.spec).toLower()), [&](Entity& entity) {
-      const bool isUsual = !hasNone && field.fallback && value == field.fallback(entity);
+      const bool isUsual = !hasNone && field.fallback && value == usualValue(field, entity);
       field.set(entity, isUsual ? ParameterValue() : value);
     });
   });
   addRefresh([=](const std::vector<Entity>& shown) {
     const auto index = commonValue(shown, [&](const Entity& entity) {
-      const auto found = std::find(values.begin(), values.end(),
-                                   hasNone ? field.get(entity) : valueInForce(field, entity));
-      return found == values.end() ? 0 : static_cast<int>(found - values.begin());
+      const ParameterValue value = hasNone ? field.get(entity) : valueInForce(field, entity);
+      const auto found = std::find(values.begin(), values.end(), value);
+      const int none = value == ParameterValue() ? 0 : -1;  // -1: a word that nobody knows
+      return found == values.end() ? none : static_cast<int>(found - values.begin());
     });
     box->setCurrentIndex(index.value_or(-1));
   });

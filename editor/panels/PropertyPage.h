@@ -30,6 +30,7 @@ struct FieldLook {
   std::function<base::ParameterValue(const Entity&)> fallback{};  // instead of the table's
   std::function<bool(const Entity&)> counts{};  // false: the value of the file is not used
   std::function<bool(const std::vector<Entity>&)> enabled{}, visible{};
+  QStringList hints{};  // of a choice: the tooltip of each word
 };
 inline FieldLook inWords(const QStringList& words, const QString& none = {}) {
   return {words, {}, none};
@@ -53,7 +54,7 @@ auto commonValue(const std::vector<Entity>& shown, const Get& get)
 
 /// The properties of one kind of entity: rows made from the tables of the scenario's keys and from
 /// keys of its own, showing one or several entities. Each edit is one command on all of them; edits
-/// of the same row merge.
+/// of the same row merge. Keys of a group (`Field::group`) come into a fold of this title.
 class PropertyPage : public QWidget {
   Q_OBJECT
  public:
@@ -72,6 +73,11 @@ class PropertyPage : public QWidget {
   void apply(const QString& text, const std::function<void(Entity&)>& edit);
 
   FormSection* addSection(const QString& title);
+  /// A section that begins folded. Its head tells how many of its keys the file changes, and takes
+  /// them all back.
+  FormSection* addFold(const QString& title);
+  /// A widget over the whole width, above all sections that are there.
+  void addOnTop(QWidget* widget) { layout_->insertWidget(0, widget); }
   /// A row made from the table of T.
   template <class T>
   void addField(FormSection* section, const std::string& name, const FieldLook& look = {}) {
@@ -84,8 +90,8 @@ class PropertyPage : public QWidget {
     row->setObjectName(QString::fromStdString(rowName<T>(name)));
     places_[&key->spec] = {section, row};
   }
-  /// The other keys of the table, each after its neighbour, without those that the page shows in
-  /// its own way. After all rows.
+  /// The other keys of the table, each in the fold of its group or after its neighbour, without
+  /// those that the page shows in its own way. After all rows.
   template <class T>
   void addNewFields(const std::set<std::string>& shown = {}) {
     Place place = {sections_.front(), nullptr};
@@ -94,6 +100,10 @@ class PropertyPage : public QWidget {
       if (known != places_.end()) {
         place = known->second;
       } else if (!field.isStructure() && shown.count(field.spec.key) == 0) {
+        if (!field.group.empty()) {
+          addField<T>(foldOf(QString::fromStdString(field.group)), field.spec.key);
+          continue;
+        }
         addField<T>(place.section, field.spec.key);
         QWidget* added = places_.at(&field.spec).row;
         place.section->moveLastRow(place.row);
@@ -126,6 +136,14 @@ class PropertyPage : public QWidget {
     FormSection* section;
     QWidget* row;
   };
+  using Applies = std::function<bool(const std::vector<Entity>&)>;
+  struct Fold {
+    FormSection* section;
+    std::vector<std::pair<EntityField, Applies>> rows;
+  };
+  FormSection* foldOf(const QString& group);
+  void showFold(const Fold& fold, QToolButton& reset, const std::vector<Entity>& shown);
+  void resetFold(const FormSection* section);
   NumberField* makeNumber(const EntityField& field, const FieldLook& look = {});
   QWidget* makeChoice(const EntityField& field, const FieldLook& look);
   QWidget* makeSwitch(const EntityField& field, const FieldLook& look);
@@ -137,6 +155,7 @@ class PropertyPage : public QWidget {
   std::vector<EntityId> targets_;
   std::vector<std::function<void(const std::vector<Entity>&)>> refreshers_;
   std::vector<FormSection*> sections_;
+  std::vector<Fold> folds_;
   std::map<const base::ParameterSpec*, Place> places_;  // of keys of the tables
   QVBoxLayout* layout_;
 };

@@ -18,10 +18,12 @@ class Registry {
     std::string name;
     std::vector<ParameterSpec> parameters;  // what can be set of it
     Maker make;
+    std::string help;  // a sentence or two for people; may be empty
   };
 
-  void add(std::string name, std::vector<ParameterSpec> parameters, Maker make) {
-    entries_.push_back({std::move(name), std::move(parameters), std::move(make)});
+  void add(std::string name, std::vector<ParameterSpec> parameters, Maker make,
+           std::string help = {}) {
+    entries_.push_back({std::move(name), std::move(parameters), std::move(make), std::move(help)});
   }
   const std::vector<Entry>& entries() const { return entries_; }
   std::vector<std::string> names() const {

@@ -179,6 +179,10 @@ class FieldOf {
   }
   FieldOf&& required() && { return std::move(*this).with(&Field<T>::required, true); }
   FieldOf&& digits(int digits) && { return std::move(*this).with(&Field<T>::digits, digits); }
+  /// A part of the form that begins folded: "Lidar".
+  FieldOf&& inGroup(std::string title) && {
+    return std::move(*this).with(&Field<T>::group, std::move(title));
+  }
   /// Whatever else differs from the usual.
   template <class M, class V>
   FieldOf&& with(M Field<T>::*member, V value) && {

@@ -42,6 +42,7 @@ struct Field {
   bool required = false;
   bool isWide = false;  // an integer of 64 bits
   int digits = 1;       // after the point, at least, in canonical files
+  std::string group;    // forms fold the keys of a group under this title; empty: none
 
   std::function<ParameterValue(const T&, const ParameterSpec&)> get;
   std::function<void(T&, const ParameterValue&, const ParameterSpec&)> set;

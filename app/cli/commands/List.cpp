@@ -68,7 +68,13 @@ template <class Maker>
 std::vector<Entry> registeredEntries(const base::Registry<Maker>& registry) {
   std::vector<Entry> entries;
   for (const auto& each : registry.entries()) {
-    entries.push_back({each.name, {}, {{"parameters", parametersJson(each.parameters)}}});
+    entries.push_back(
+        {each.name,
+         {},
+         {{"description", each.help}, {"parameters", parametersJson(each.parameters)}}});
+    if (!each.help.empty()) {
+      entries.back().columns = {each.help};
+    }
   }
   return entries;
 }

@@ -349,7 +349,8 @@ base::Result<std::shared_ptr<Planner>> makeDwa(const PlannerSetup& setup) {
 
 void addDwa(PlannerRegistry& to);
 void addDwa(PlannerRegistry& to) {
-  to.add("dwa", dwaTable().specs(), makeDwa);
+  to.add("dwa", dwaTable().specs(), makeDwa,
+         "Dynamic window (Fox, Burgard & Thrun 1997): weighs arcs that it can drive next.");
 }
 
 }  // namespace sim2d

@@ -33,7 +33,8 @@ base::Result<std::shared_ptr<Planner>> makeExternal(const PlannerSetup& setup) {
 
 void addExternal(PlannerRegistry& to);
 void addExternal(PlannerRegistry& to) {
-  to.add(kExternalPlanner, externalTable().specs(), makeExternal);
+  to.add(kExternalPlanner, externalTable().specs(), makeExternal,
+         "A planner of your own: a program that is asked in every step.");
 }
 
 }  // namespace sim2d

@@ -48,7 +48,8 @@ base::Result<std::shared_ptr<Planner>> makeLibrary(const PlannerSetup& setup) {
 
 void addLibrary(PlannerRegistry& to);
 void addLibrary(PlannerRegistry& to) {
-  to.add(kLibraryPlanner, librarySpecs(), makeLibrary);
+  to.add(kLibraryPlanner, librarySpecs(), makeLibrary,
+         "A planner of your own, in a shared library.");
 }
 
 }  // namespace sim2d

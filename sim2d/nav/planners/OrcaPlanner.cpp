@@ -204,7 +204,8 @@ base::Result<std::shared_ptr<Planner>> makeOrcaPlanner(const PlannerSetup& setup
 
 void addOrcaPlanner(PlannerRegistry& to);
 void addOrcaPlanner(PlannerRegistry& to) {
-  to.add("orca", orcaPlannerTable().specs(), makeOrcaPlanner);
+  to.add("orca", orcaPlannerTable().specs(), makeOrcaPlanner,
+         "Reciprocal avoidance (ORCA) with the wheels that a robot has (NH-ORCA).");
 }
 
 }  // namespace sim2d

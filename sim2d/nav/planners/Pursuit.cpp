@@ -120,7 +120,8 @@ base::Result<std::shared_ptr<Planner>> makePursuit(const PlannerSetup& setup) {
 
 void addPursuit(PlannerRegistry& to);
 void addPursuit(PlannerRegistry& to) {
-  to.add("pursuit", pursuitTable().specs(), makePursuit);
+  to.add("pursuit", pursuitTable().specs(), makePursuit,
+         "Follows its route by pure pursuit (Coulter 1992) and slows down for people ahead.");
 }
 
 }  // namespace sim2d

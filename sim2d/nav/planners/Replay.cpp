@@ -69,7 +69,8 @@ base::Result<std::shared_ptr<Planner>> makeReplay(const PlannerSetup& setup) {
 
 void addReplay(PlannerRegistry& to);
 void addReplay(PlannerRegistry& to) {
-  to.add("replay", replaySpecs(), makeReplay);
+  to.add("replay", replaySpecs(), makeReplay,
+         "Drives recorded velocities again, whatever is in the way.");
 }
 
 }  // namespace sim2d

@@ -195,7 +195,8 @@ base::Result<std::shared_ptr<Planner>> makeSocialForcePlanner(const PlannerSetup
 
 void addSocialForcePlanner(PlannerRegistry& to);
 void addSocialForcePlanner(PlannerRegistry& to) {
-  to.add("social_force", socialForcePlannerTable().specs(), makeSocialForcePlanner);
+  to.add("social_force", socialForcePlannerTable().specs(), makeSocialForcePlanner,
+         "Moves as a person of the social force model would.");
 }
 
 }  // namespace sim2d

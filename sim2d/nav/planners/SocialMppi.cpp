@@ -18,7 +18,8 @@ base::Result<std::shared_ptr<Planner>> makeSocialMppi(const PlannerSetup& setup)
 
 void addSocialMppi(PlannerRegistry& to);
 void addSocialMppi(PlannerRegistry& to) {
-  to.add("social_mppi", socialMppiTable().specs(), makeSocialMppi);
+  to.add("social_mppi", socialMppiTable().specs(), makeSocialMppi,
+         "MPPI that predicts people and keeps out of their way and of groups.");
 }
 
 }  // namespace sim2d

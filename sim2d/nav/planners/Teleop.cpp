@@ -130,7 +130,8 @@ base::Result<std::shared_ptr<Planner>> makeTeleop(const PlannerSetup& setup) {
 
 void addTeleop(PlannerRegistry& to);
 void addTeleop(PlannerRegistry& to) {
-  to.add("teleop", teleopTable().specs(), makeTeleop);
+  to.add("teleop", teleopTable().specs(), makeTeleop,
+         "Stands until somebody drives it by hand. Looks at nobody.");
 }
 
 }  // namespace sim2d
