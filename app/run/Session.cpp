@@ -89,10 +89,23 @@ sim2d::RunResult Session::run(sim2d::World& world, sim2d::FrameSink* sink, const
     }
     return waitForTurn(world);
   };
-  return sim2d::run(world, rule_, feed, wantsStop, [this] {
+  return sim2d::run(world, rule_, feed, wantsStop,
+                    [this, &world] { return takeInputs(world.frame()); });
+}
+
+sim2d::StepInputs Session::takeInputs(const sim2d::Frame& frame) {
+  sim2d::StepInputs inputs;
+  Steering steering;
+  {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return std::exchange(inputs_, {});
-  });
+    inputs = std::exchange(inputs_, {});
+    steering = steering_;
+  }
+  if (steering) {
+    const sim2d::StepInputs more = steering(frame);
+    inputs.insert(inputs.end(), more.begin(), more.end());
+  }
+  return inputs;
 }
 
 void Session::run(const WorldMaker& makeWorld) {
@@ -148,6 +161,10 @@ void Session::stop() {
 
 void Session::add(sim2d::Input input) {
   order([&] { inputs_.push_back(std::move(input)); });
+}
+
+void Session::steer(Steering steering) {
+  order([&] { steering_ = std::move(steering); });
 }
 
 SessionNews Session::takeNews() {

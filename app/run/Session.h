@@ -55,6 +55,9 @@ class Session {
   void setSpeed(double factor);  // > 0; infinity = as fast as possible, which it is at first
   void stop();
   void add(sim2d::Input input);  // acts in the next step
+  /// Asked before each step, in the thread that runs, for inputs of that step beside those added.
+  using Steering = std::function<sim2d::StepInputs(const sim2d::Frame&)>;
+  void steer(Steering steering);
   SessionNews takeNews();
 
  private:
@@ -64,6 +67,7 @@ class Session {
   template <class Change>
   void order(Change change);
   bool waitForTurn(const sim2d::World& world);
+  sim2d::StepInputs takeInputs(const sim2d::Frame& frame);
   void measure(double time);
   bool isDue(double time, double dt);
   Clock::time_point dueTime(double time, double dt) const;
@@ -78,6 +82,7 @@ class Session {
   int stepsAllowed_ = 0;
   double speed_ = std::numeric_limits<double>::infinity();
   sim2d::StepInputs inputs_;
+  Steering steering_;
   SessionNews news_;
   // of the thread that runs alone
   Clock::time_point wallStart_;

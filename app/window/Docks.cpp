@@ -75,6 +75,7 @@ Docks::Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegis
       workspace_(workspace),
       context_(workspace.view(), workspace.document(), workspace.runner(), workspace.events(),
                workspace.feed()) {
+  context_.drive = workspace_.drive().toggle();
   window_.setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.setDocumentMode(true);

@@ -95,7 +95,8 @@ QStringList KeyRules::rules() {
       tr("Buttons, check boxes and choices do not take the keyboard from a click. Who goes "
          "there by Tab uses them with Space and the arrows."),
       tr("All else belongs to the commands of the window, such as Space to run and pause, then "
-         "to the tool of the map. Arrows move things only while the map has the keyboard.")};
+         "to the tool of the map. Arrows move things only while the map has the keyboard; while a "
+         "robot is driven by hand they drive it, as W, A, S and D do.")};
 }
 
 /// Whether the widget has a key although it does not say so, and a command waits for it.

@@ -76,6 +76,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   }
   new CodeQuestion(workspace_, *notices_, this);
   files_->setOptions(setup.options, setup.compatibility);
+  actions_->remember(memory_);
   placeParts(setup);
   connectFiles();
   connectView();

@@ -115,6 +115,7 @@ QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& 
   addTools(*bar, workspace);
   bar->addSeparator();
   bar->addActions(workspace.playback().all());
+  bar->addAction(workspace.drive().toggle());
   bar->addWidget(spacer(4, bar));
   bar->addWidget(workspace.playback().makeSpeedBox(bar));
   bar->addSeparator();
@@ -126,6 +127,8 @@ QToolBar* makeToolBar(QMainWindow& window, Workspace& workspace, WindowActions& 
     for (QAction* action : workspace.tools().actions().actions()) {
       action->setIcon(editor::themedIcon(action->data().toString(), workspace.theme()));
     }
+    workspace.drive().toggle()->setIcon(
+        editor::themedIcon(QStringLiteral("run-drive"), workspace.theme()));
     layers->setIcon(editor::themedIcon(QStringLiteral("view-layers"), workspace.theme()));
   };
   takeIcons();
@@ -166,8 +169,8 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
 
   const editor::PlaybackActions& playback = workspace.playback();
   bar.addMenu(QObject::tr("&Run"))
-      ->addActions(
-          {playback.playPause, playback.step, playback.stepBack, playback.newest, playback.reset});
+      ->addActions({playback.playPause, playback.step, playback.stepBack, playback.newest,
+                    playback.reset, workspace.drive().toggle()});
   addBehaviorMenu(bar, workspace);
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});
   return recent;

@@ -148,11 +148,37 @@ void WindowActions::makeViewActions() {
                  tr("Rings around the people that are selected"));
   forces = toggle(tr("For&ces"), &CanvasOptions::forces, kShift | Qt::Key_F, "view-forces",
                   tr("What moves the people that are selected, in a run"));
-  overlays = {names, routes, grid, rulers, trails, rings, forces};
+  robotPath = toggle(tr("Robot pat&hs"), &CanvasOptions::robotPath, {}, nullptr,
+                     tr("What planners of robots follow, in a run"));
+  lidar = toggle(tr("L&aser scans"), &CanvasOptions::lidar, kShift | Qt::Key_L, nullptr,
+                 tr("What lidars of robots see, in a run"));
+  detections = toggle(tr("&Detections"), &CanvasOptions::detections, kShift | Qt::Key_D, nullptr,
+                      tr("Where robots take people and themselves to be, in a run"));
+  candidates = toggle(tr("&Weighed ways"), &CanvasOptions::candidates, kShift | Qt::Key_W, nullptr,
+                      tr("Between which ways planners of robots chose, in a run"));
+  overlays = {names,  routes,    grid,  rulers,     trails,    rings,
+              forces, robotPath, lidar, detections, candidates};
   editor::MapView& view = workspace_.view();
   connect(zoomIn, &QAction::triggered, &view, &editor::MapView::zoomIn);
   connect(zoomOut, &QAction::triggered, &view, &editor::MapView::zoomOut);
   connect(zoomFit, &QAction::triggered, &view, [&view] { view.fitAll(); });
+}
+
+void WindowActions::remember(Memory& memory) {
+  const std::pair<QAction*, const char*> kept[] = {
+      {names, "map/names"},           {routes, "map/routes"},   {grid, "map/grid"},
+      {rulers, "map/rulers"},         {trails, "map/trails"},   {rings, "map/rings"},
+      {forces, "map/forces"},         {lidar, "map/lidar"},     {robotPath, "map/robotPath"},
+      {detections, "map/detections"}, {candidates, "map/ways"},
+  };
+  for (const auto& [action, key] : kept) {
+    const QVariant before = memory.value(key);
+    if (before.isValid()) {
+      action->setChecked(before.toBool());
+    }
+    connect(action, &QAction::toggled, this,
+            [&memory, where = key](bool on) { memory.setValue(where, on); });
+  }
 }
 
 void WindowActions::makeLayers() {

@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QMenu>
 
+#include "app/window/FileDialogs.h"
 #include "app/window/Workspace.h"
 
 namespace app {
@@ -26,9 +27,12 @@ class WindowActions : public QObject {
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;
   QAction *openMap, *assignGoals, *settings, *shortcuts, *about;
   QAction *names, *routes, *grid, *rulers, *trails, *rings, *forces, *snapToPoints;
+  QAction *robotPath, *lidar, *detections, *candidates;
   /// What the canvas shows and what drawing snaps to, checkable.
   QList<QAction*> overlays, layers, snapping;
   void fillArrangeMenu(QMenu& menu) const;
+  /// What the map shows beside its things is as it was left.
+  void remember(Memory& memory);
 
  private:
   QAction* make(const QString& text, const QString& says, const QKeySequence& shortcut = {},

@@ -64,6 +64,7 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
               forgetUnsavedCode();
             }
           });
+  drive_ = std::make_unique<editor::HandDrive>(document_, runner_, scene_, *view_);
 }
 
 std::vector<ForeignCode> Workspace::codeToAllow() const {

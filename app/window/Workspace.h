@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -15,6 +16,7 @@
 #include "editor/canvas/MapScene.h"
 #include "editor/canvas/MapView.h"
 #include "editor/document/ScenarioDocument.h"
+#include "editor/panels/HandDrive.h"
 #include "editor/panels/MetricsFeed.h"
 #include "editor/panels/Playback.h"
 #include "editor/panels/RunEvents.h"
@@ -42,6 +44,7 @@ class Workspace : public QObject {
   editor::RunEvents& events() { return events_; }
   editor::MetricsFeed& feed() { return feed_; }
   editor::PlaybackActions& playback() { return playback_; }
+  editor::HandDrive& drive() { return *drive_; }
   const editor::Theme& theme() const { return theme_; }
   void setTheme(const editor::Theme& theme);
   /// Shows a run that was recorded before instead of the document; nothing is edited meanwhile.
@@ -88,8 +91,9 @@ class Workspace : public QObject {
   // between two frames
   QTimer smooth_;
   QElapsedTimer sinceFrame_;
-  double period_ = 0.0;     // [s] on the wall
-  double shownTime_ = 0.0;  // [s] of the frame
+  double period_ = 0.0;                       // [s] on the wall
+  double shownTime_ = 0.0;                    // [s] of the frame
+  std::unique_ptr<editor::HandDrive> drive_;  // hears of frames after the scene
 };
 
 }  // namespace app

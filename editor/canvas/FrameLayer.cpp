@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/SensePainter.h"
 #include "editor/canvas/SpriteAtlas.h"
 #include "editor/document/Groups.h"
 #include "sim2d/scenario/Defaults.h"
@@ -252,6 +253,7 @@ void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
       paintSpaces(*painter, body.pose.position, theme().fill(body.agent->look));
     }
   }
+  paintPerceived(*painter);
   if (options().trails) {
     paintTrails(*painter);
   }
@@ -261,6 +263,10 @@ void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
   if (options().people) {
     paintPeople(*painter);
   }
+  if (options().detections) {
+    paintBelieved(*painter);
+  }
+  paintPull(*painter);
   for (const Body& body : bodies_) {
     if (options().robots && body.isRobot()) {
       paintRobot(*painter, body);
@@ -333,6 +339,62 @@ void FrameLayer::paintRobotPaths(QPainter& painter) const {
       paintRobotGoal(painter, theme(), *robot.goal.point);
     }
   }
+}
+
+/// Beneath the people: scans, and ways that were weighed.
+void FrameLayer::paintPerceived(QPainter& painter) const {
+  if (frame_->senses == nullptr) {
+    return;
+  }
+  const SensePainter senses(theme());
+  for (const sim2d::RobotSenses& each : *frame_->senses) {
+    if (options().lidar && each.scan) {
+      senses.scan(painter, *each.scan);
+    }
+  }
+  for (const sim2d::RobotSenses& each : *frame_->senses) {
+    if (options().candidates) {
+      senses.ways(painter, each.ways);
+    }
+  }
+}
+
+/// Over the people: where robots take them and themselves to be.
+void FrameLayer::paintBelieved(QPainter& painter) const {
+  if (frame_->senses == nullptr) {
+    return;
+  }
+  const SensePainter senses(theme());
+  const auto placeOf = [this](const sim2d::RobotSenses::Body& track) {
+    return positionOf(track.id);
+  };
+  for (std::size_t i = 0; i < std::min(frame_->robots.size(), frame_->senses->size()); ++i) {
+    senses.tracks(painter, (*frame_->senses)[i].bodies, placeOf);
+    const Body* robot = body(frame_->robots.id[i]);
+    const std::optional<Pose2> believed = believedElsewhere(*frame_, i);
+    if (believed && robot != nullptr) {
+      senses.slip(painter, robot->pose.position, believed->position);
+      Body ghost = *robot;
+      ghost.pose = *believed;
+      painter.setOpacity(0.4);
+      paintRobot(painter, ghost);
+      painter.setOpacity(1.0);
+    }
+  }
+}
+
+/// A rubber line from a robot to where the mouse pulls it.
+void FrameLayer::paintPull(QPainter& painter) const {
+  const auto& pull = mapScene().pull();
+  const Body* robot = pull ? body(pull->robot) : nullptr;
+  if (robot == nullptr) {
+    return;
+  }
+  setInk(painter, screenPen(painter, theme().color(Role::Accent), 2.0, Qt::DashLine));
+  painter.drawLine(toScene(robot->pose.position), toScene(pull->to));
+  const PixelFrame frame(painter, toScene(pull->to));
+  setInk(painter, QPen(theme().color(Role::Accent), 2.0), theme().color(Role::Panel));
+  painter.drawEllipse(QPointF(), 5.0, 5.0);
 }
 
 std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {

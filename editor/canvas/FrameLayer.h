@@ -72,6 +72,9 @@ class FrameLayer : public FullLayer {
   PersonFigure figureOf(const Body& person, double pixelsPerMetre) const;
   void paintTrails(QPainter& painter) const;
   void paintRobotPaths(QPainter& painter) const;
+  void paintPerceived(QPainter& painter) const;
+  void paintBelieved(QPainter& painter) const;
+  void paintPull(QPainter& painter) const;
   void paintPeople(QPainter& painter) const;
   void paintRobot(QPainter& painter, const Body& robot) const;
   void paintSpeech(QPainter& painter) const;

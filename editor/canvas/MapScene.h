@@ -48,6 +48,7 @@ inline Vec2 toWorld(const QPointF& scene) {
 struct CanvasOptions {
   bool names = true, routes = true, grid = true, rulers = false;
   bool trails = true, robotPath = true, speech = true, proxemics = false, forces = false;
+  bool lidar = true, detections = false, candidates = false;  // of robots, in a run
   bool map = true, people = true, robots = true, goals = true, obstacles = true, areas = true;
   bool groups = true;                            // who walks together
   bool snapToPoints = true, snapToWalls = true;  // what is drawn or moved
@@ -106,6 +107,15 @@ class MapScene : public QGraphicsScene {
   /// Somebody of the run whom the document does not know, looked at as if selected.
   std::optional<int> guest() const { return guest_; }
   void setGuest(std::optional<int> agent);
+  /// A robot of the run that the mouse pulls to a point.
+  struct Pull {
+    int robot = 0;
+    Vec2 to = Vec2::Zero();
+  };
+  const std::optional<Pull>& pull() const { return pull_; }
+  void setPull(std::optional<Pull> pull);
+  bool isPullable() const { return isPullable_; }  // false: the run is over, or was recorded
+  void setPullable(bool pullable);
   FrameLayer& frameLayer() const { return *frameLayer_; }
   const SelectionLayer& selectionLayer() const { return *selectionLayer_; }
   RouteModel& routes() const { return *routes_; }
@@ -138,6 +148,7 @@ class MapScene : public QGraphicsScene {
   void optionsChanged();
   void themeChanged();
   void guestChanged();
+  void pullChanged();
 
  protected:
   void mousePressEvent(QGraphicsSceneMouseEvent* event) override;
@@ -168,6 +179,8 @@ class MapScene : public QGraphicsScene {
   Tool* tool_ = nullptr;
   EntityId hovered_;
   std::optional<int> guest_;
+  std::optional<Pull> pull_;
+  bool isPullable_ = false;
   double pixelsPerMetre_ = 50.0;
   std::map<EntityId, EntityItem*> items_;
   std::map<EntityId, Entity> preview_;

@@ -327,6 +327,7 @@ void MapView::drawForeground(QPainter* painter, const QRectF&) {
   paintScaleBar(*painter, context);
   legendCorner_ = paintGroupLegend(*painter, context);
   paintForceLegend(*painter, context);
+  paintSenseLegend(*painter, context);
   if (state_ != CanvasState::Editing) {
     const Role role = state_ == CanvasState::Running  ? Role::Ok
                       : state_ == CanvasState::Paused ? Role::WarningMark

@@ -68,6 +68,9 @@ std::vector<QRectF> overlayBoxes(const OverlayContext& context) {
   if (const std::optional<Pushed> pushed = pushedPerson(context)) {
     boxes.push_back(pushed->legend);
   }
+  if (const QRectF senses = senseLegendBox(context); !senses.isEmpty()) {
+    boxes.push_back(senses);
+  }
   return boxes;
 }
 

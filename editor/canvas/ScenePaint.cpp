@@ -237,6 +237,22 @@ void MapScene::setGuest(std::optional<int> agent) {
   }
 }
 
+void MapScene::setPull(std::optional<Pull> pull) {
+  const bool isRefused = pull && !isPullable_;
+  if ((pull || pull_) && !isRefused) {
+    pull_ = pull;
+    update();
+    Q_EMIT pullChanged();
+  }
+}
+
+void MapScene::setPullable(bool pullable) {
+  isPullable_ = pullable;
+  if (!pullable) {
+    setPull({});
+  }
+}
+
 void MapScene::setFrameShare(double share) {
   if (frameLayer_->setShare(share)) {
     update();

@@ -43,6 +43,7 @@ enum class Role {
   ForceObstacle,
   ForceGroup,
   ForceTotal,
+  Lidar,  // and whatever else a robot perceives
   Count
 };
 

@@ -33,7 +33,14 @@ NowSection::NowSection(QWidget* parent) : FormSection(tr("Now"), parent) {
   addRow(tr("Speed"), speed_);
   addRow(tr("Goal"), goal_);
   addRow(tr("Robot"), robot_);
+  drive_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  addRow(tr("By hand"), drive_);
+  setRowVisible(drive_, false);
   hide();
+}
+
+void NowSection::offerDrive(QAction* drive) {
+  drive_->setDefaultAction(drive);
 }
 
 void NowSection::show(const sim2d::Frame* frame, std::optional<int> agent,
@@ -71,6 +78,7 @@ bool NowSection::showPerson(const sim2d::Frame& frame, int id) {
     const double dy = frame.robots.y[i] - people.y[*index];
     nearest = std::min(nearest, std::sqrt(dx * dx + dy * dy));
   }
+  setRowVisible(drive_, false);
   setNote(people.state[*index] != 0 ? tr("reacting") : QString());
   setRowVisible(robot_, frame.robots.size() > 0);
   robot_->setText(tr("%1 m away").arg(nearest, 0, 'f', 2));
@@ -86,6 +94,7 @@ bool NowSection::showRobot(const sim2d::Frame& frame, int id, const sim2d::Robot
   }
   setNote({});
   setRowVisible(robot_, false);
+  setRowVisible(drive_, drive_->defaultAction() != nullptr && drive_->defaultAction()->isEnabled());
   return index.has_value();
 }
 

@@ -13,6 +13,8 @@ namespace editor {
 class NowSection : public FormSection {
  public:
   explicit NowSection(QWidget* parent);
+  /// What drives the robot that is shown; its button is there while it can be used.
+  void offerDrive(QAction* drive);
   /// `agent` as in frames: people by id, robots negative; `robot`: what it is then.
   void show(const sim2d::Frame* frame, std::optional<int> agent, const sim2d::Robot* robot);
 
@@ -27,6 +29,7 @@ class NowSection : public FormSection {
   QLabel* speed_ = new QLabel(this);
   QLabel* goal_ = new QLabel(this);
   QLabel* robot_ = new QLabel(this);
+  QToolButton* drive_ = new QToolButton(this);
 };
 
 }  // namespace editor

@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include <QAction>
 #include <QFileInfo>
 #include <QWidget>
 
@@ -27,6 +28,7 @@ class PanelContext : public QObject {
   SimulationRunner& runner;
   RunEvents& happened;
   MetricsFeed& feed;
+  QAction* drive = nullptr;  // by hand, the robot that is selected
   /// Where dialogs for files begin: never among what the program brought.
   std::function<QString()> folder = [this] { return QFileInfo(document.path()).absolutePath(); };
 

@@ -119,6 +119,12 @@ void PropertyPanel::setGuest(std::optional<sim2d::TraceHuman> guest) {
   follow();
 }
 
+/// The section follows what can be driven.
+void PropertyPanel::offerDrive(QAction* drive) {
+  now_->offerDrive(drive);
+  connect(drive, &QAction::changed, this, &PropertyPanel::showNow);
+}
+
 void PropertyPanel::showGuest() {
   const Look look = lookOf(static_cast<sim2d::BehaviorType>(guest_->behavior));
   std::vector<int> goals;
@@ -236,11 +242,14 @@ std::optional<int> PropertyPanel::agentOf(EntityId id) const {
   if (const sim2d::Human* human = document_.human(id)) {
     return human->id;
   }
-  const std::vector<sim2d::Robot>& robots = document_.scenario().robots;
-  const auto robot = std::find_if(robots.begin(), robots.end(),
-                                  [id](const auto& each) { return each.key == id && each.listed; });
-  return robot == robots.end() ? std::nullopt
-                               : std::optional(-1 - static_cast<int>(robot - robots.begin()));
+  int number = 0;  // of those that take part
+  for (const sim2d::Robot& robot : document_.scenario().robots) {
+    number -= robot.listed ? 1 : 0;
+    if (robot.key == id && robot.listed) {
+      return number;
+    }
+  }
+  return std::nullopt;
 }
 
 void PropertyPanel::showNow() {
@@ -260,6 +269,9 @@ void addPropertyPanel(PanelRegistry& to) {
   to.add({30, QObject::tr("Properties"), Qt::RightDockWidgetArea}, [](PanelContext& context) {
     auto* panel = new PropertyPanel(context.document, context.theme());
     QObject::connect(&context, &PanelContext::themeChanged, panel, &PropertyPanel::setTheme);
+    if (context.drive != nullptr) {
+      panel->offerDrive(context.drive);
+    }
     QObject::connect(&context.runner, &SimulationRunner::frameShown, panel,
                      [panel, &runner = context.runner](const FramePtr& frame) {
                        panel->showFrame(frame, runner.isRecorded());

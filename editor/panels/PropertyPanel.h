@@ -24,6 +24,7 @@ class PropertyPanel : public QWidget {
   /// The moment of a run that is shown; none ends it. What is edited then counts from the next
   /// start; of a recorded run nothing can be edited.
   void showFrame(const FramePtr& frame, bool isRecorded = false);
+  void offerDrive(QAction* drive);
   /// Somebody whom a source brought into the run, to be looked at instead of the selection.
   void setGuest(std::optional<sim2d::TraceHuman> guest);
 

@@ -11,10 +11,10 @@ namespace editor {
 
 namespace {
 
-constexpr double kEdgePx = 12.0;       // from the sides of the dock
-constexpr double kBodyShare = 0.5;     // of the width
-constexpr double kMeasurePx = 20.0;    // for a line of size and its number
-constexpr double kFigureRowPx = 20.0;  // as rows of the section "Now"
+constexpr double kPictureEdgePx = 12.0;  // from the sides of the dock
+constexpr double kBodyShare = 0.5;       // of the width
+constexpr double kMeasurePx = 20.0;      // for a line of size and its number
+constexpr double kFigureRowPx = 20.0;    // as rows of the section "Now"
 constexpr double kTickPx = 3.0;
 
 QRectF boxOf(const sim2d::ResolvedRobot& robot) {
@@ -107,11 +107,11 @@ void RobotPicture::paintEvent(QPaintEvent* /*event*/) {
   }
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF all = QRectF(rect()).adjusted(kEdgePx, 8.0, -kEdgePx, -8.0);
+  const QRectF all = QRectF(rect()).adjusted(kPictureEdgePx, 8.0, -kPictureEdgePx, -8.0);
   QRectF left = all;
   left.setWidth(kBodyShare * all.width());
   paintBody(painter, left);
-  paintFigures(painter, all.adjusted(left.width() + kEdgePx, 0.0, 0.0, 0.0));
+  paintFigures(painter, all.adjusted(left.width() + kPictureEdgePx, 0.0, 0.0, 0.0));
 }
 
 void RobotPicture::paintBody(QPainter& painter, const QRectF& room) const {

@@ -37,6 +37,7 @@ RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& set
     if (!verdict.world) {
       return std::move(verdict.problems);
     }
+    verdict.world->tellSenses(true);  // to be drawn
     return {std::move(verdict.world), std::move(verdict.worldRemarks)};
   };
   return request;
@@ -194,6 +195,12 @@ void SimulationRunner::setSpeed(double factor) {
     }
   } else if (session_ != nullptr) {
     session_->setSpeed(factor);
+  }
+}
+
+void SimulationRunner::steer(app::Session::Steering steering) {
+  if (session_ != nullptr) {
+    session_->steer(std::move(steering));
   }
 }
 

@@ -71,6 +71,8 @@ class SimulationRunner : public QObject {
   /// step that takes long.
   void reset();
   void setSpeed(double factor);  // > 0; infinity = as fast as possible
+  /// Inputs of each step from now on, of the run that goes on.
+  void steer(app::Session::Steering steering);
 
   /// Shows a recorded run from its beginning; it holds states. reset() leaves it.
   void openRecorded(RecordingPtr recording);

@@ -10,7 +10,8 @@ namespace editor {
 
 namespace {
 
-/// Press places somebody, a drag turns it.
+/// Press places somebody, a drag turns it, by whole degrees (Ctrl: by 22.5, Alt: freely). A click
+/// leaves it turned as the last one was.
 class PlacingTool : public Tool {
  public:
   using Tool::Tool;
@@ -35,6 +36,7 @@ class PlacingTool : public Tool {
     if (placing_) {
       const Entity value = isDrag(from_, mouse) ? turned(*placing_, headingTo(mouse)) : *placing_;
       cancel();
+      lastHeading_ = *headingOf(value);
       place(value);
     }
   }
@@ -47,16 +49,23 @@ class PlacingTool : public Tool {
  protected:
   virtual Entity somebodyAt(const Vec2& place, const CanvasMouse& mouse) const = 0;
   virtual void place(const Entity& value) = 0;  // one command
-  virtual double headingTo(const CanvasMouse& mouse) const {
-    return snappedAngle(base::headingOf(mouse.world - from_), base::kPi / 180.0);
-  }
 
   bool isPlacing() const { return placing_.has_value(); }
-  const Vec2& from() const { return from_; }
+  double lastHeading() const { return lastHeading_; }
 
  private:
+  double headingTo(const CanvasMouse& mouse) const {
+    const double heading = base::headingOf(mouse.world - from_);
+    if (mouse.modifiers.testFlag(Qt::AltModifier)) {
+      return heading;
+    }
+    return snappedAngle(heading, mouse.modifiers.testFlag(Qt::ControlModifier) ? base::kPi / 8.0
+                                                                               : base::kPi / 180.0);
+  }
+
   std::optional<Entity> placing_;
   Vec2 from_ = Vec2::Zero();
+  double lastHeading_ = 0.0;
 };
 
 class PersonTool : public PlacingTool {
@@ -72,29 +81,16 @@ class PersonTool : public PlacingTool {
   Entity somebodyAt(const Vec2& place, const CanvasMouse&) const override {
     sim2d::Human human = newPerson();
     human.key = ghostOf(EntityKind::Human);
-    human.initPose = {place, heading_};
+    human.initPose = {place, lastHeading()};
     human.hasInitPose = true;
     return human;
   }
 
   void place(const Entity& value) override {
     sim2d::Human human = std::get<sim2d::Human>(value);
-    heading_ = human.initPose.heading;
     human.id = -1;
     document().setSelection({pushAdd(document(), std::move(human))});
   }
-
-  double headingTo(const CanvasMouse& mouse) const override {
-    const double heading = base::headingOf(mouse.world - from());
-    if (mouse.modifiers.testFlag(Qt::AltModifier)) {
-      return heading;
-    }
-    return mouse.modifiers.testFlag(Qt::ControlModifier) ? snappedAngle(heading, base::kPi / 8.0)
-                                                         : PlacingTool::headingTo(mouse);
-  }
-
- private:
-  double heading_ = 0.0;  // of the next person: as the last one looks
 };
 
 /// Press and drag sets where the robot starts and looks; the next click is its goal (a point, or a
@@ -107,7 +103,8 @@ class RobotTool : public PlacingTool {
     if (document().contains(waitsForGoal_) && waitsForGoal_) {
       return tr("Click the robot's goal · Esc: no change of the goal");
     }
-    return tr("Press where the robot starts, drag to turn it · Shift makes another robot");
+    return isPlacing() ? tr("Drag to where the robot looks · Esc drops it")
+                       : tr("Press where the robot starts, drag to turn it · Shift makes another");
   }
 
   void activate() override { waitsForGoal_ = {}; }
@@ -137,6 +134,7 @@ class RobotTool : public PlacingTool {
     const std::vector<sim2d::Robot>& robots = document().scenario().robots;
     sim2d::Robot robot;
     robot.key = ghostOf(EntityKind::Robot);
+    robot.start.heading = lastHeading();
     if (!mouse.modifiers.testFlag(Qt::ShiftModifier) && !robots.empty()) {
       const auto isSelected = [this](const auto& each) { return document().isSelected(each.key); };
       const auto selected = std::find_if(robots.begin(), robots.end(), isSelected);

@@ -24,14 +24,18 @@ bool hasHandle(const Entity& entity, Handle::Kind kind) {
 }
 
 /// Click selects, drag moves, handles turn and size, a drag from empty ground selects what lies
-/// inside; arrows nudge. During a run it only selects.
+/// inside; arrows nudge. During a run it selects, and a drag pulls a robot.
 class SelectTool : public Tool {
  public:
   using Tool::Tool;
 
   QString statusText() const override {
     if (scene().isRunMode()) {
-      return tr("Click a person to look closer · Space pauses");
+      return scene().pull() ? tr("The robot follows until the button goes up")
+             : scene().isPullable()
+                 ? tr("Click a person to look closer · Drag a robot to lead it · "
+                      "Space pauses")
+                 : tr("Click a person to look closer · Space pauses");
     }
     if (document().selection().empty()) {
       return tr("Click to select · Drag over empty ground to select several");
@@ -63,7 +67,10 @@ class SelectTool : public Tool {
     from_ = mouse.world;
     deselectOnRelease_ = false;
     if (scene().isRunMode()) {
-      watch(scene().frameLayer().agentAt(mouse.world));
+      const std::optional<int> agent = scene().frameLayer().agentAt(mouse.world);
+      watch(agent);
+      const bool isRobot = agent && *agent < 0;
+      pulledRobot_ = isRobot && scene().isPullable() ? agent : std::nullopt;
       return;
     }
     grabbed_ = scene().entityAt(mouse.world);
@@ -90,7 +97,13 @@ class SelectTool : public Tool {
   }
 
   void move(const CanvasMouse& mouse) override {
-    if (gesture_ == Gesture::None) {
+    if (pulledRobot_ && (scene().pull() || isDrag(from_, mouse))) {
+      const bool begins = !scene().pull();
+      scene().setPull(MapScene::Pull{*pulledRobot_, mouse.world});
+      if (begins) {
+        Q_EMIT statusTextChanged();
+      }
+    } else if (gesture_ == Gesture::None) {
       hover(mouse);
     } else if (gesture_ == Gesture::Moving) {
       previewMove(mouse);
@@ -347,6 +360,8 @@ class SelectTool : public Tool {
     gesture_ = Gesture::None;
     pulled_.reset();
     marks() = {};
+    pulledRobot_.reset();
+    scene().setPull({});
     scene().clearPreview();
   }
 
@@ -373,6 +388,7 @@ class SelectTool : public Tool {
   std::optional<Entity> pulled_;
   Qt::CursorShape cursor_ = Qt::ArrowCursor;
   bool deselectOnRelease_ = false;
+  std::optional<int> pulledRobot_;  // pressed on in a run, as in frames
 };
 
 }  // namespace

@@ -333,6 +333,19 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     quiet::shoot(*window_, "notices-light");
   }
 
+  void layers_switched_areAsTheyWereNextTime() {
+    restartRemembering();
+    QVERIFY(window_->actions().lidar->isChecked());
+    QVERIFY(!window_->actions().candidates->isChecked());
+    window_->actions().lidar->trigger();
+    window_->actions().candidates->trigger();
+    restartRemembering();
+    QVERIFY(!window_->actions().lidar->isChecked());
+    QVERIFY(window_->actions().candidates->isChecked());
+    const editor::CanvasOptions& options = window_->workspace().scene().options();
+    QVERIFY(!options.lidar && options.candidates && options.names && !options.detections);
+  }
+
  private:
   void restartRemembering(bool followsSystem = true) {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));

@@ -72,6 +72,7 @@ struct DogPage {
       : registries(withDogs()),
         page((document.load(oneRobot()), document), sim2d::fieldTables(), registries) {
     page.setTargets({robot().key});
+    openSections(page);
     page.show();
     wag = page.findChild<NumberField*>(QStringLiteral("dog.tail_wag"));
     ahead = page.findChild<NumberField*>(QStringLiteral("pursuit.lookahead"));

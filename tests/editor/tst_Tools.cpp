@@ -227,6 +227,28 @@ class ToolsTest : public QObject, private CanvasTester {
     QVERIFY(saved.scenario.robots.front().goal.point == robot.goal.point);
   }
 
+  /// As people are: Ctrl holds it at 22.5 degrees, a click leaves it as the last one was turned.
+  void robot_pressAndDrag_isPlacedAndTurnedAsPeopleAre() {
+    document_.load(sim2d::Scenario());
+    document_.setMap(small::room());
+    use("Robot");
+    const auto robot = [this](std::size_t index) {
+      return document_.scenario().robots.at(index).start;
+    };
+    drag(Vec2(3.0, 3.0), Vec2(4.0, 4.2), Qt::ControlModifier);  // at 50.2 degrees
+    QVERIFY(isNear(robot(0).position, Vec2(3.0, 3.0)));
+    QVERIFY(std::abs(robot(0).heading - base::kPi / 4.0) < 1e-9);
+    key(Qt::Key_Escape);
+    QVERIFY(!document_.scenario().robots.at(0).goal.point);
+    drag(Vec2(2.0, 2.0), Vec2(1.0, 2.0));  // moves the robot that is selected
+    QCOMPARE(document_.scenario().robots.size(), std::size_t{1});
+    QVERIFY(std::abs(std::abs(robot(0).heading) - base::kPi) < 0.02);
+    key(Qt::Key_Escape);
+    click(Vec2(9.0, 3.0), Qt::ShiftModifier);
+    QCOMPARE(document_.scenario().robots.size(), std::size_t{2});
+    QCOMPARE(robot(1).heading, robot(0).heading);
+  }
+
   void middleButton_drag_pansAndKeepsTheDocument() {
     const Vec2 before = view_.worldAt(QPoint(100, 100));
     QTest::mousePress(window(), Qt::MiddleButton, {}, QPoint(400, 300));

@@ -1,0 +1,54 @@
+#include "app/run/HandSteering.h"
+
+#include <algorithm>
+
+#include "sim2d/world/Registries.h"
+
+namespace app {
+
+HandSteering::HandSteering(int robot, const sim2d::RobotBody& body) : robot_(robot) {
+  sim2d::PlannerSetup setup;
+  setup.body = body;
+  setup.parameters = {{"timeout", 0.0}};  // whoever lets go says so
+  const sim2d::Registries registries = sim2d::programRegistries();
+  if (const auto* const teleop = registries.planners.find("teleop")) {
+    if (const auto made = teleop->make(setup)) {
+      planner_ = std::dynamic_pointer_cast<sim2d::TeleopPlanner>(*made);
+    }
+  }
+}
+
+void HandSteering::drive(const sim2d::BodyTwist& twist) {
+  planner_->input()->drive(twist);
+  isHeld_ = true;
+}
+
+void HandSteering::headFor(const base::Vec2& point) {
+  planner_->input()->headFor(point);
+  isHeld_ = true;
+}
+
+void HandSteering::letGo() {
+  isHeld_ = false;
+}
+
+sim2d::StepInputs HandSteering::inputs(const sim2d::Frame& frame) {
+  const sim2d::RobotColumns& robots = frame.robots;
+  const auto found = std::find(robots.id.begin(), robots.id.end(), robot_);
+  if (!isHeld_ || found == robots.id.end()) {
+    return {};
+  }
+  const auto i = static_cast<std::size_t>(found - robots.id.begin());
+  sim2d::Observation seen;
+  seen.pose = {{robots.x[i], robots.y[i]}, robots.heading[i]};
+  seen.time = frame.time;
+  const base::Result<sim2d::BodyTwist> command = planner_->command(seen);
+  sim2d::Input input;
+  input.kind = sim2d::InputKind::Robot;
+  input.id = robot_;
+  input.velocity = {command ? command->linear : 0.0, 0.0};
+  input.omega = command ? command->angular : 0.0;
+  return {input};
+}
+
+}  // namespace app

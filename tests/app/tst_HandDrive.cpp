@@ -1,0 +1,235 @@
+#include <cmath>
+
+#include <QLineEdit>
+
+#include "editor/canvas/FrameLayer.h"
+#include "editor/document/EditCommands.h"
+#include "editor/look/HouseStyle.h"
+#include "editor/panels/ScenarioPanel.h"
+#include "tests/app/Hands.h"
+
+using base::Vec2;
+
+/// A robot driven by keys and by the mouse in a run in the whole window, step by step, so that no
+/// clock counts. The robot of the café is of the general type: 1 m/s, 1 m/s², 1.5 rad/s, 3 rad/s².
+class HandDriveTest : public QObject, protected quiet::InFolder {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<Hands> hands_;
+
+  app::Workspace& workspace() { return window_->workspace(); }
+  editor::SimulationRunner& runner() { return workspace().runner(); }
+  editor::EntityId robot() { return document().entities(base::EntityKind::Robot).front(); }
+  QAction& toggle() { return *workspace().drive().toggle(); }
+  QWindow* handle() { return window_->windowHandle(); }
+
+  void step(int count) {
+    for (int i = 0; i < count; ++i) {
+      const auto before = runner().newestFrame();
+      runner().stepOnce();
+      QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() != before, 60000);
+      QCoreApplication::processEvents();
+    }
+  }
+  /// A run that stands at its beginning, with the robot selected.
+  void begin() {
+    document().setSelection({robot()});
+    step(1);
+    QCOMPARE(runner().newestFrame()->step, std::int64_t{0});
+  }
+  double speed() {
+    const sim2d::RobotColumns& robots = runner().newestFrame()->robots;
+    return std::hypot(robots.vx[0], robots.vy[0]);
+  }
+  Vec2 place() {
+    const sim2d::RobotColumns& robots = runner().newestFrame()->robots;
+    return {robots.x[0], robots.y[0]};
+  }
+  sim2d::StepInputs inputsOf(std::int64_t step) {
+    sim2d::StepInputs inputs;
+    const auto& all = runner().recording()->inputs();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].first == step) {
+        inputs.push_back(all[i].second);
+      }
+    }
+    return inputs;
+  }
+  QPoint inWindow(const Vec2& world) {
+    editor::MapView& view = workspace().view();
+    return view.viewport()->mapTo(window_.get(), view.viewportFrom(world));
+  }
+  void moveHeld(const Vec2& world) {
+    editor::MapView& view = workspace().view();
+    const QPoint at = view.viewportFrom(world);
+    QMouseEvent event(QEvent::MouseMove, at, inWindow(world), view.viewport()->mapToGlobal(at),
+                      Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(view.viewport(), &event);
+  }
+
+ private Q_SLOTS:
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void init() {
+    InFolder::begin();
+    QVERIFY(window_->open(copyOfDemo()));
+    hands_ = std::make_unique<Hands>(*window_);
+  }
+  void cleanup() {
+    runner().reset();
+    hands_.reset();
+    end();
+  }
+
+  void toggle_withoutARunOrARobot_isOff() {
+    QVERIFY(!toggle().isEnabled());
+    begin();
+    QVERIFY(toggle().isEnabled());
+    document().setSelection({document().entities(base::EntityKind::Human).front()});
+    QVERIFY(!toggle().isEnabled());
+    document().setSelection({robot()});
+    QVERIFY(toggle().isEnabled());
+    runner().reset();
+    QVERIFY(!toggle().isEnabled());
+  }
+
+  /// After k steps of 0.05 s at 1 m/s²: 0.05 k m/s; the same way back to nothing.
+  void keyUp_held_drivesAndReleasedBrakes() {
+    begin();
+    hands_->press(Qt::Key_J);
+    QVERIFY(toggle().isChecked());
+    QTest::keyPress(handle(), Qt::Key_Up);
+    step(10);
+    QVERIFY2(std::abs(speed() - 0.5) < 1e-6, qPrintable(QString::number(speed())));
+    const sim2d::StepInputs held = inputsOf(10);
+    QCOMPARE(held.size(), std::size_t{1});
+    QCOMPARE(held[0].kind, sim2d::InputKind::Robot);
+    QCOMPARE(held[0].id, -1);
+    QCOMPARE(held[0].velocity.x(), 1.0);
+    QCOMPARE(held[0].omega, 0.0);
+    QTest::keyRelease(handle(), Qt::Key_Up);
+    step(10);
+    QVERIFY(speed() < 1e-9);
+    QCOMPARE(inputsOf(20).at(0).velocity.x(), 0.0);
+    hands_->press(Qt::Key_Escape);
+    QVERIFY(!toggle().isChecked());
+    step(4);
+    QVERIFY(inputsOf(24).empty());
+    QVERIFY(speed() > 0.1);  // its planner goes on
+  }
+
+  void letters_whileDriving_areNoCommands() {
+    begin();
+    hands_->press(Qt::Key_J);
+    const bool snaps = workspace().scene().options().snapToPoints;
+    QTest::keyPress(handle(), Qt::Key_S);
+    QTest::keyPress(handle(), Qt::Key_A);
+    step(1);
+    QCOMPARE(workspace().scene().options().snapToPoints, snaps);
+    QCOMPARE(inputsOf(1).at(0).velocity.x(), -1.0);
+    QCOMPARE(inputsOf(1).at(0).omega, 1.5);
+    QTest::keyRelease(handle(), Qt::Key_S);
+    QTest::keyRelease(handle(), Qt::Key_A);
+    hands_->press(Qt::Key_J);
+    QVERIFY(!toggle().isChecked());
+    hands_->press(Qt::Key_S);
+    QCOMPARE(workspace().scene().options().snapToPoints, !snaps);
+  }
+
+  void text_typedWhileDriving_hasItsLetters() {
+    begin();
+    hands_->press(Qt::Key_J);
+    QTest::keyPress(handle(), Qt::Key_W);
+    auto* filter = window_->docks().panel<editor::ScenarioPanel>().findChild<QLineEdit*>();
+    hands_->clickOn(*filter, filter->rect().center());
+    QTest::keyClicks(filter, QStringLiteral("wasd"));
+    QCOMPARE(filter->text(), QStringLiteral("wasd"));
+    step(1);
+    QCOMPARE(inputsOf(1).at(0).velocity.x(), 0.0);  // who looks elsewhere brakes
+  }
+
+  void drag_ofTheRobot_pullsItToThePointer() {
+    begin();
+    workspace().view().setFocus();
+    const Vec2 from = place();
+    const Vec2 to = from + Vec2(-3.0, 0.0);  // ahead
+    QTest::mouseMove(handle(), inWindow(from));
+    QTest::mousePress(handle(), Qt::LeftButton, {}, inWindow(from));
+    moveHeld(from + Vec2(-1.0, 0.0));
+    moveHeld(to);
+    const auto& pull = workspace().scene().pull();
+    QVERIFY(pull && pull->robot == -1 && (pull->to - to).norm() < 0.05);
+    step(10);
+    QCOMPARE(inputsOf(10).size(), std::size_t{1});
+    QVERIFY(place().x() < from.x() - 0.1);
+    QVERIFY(std::abs(place().y() - from.y()) < 0.05);
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, inWindow(to));
+    QVERIFY(!workspace().scene().pull());
+    step(1);
+    QVERIFY(inputsOf(11).empty());
+  }
+
+  void drag_ofAPerson_pullsNobody() {
+    begin();
+    const sim2d::HumanColumns& people = runner().newestFrame()->humans;
+    const Vec2 at(people.x[0], people.y[0]);
+    QTest::mouseMove(handle(), inWindow(at));
+    QTest::mousePress(handle(), Qt::LeftButton, {}, inWindow(at));
+    moveHeld(at + Vec2(1.0, 0.0));
+    QVERIFY(!workspace().scene().pull());
+    QTest::mouseRelease(handle(), Qt::LeftButton, {}, inWindow(at + Vec2(1.0, 0.0)));
+  }
+
+  void teleop_untilItIsDriven_stands() {
+    editor::pushChange<sim2d::Robot>(document(), robot(), QStringLiteral("Planner"),
+                                     [](sim2d::Robot& each) { each.planner = "teleop"; });
+    begin();
+    step(5);
+    QVERIFY(speed() < 1e-9);
+    hands_->press(Qt::Key_J);
+    QTest::keyPress(handle(), Qt::Key_Up);
+    step(5);
+    QVERIFY(std::abs(speed() - 0.25) < 1e-6);
+    QTest::keyRelease(handle(), Qt::Key_Up);
+    hands_->press(Qt::Key_J);
+    step(5);
+    QVERIFY(speed() < 1e-9);
+  }
+
+  /// The recorded inputs lead to the same states without a window.
+  void recording_ofADrive_isRepeated() {
+    begin();
+    hands_->press(Qt::Key_J);
+    QTest::keyPress(handle(), Qt::Key_Up);
+    step(6);
+    QTest::keyPress(handle(), Qt::Key_Left);
+    step(6);
+    QTest::keyRelease(handle(), Qt::Key_Up);
+    QTest::keyRelease(handle(), Qt::Key_Left);
+    step(3);
+    hands_->press(Qt::Key_J);
+    step(5);
+    const auto made = editor::runRequestOf(document()).makeWorld();
+    QVERIFY(bool(made));
+    for (std::int64_t k = 1; k <= 20; ++k) {
+      QVERIFY((*made)->step(inputsOf(k)));
+      const sim2d::FramePtr shown = runner().recording()->frame(static_cast<std::size_t>(k));
+      QCOMPARE(shown->step, k);
+      QVERIFY((*made)->frame().robots == shown->robots);
+      QVERIFY((*made)->frame().humans == shown->humans);
+    }
+  }
+
+  void recordedRun_isNotDriven() {
+    begin();
+    step(3);
+    const editor::RecordingPtr recording = runner().recording();
+    workspace().openRecorded(recording, QStringLiteral("run"));
+    document().setSelection({robot()});
+    QVERIFY(!toggle().isEnabled());
+    QVERIFY(!workspace().scene().isPullable());
+  }
+};
+
+QTEST_MAIN(HandDriveTest)
+#include "tst_HandDrive.moc"
