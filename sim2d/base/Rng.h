@@ -24,6 +24,7 @@ enum class Draw : std::uint32_t {
   Detector = 10,
   Mppi = 11,
   Variation = 12,  // of a scenario, between the runs of a batch
+  Bootstrap = 13,  // step = resample, index = place in it
 };
 
 class AgentRng {

@@ -1,0 +1,130 @@
+#include "metrics/statistics/Distributions.h"
+
+#include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/gamma.hpp>
+#include <cmath>
+#include <limits>
+
+namespace statistics {
+
+namespace {
+
+namespace bm = boost::math;
+// What the argument cannot be gives NaN, no exception.
+using Policy = bm::policies::policy<bm::policies::domain_error<bm::policies::ignore_error>,
+                                    bm::policies::pole_error<bm::policies::ignore_error>,
+                                    bm::policies::overflow_error<bm::policies::ignore_error>,
+                                    bm::policies::evaluation_error<bm::policies::ignore_error>>;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kFar = 8.5;  // the normal density beyond is below 1e-16
+
+/// Integral over [low, high] in `pieces` equal pieces of 15 points of Gauss each.
+template <class Function>
+double integrate(Function function, double low, double high, int pieces) {
+  const double width = (high - low) / pieces;
+  double sum = 0.0;
+  for (int k = 0; k < pieces; ++k) {
+    const double from = low + k * width;
+    sum += bm::quadrature::gauss<double, 15>::integrate(function, from, from + width);
+  }
+  return sum;
+}
+
+/// P(range of `groups` standard normal numbers <= q).
+double rangeCdf(double q, int groups) {
+  const auto term = [q, groups](double z) {
+    return normalDensity(z) * std::pow(normalCdf(z) - normalCdf(z - q), groups - 1);
+  };
+  return std::min(1.0, groups * integrate(term, -kFar, kFar + std::min(q, kFar), 16));
+}
+
+/// Logarithm of the density of s, the estimate of a spread of 1: freedom * s² is chi-squared.
+double logSpreadDensity(double s, double freedom) {
+  const double half = freedom / 2.0;
+  return half * std::log(half) + std::log(2.0) - bm::lgamma(half) + (freedom - 1.0) * std::log(s) -
+         half * s * s;
+}
+
+}  // namespace
+
+double normalDensity(double z) {
+  return std::exp(-0.5 * z * z) * 0.39894228040143267794;
+}
+
+double normalCdf(double z) {
+  return 0.5 * std::erfc(-z * 0.70710678118654752440);
+}
+
+double normalTail(double z) {
+  return 0.5 * std::erfc(z * 0.70710678118654752440);
+}
+
+double normalQuantile(double p) {
+  if (p <= 0.0 || p >= 1.0) {
+    return p == 0.0 ? -kInfinity : p == 1.0 ? kInfinity : kNan;
+  }
+  return std::isnan(p) ? kNan : bm::quantile(bm::normal_distribution<double, Policy>(), p);
+}
+
+double studentQuantile(double p, double freedom) {
+  return bm::quantile(bm::students_t_distribution<double, Policy>(freedom), p);
+}
+
+double chiSquaredTail(double x, double freedom) {
+  const bm::chi_squared_distribution<double, Policy> distribution(freedom);
+  return std::isnan(x) ? kNan : bm::cdf(bm::complement(distribution, std::max(0.0, x)));
+}
+
+double fisherTail(double f, double freedom1, double freedom2) {
+  if (std::isinf(f)) {
+    return f > 0.0 ? 0.0 : 1.0;
+  }
+  const bm::fisher_f_distribution<double, Policy> distribution(freedom1, freedom2);
+  return std::isnan(f) ? kNan : bm::cdf(bm::complement(distribution, std::max(0.0, f)));
+}
+
+double binomialCdf(double successes, double n, double p) {
+  if (successes < 0.0 || successes >= n) {
+    return successes < 0.0 ? 0.0 : 1.0;
+  }
+  return bm::cdf(bm::binomial_distribution<double, Policy>(n, p), std::floor(successes));
+}
+
+double studentizedRangeTail(double q, int groups, double freedom) {
+  if (!(q > 0.0)) {
+    return std::isnan(q) ? kNan : 1.0;
+  }
+  if (std::isinf(freedom)) {
+    return std::max(0.0, 1.0 - rangeCdf(q, groups));
+  }
+  const double spread = 8.0 / std::sqrt(2.0 * freedom);  // 8 of its standard deviations
+  const double low = std::max(1e-9, 1.0 - spread);
+  const auto term = [q, groups, freedom](double s) {
+    return std::exp(logSpreadDensity(s, freedom)) * rangeCdf(q * s, groups);
+  };
+  return std::clamp(1.0 - integrate(term, low, 1.0 + spread, 12), 0.0, 1.0);
+}
+
+double studentizedRangeQuantile(double tail, int groups, double freedom) {
+  double low = 0.0;
+  double high = 4.0;
+  while (studentizedRangeTail(high, groups, freedom) > tail && high < 1e6) {
+    high *= 2.0;
+  }
+  constexpr int kHalvings = 50;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = 0.5 * (low + high);
+    (studentizedRangeTail(middle, groups, freedom) > tail ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace statistics
