@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "metrics/statistics/Distributions.h"
 #include "sim2d/base/Rng.h"

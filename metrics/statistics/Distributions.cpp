@@ -43,7 +43,7 @@ double rangeCdf(double q, int groups) {
   const auto term = [q, groups](double z) {
     return normalDensity(z) * std::pow(normalCdf(z) - normalCdf(z - q), groups - 1);
   };
-  return std::min(1.0, groups * integrate(term, -kFar, kFar + std::min(q, kFar), 16));
+  return std::min(1.0, groups * integrate(term, -kFar, kFar + std::min(q, kFar), 8));
 }
 
 /// Logarithm of the density of s, the estimate of a spread of 1: freedom * s² is chi-squared.
@@ -110,7 +110,7 @@ double studentizedRangeTail(double q, int groups, double freedom) {
   const auto term = [q, groups, freedom](double s) {
     return std::exp(logSpreadDensity(s, freedom)) * rangeCdf(q * s, groups);
   };
-  return std::clamp(1.0 - integrate(term, low, 1.0 + spread, 12), 0.0, 1.0);
+  return std::clamp(1.0 - integrate(term, low, 1.0 + spread, 5), 0.0, 1.0);
 }
 
 double studentizedRangeQuantile(double tail, int groups, double freedom) {
@@ -119,7 +119,7 @@ double studentizedRangeQuantile(double tail, int groups, double freedom) {
   while (studentizedRangeTail(high, groups, freedom) > tail && high < 1e6) {
     high *= 2.0;
   }
-  constexpr int kHalvings = 50;
+  constexpr int kHalvings = 36;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = 0.5 * (low + high);
     (studentizedRangeTail(middle, groups, freedom) > tail ? low : high) = middle;

@@ -1,6 +1,7 @@
 #include "metrics/statistics/SampleSize.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "metrics/statistics/Distributions.h"
 

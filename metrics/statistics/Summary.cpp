@@ -1,6 +1,7 @@
 #include "metrics/statistics/Summary.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "metrics/statistics/Distributions.h"
 

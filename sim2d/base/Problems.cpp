@@ -541,7 +541,8 @@ constexpr ProblemText kTexts[] = {
      "an image has no scale yet, so no picture is made of it (open it in the window, or name a map "
      "YAML that uses it)"},
     {"option.picture-not-made", "the picture cannot be encoded"},
-    {"option.picture-format", "cannot draw '{found}' files (use a name that ends in .png)"},
+    {"option.picture-format",
+     "cannot draw '{found}' files (use a name that ends in .png or .html)"},
     {"option.only-foreign", "{option} is for files of other programs, not for the folder of a run"},
     {"option.not-positive", "{option} takes a number above 0"},
     {"option.evaluate-goal", "--robot-goal takes two numbers: \"X Y\" (m), not \"{found}\""},
@@ -590,6 +591,21 @@ constexpr ProblemText kTexts[] = {
     {"experiment.bad-values", "values is a map: path of --set -> list of values"},
     {"experiment.values-no-list", "the values of '{path}' are not a list"},
     {"experiment.bad-record", "record is metrics, failed or all"},
+
+    // Reports on batches.
+    {"report.no-runs", "there are no runs in it"},
+    {"report.columns",
+     "the first line must be run,scenario,seed,...,status,reason,simulated,... (results of a "
+     "batch)"},
+    {"report.column-twice", "there are two columns '{found}', or it has no name"},
+    {"report.status", "status must be ok or failed, not '{found}'"},
+    {"report.run-twice", "run {run} is there twice"},
+    {"report.no-manifest",
+     "is missing: the page cannot tell the versions and files that the batch was run with"},
+    {"report.bad-manifest", "is no manifest of a batch (damaged?)"},
+    {"report.unknown-path", "'{found}' is not varied here (known: {known})"},
+    {"report.weights", "--weights takes KEY=NUMBER,... with numbers from 0 on, not '{found}'"},
+    {"report.pareto", "--pareto takes two keys with a comma between them, not '{found}'"},
 
     // YAML files: shape and typed values.
     {"yaml.not-text", "not a text file in UTF-8"},

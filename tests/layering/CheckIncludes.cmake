@@ -13,7 +13,9 @@ set(allowed_metrics "sim2d/base;sim2d/map;sim2d/trace")
 set(allowed_metrics_statistics "sim2d/base")
 set(core "sim2d/base;sim2d/map;sim2d/nav;sim2d/scenario;sim2d/trace;sim2d/world;bt/tree;bt/engine;bt/human;metrics;metrics/statistics")
 set(allowed_app_run "${core}")
-list(APPEND core app/run)  # all that knows no Qt
+list(APPEND core app/run)
+set(allowed_app_report "${core}")
+list(APPEND core app/report)  # all that knows no Qt
 set(allowed_editor_look "${core}")
 set(allowed_editor_document "${core};editor/look")
 set(allowed_editor_canvas "${allowed_editor_document};editor/document")
@@ -30,7 +32,7 @@ set(third_party "include *<((yaml-cpp|box2d|nlohmann|openssl|Random123|CLI|xsimd
 # Sets `complaint` in the caller; empty = allowed.
 function(check_include folder name line)
   set(complaint "")
-  if(line MATCHES "include *\"((sim2d|bt|editor)/[a-z0-9]+|metrics/statistics|metrics|editor|app/(run|cli|window)|app)/")
+  if(line MATCHES "include *\"((sim2d|bt|editor)/[a-z0-9]+|metrics/statistics|metrics|editor|app/(run|report|cli|window)|app)/")
     set(target ${CMAKE_MATCH_1})
     if(NOT target STREQUAL folder AND NOT target IN_LIST allowed_${name})
       set(complaint "against the layers")

@@ -12,6 +12,7 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/report/Page.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Theme.h"
 #include "sim2d/base/Text.h"
@@ -354,12 +355,20 @@ base::Diagnostics saveImage(const QImage& image, const std::string& path) {
 
 int renderCommand(const RenderOptions& options, const Invocation& given) {
   const std::string ending = base::lowered(fs::path(options.output).extension().string());
-  if (ending != ".png") {
+  if (ending != ".png" && ending != ".html") {
     printError(base::error("option.picture-format", {ending}, options.output).text());
     return ExitWrongCommandLine;
   }
   const base::Result<sim2d::Trace> trace = sim2d::readTrace(options.run);
   requireFine(trace.diagnostics());
+  if (ending == ".html") {
+    const std::string& name = trace->header.scenario;
+    requireFine(base::writeFileAtomically(options.output, report::playerPage(*trace, name)));
+    if (!given.quiet) {
+      printLine(options.output);
+    }
+    return ExitFine;
+  }
   QImage image(kSize, QImage::Format_ARGB32_Premultiplied);
   image.fill(Qt::white);
   QPainter painter(&image);
@@ -382,7 +391,10 @@ void addRender(CommandRegistry& commands) {
   const auto [command, options] =
       commands.add("render", "Draw a recorded run", renderCommand, drawingOf);
   command.add_option("run", options.run, "Folder of the run")->required();
-  command.add_option("-o,--output", options.output, "Picture (.png)")->required();
+  command
+      .add_option("-o,--output", options.output,
+                  "Picture (.png), or a page that plays the run (.html)")
+      ->required();
 }
 
 }  // namespace app

@@ -1,0 +1,162 @@
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+
+#include <QBuffer>
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSvgRenderer>
+
+#include "app/cli/CommandRegistry.h"
+#include "app/cli/Console.h"
+#include "app/report/Page.h"
+#include "sim2d/base/Files.h"
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportOptions {
+  report::Wishes wishes;
+  std::string metrics, pareto, weights;  // words with commas
+  bool noPdf = false;
+};
+
+/// "path_length=2,success=1". What is no number above 0 is told.
+base::Diagnostics readWeights(const std::string& words,
+                              std::vector<std::pair<std::string, double>>& weights) {
+  base::Diagnostics problems;
+  for (const std::string& word : base::split(words, ',')) {
+    const std::size_t equals = word.find('=');
+    const std::string number = equals == std::string::npos ? "" : word.substr(equals + 1);
+    const std::optional<double> weight = base::parseDouble(base::trimmed(number));
+    if (!weight || !(*weight >= 0.0) || *weight > 1e6) {
+      problems.push_back(base::error("report.weights", {word}));
+      continue;
+    }
+    weights.emplace_back(base::trimmed(word.substr(0, equals)), *weight);
+  }
+  return problems;
+}
+
+base::Diagnostics readWords(const ReportOptions& options, report::Wishes& wishes) {
+  base::Diagnostics problems;
+  if (!options.metrics.empty()) {
+    for (const std::string& key : base::split(options.metrics, ',')) {
+      wishes.metrics.push_back(base::trimmed(key));
+    }
+  }
+  if (!options.pareto.empty()) {
+    const std::vector<std::string> keys = base::split(options.pareto, ',');
+    if (keys.size() != 2) {
+      problems.push_back(base::error("report.pareto", {options.pareto}));
+    } else {
+      wishes.paretoX = base::trimmed(keys[0]);
+      wishes.paretoY = base::trimmed(keys[1]);
+    }
+  }
+  if (!options.weights.empty()) {
+    base::append(problems, readWeights(options.weights, wishes.weights));
+  }
+  return problems;
+}
+
+/// The date that Qt writes would make every file another one.
+void forgetDate(QByteArray& pdf) {
+  const int at = pdf.indexOf("/CreationDate (D:");
+  for (int k = at < 0 ? pdf.size() : at + 17; k < pdf.size() && pdf[k] != ')'; ++k) {
+    if (pdf[k] >= '0' && pdf[k] <= '9') {
+      pdf[k] = k == at + 22 || k == at + 24 ? '1' : '0';  // a month and a day that there are
+    }
+  }
+}
+
+/// A figure on a page of its size.
+std::string pdfOf(const std::string& svg) {
+  constexpr double kPointsPerPixel = 0.75;
+  QSvgRenderer renderer(QByteArray::fromStdString(svg));
+  const QSizeF size = renderer.defaultSize();
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  {
+    QPdfWriter writer(&buffer);
+    writer.setPageSize(
+        QPageSize(size * kPointsPerPixel, QPageSize::Point, {}, QPageSize::ExactMatch));
+    writer.setPageMargins(QMarginsF(0, 0, 0, 0));
+    QPainter painter(&writer);
+    renderer.render(&painter);
+  }
+  forgetDate(bytes);
+  return bytes.toStdString();
+}
+
+/// All files of a report, with their paths.
+std::vector<base::FileContent> filesOf(const report::Report& report, const ReportOptions& options) {
+  const fs::path folder = options.wishes.folder;
+  std::vector<base::FileContent> files = {{(folder / "report.html").string(), report.html}};
+  for (const report::Figure& figure : report.figures) {
+    const std::string svg = figure.standalone();
+    files.push_back({(folder / "figures" / (figure.name() + ".svg")).string(), svg});
+    if (!options.noPdf) {
+      files.push_back({(folder / "figures" / (figure.name() + ".pdf")).string(), pdfOf(svg)});
+    }
+  }
+  for (const report::Table& table : report.tables) {
+    const fs::path place = folder / "tables" / table.name;
+    files.push_back({place.string() + ".csv", report::tableCsv(table)});
+    files.push_back({place.string() + ".tex", report::tableLatex(table)});
+  }
+  for (const auto& [name, text] : report.moreTables) {
+    files.push_back({(folder / "tables" / (name + ".csv")).string(), text});
+  }
+  return files;
+}
+
+int reportCommand(const ReportOptions& options, const Invocation& given) {
+  report::Wishes wishes = options.wishes;
+  requireFine(readWords(options, wishes), ExitWrongCommandLine);
+  const base::Result<report::Study> study = report::readStudy(wishes);
+  requireFine(study.diagnostics());
+  std::vector<std::string> words = given.words();
+  words.front() = "hunavsim";
+  const report::Report report = report::makeReport(*study, wishes.weights, words);
+  requireFine(report.problems);
+  requireFine(base::writeFilesTogether(filesOf(report, options)));
+  if (!given.quiet) {
+    printLine((fs::path(options.wishes.folder) / "report.html").string());
+  }
+  return ExitFine;
+}
+
+Drawing drawingOfReport(const ReportOptions& /*options*/) {
+  return Drawing::Pictures;
+}
+
+}  // namespace
+
+void addReport(CommandRegistry& commands) {
+  const auto [command, options] =
+      commands.add("report", "Tables, statistics and pictures of a batch as one page",
+                   reportCommand, drawingOfReport);
+  command.add_option("folder", options.wishes.folder, "Folder of a batch")->required();
+  command.add_option("--metrics", options.metrics,
+                     "Keys to show, with commas (a choice; all are in tables/all_metrics.csv)");
+  command.add_option("--compare", options.wishes.compare,
+                     "Value path to compare, or \"scenario\" (the planner, else the first varied)");
+  command.add_option("--pareto", options.pareto,
+                     "Two keys to weigh against each other "
+                     "(time_to_reach_goal,minimum_distance_to_people)");
+  command.add_option("--weights", options.weights, "KEY=WEIGHT,… of a composite (none)");
+  command.add_option("--level", options.wishes.level, "Of intervals (0.95)")
+      ->check(CLI::Range(0.5, 0.999));
+  command.add_option("--resamples", options.wishes.resamples, "Of the bootstrap (2000)")
+      ->check(CLI::Range(100, 100000));
+  command.add_flag("--no-pdf", options.noPdf, "Figures as SVG alone");
+}
+
+}  // namespace app

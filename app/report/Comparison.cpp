@@ -1,0 +1,217 @@
+#include "app/report/Comparison.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "metrics/statistics/Bootstrap.h"
+#include "metrics/statistics/Effects.h"
+#include "metrics/statistics/Paired.h"
+#include "metrics/statistics/Rates.h"
+#include "metrics/statistics/SampleSize.h"
+
+namespace report {
+
+namespace {
+
+Estimate estimateOf(const Study& study, const Metric& metric, Numbers values) {
+  Estimate estimate;
+  estimate.values = std::move(values);
+  const Numbers& all = estimate.values;
+  estimate.mean = statistics::mean(all);
+  estimate.deviation = statistics::standardDeviation(all);
+  estimate.median = statistics::median(all);
+  if (metric.isRate) {
+    estimate.successes = static_cast<int>(std::count(all.begin(), all.end(), 1.0));
+    estimate.interval =
+        statistics::wilsonInterval(estimate.successes, estimate.count(), study.level);
+    return estimate;
+  }
+  statistics::BootstrapOptions options;
+  options.level = study.level;
+  options.resamples = study.resamples;
+  estimate.interval = statistics::bootstrapMeanInterval(all, options);
+  estimate.medianInterval = statistics::medianInterval(all, study.level);
+  return estimate;
+}
+
+void testPair(const Study& study, const Metric& metric, PairResult& pair) {
+  const Numbers& differences = pair.differences;
+  const double mean = statistics::mean(differences);
+  const double deviation = statistics::standardDeviation(differences);
+  if (metric.isRate) {
+    statistics::BootstrapOptions options;
+    options.level = study.level;
+    options.resamples = study.resamples;
+    pair.shift = mean;
+    pair.shiftInterval = statistics::bootstrapMeanInterval(differences, options);
+    pair.p = statistics::mcNemarP(pair.higher, pair.lower);
+    pair.enoughPairs = statistics::pairsForMean(mean, deviation);
+    return;
+  }
+  pair.shift = statistics::pairedShift(differences);
+  pair.shiftInterval = statistics::pairedShiftInterval(differences, study.level);
+  pair.p = statistics::signedRank(differences, statistics::Zeros::Pratt).p;
+  pair.enoughPairs = statistics::pairsForSignedRank(statistics::chanceOfPositiveSum(differences));
+}
+
+PairResult pairOfOptions(const Study& study, std::size_t metric, std::size_t first,
+                         std::size_t second, const std::vector<std::vector<std::size_t>>& blocks) {
+  PairResult pair;
+  pair.first = first;
+  pair.second = second;
+  for (const auto& block : blocks) {
+    if (block[first] >= study.runCount() || block[second] >= study.runCount()) {
+      continue;
+    }
+    const double difference =
+        valueOf(study, metric, block[first]) - valueOf(study, metric, block[second]);
+    if (!std::isnan(difference)) {
+      pair.differences.push_back(difference);
+      pair.higher += difference > 0.0 ? 1 : 0;
+      pair.lower += difference < 0.0 ? 1 : 0;
+    }
+  }
+  testPair(study, study.metrics[metric], pair);
+  return pair;
+}
+
+/// Blocks in which every option has a value.
+std::vector<Numbers> completeBlocks(const Study& study, std::size_t metric,
+                                    const std::vector<std::vector<std::size_t>>& blocks) {
+  std::vector<Numbers> complete;
+  for (const auto& block : blocks) {
+    Numbers values;
+    for (const std::size_t run : block) {
+      const double value =
+          run < study.runCount() ? valueOf(study, metric, run) : statistics::kUndefined;
+      if (!std::isnan(value)) {
+        values.push_back(value);
+      }
+    }
+    if (values.size() == block.size()) {
+      complete.push_back(std::move(values));
+    }
+  }
+  return complete;
+}
+
+void findBest(const Metric& metric, MetricComparison& comparison) {
+  const std::vector<Estimate>& estimates = comparison.estimates;
+  comparison.differs.assign(estimates.size(), false);
+  if (metric.sense == 0 || estimates.size() < 2) {
+    return;
+  }
+  bool isAnyOther = false;
+  for (std::size_t option = 0; option < estimates.size(); ++option) {
+    const double mean = estimates[option].mean;
+    if (std::isnan(mean)) {
+      continue;
+    }
+    const double lead =
+        comparison.best ? (mean - estimates[*comparison.best].mean) * metric.sense : 1.0;
+    isAnyOther = isAnyOther || (comparison.best && lead != 0.0);
+    comparison.best = lead > 0.0 ? option : comparison.best;
+  }
+  if (!isAnyOther) {
+    comparison.best.reset();
+    return;
+  }
+  for (const PairResult& pair : comparison.pairs) {
+    if (pair.adjusted < kSignificance &&
+        (pair.first == *comparison.best || pair.second == *comparison.best)) {
+      comparison.differs[pair.first == *comparison.best ? pair.second : pair.first] = true;
+    }
+  }
+}
+
+}  // namespace
+
+const PairResult* MetricComparison::pairOf(std::size_t a, std::size_t b) const {
+  for (const PairResult& pair : pairs) {
+    if ((pair.first == a && pair.second == b) || (pair.first == b && pair.second == a)) {
+      return &pair;
+    }
+  }
+  return nullptr;
+}
+
+double valueOf(const Study& study, std::size_t metric, std::size_t run) {
+  const double value = study.valuesOf(metric)[run];
+  const Metric& what = study.metrics[metric];
+  const bool failsToo = !study.results.runs[run].ok && what.isRate && what.sense > 0;
+  return std::isnan(value) && failsToo ? 0.0 : value;
+}
+
+std::vector<std::vector<std::size_t>> blocksOf(const Study& study) {
+  std::map<std::pair<std::size_t, long long>, std::size_t> places;
+  std::vector<std::vector<std::size_t>> blocks;
+  for (std::size_t run = 0; run < study.runCount(); ++run) {
+    const auto [place, isNew] =
+        places.try_emplace({study.caseOf[run], study.results.runs[run].seed}, blocks.size());
+    if (isNew) {
+      blocks.emplace_back(study.options.size(), study.runCount());
+    }
+    std::size_t& slot = blocks[place->second][study.optionOf[run]];
+    slot = std::min(slot, run);  // of values that the experiment lists twice the first
+  }
+  return blocks;
+}
+
+MetricComparison compare(const Study& study, std::size_t metric,
+                         const std::vector<std::vector<std::size_t>>& blocks) {
+  MetricComparison comparison;
+  comparison.metric = metric;
+  std::vector<Numbers> values(study.options.size());
+  for (std::size_t run = 0; run < study.runCount(); ++run) {
+    const double value = valueOf(study, metric, run);
+    if (!std::isnan(value)) {
+      values[study.optionOf[run]].push_back(value);
+    }
+  }
+  for (Numbers& each : values) {
+    comparison.estimates.push_back(estimateOf(study, study.metrics[metric], std::move(each)));
+  }
+  Numbers ps;
+  for (std::size_t first = 0; first < study.options.size(); ++first) {
+    for (std::size_t second = first + 1; second < study.options.size(); ++second) {
+      comparison.pairs.push_back(pairOfOptions(study, metric, first, second, blocks));
+      PairResult& pair = comparison.pairs.back();
+      pair.delta = statistics::cliffsDelta(comparison.estimates[first].values,
+                                           comparison.estimates[second].values);
+      ps.push_back(pair.p);
+    }
+  }
+  const Numbers adjusted = statistics::holm(ps);
+  for (std::size_t k = 0; k < adjusted.size(); ++k) {
+    comparison.pairs[k].adjusted = adjusted[k];
+  }
+  if (study.options.size() > 2) {
+    const std::vector<Numbers> complete = completeBlocks(study, metric, blocks);
+    if (complete.size() > 1) {
+      comparison.friedman = statistics::friedman(complete);
+      comparison.criticalDifference = statistics::nemenyiDifference(
+          comparison.friedman->options, comparison.friedman->blocks, 1.0 - kSignificance);
+    }
+  }
+  findBest(study.metrics[metric], comparison);
+  return comparison;
+}
+
+int decimalsFor(const std::vector<Estimate>& estimates, bool isRate) {
+  if (isRate) {
+    return 2;
+  }
+  double spread = 0.0;
+  double size = 0.0;
+  for (const Estimate& estimate : estimates) {
+    const double half = 0.5 * (estimate.interval.high - estimate.interval.low);
+    spread = half > 0.0 && (spread == 0.0 || half < spread) ? half : spread;
+    size = std::isnan(estimate.mean) ? size : std::max(size, std::abs(estimate.mean));
+  }
+  const double unit = spread > 0.0 ? spread : size > 0.0 ? size / 10.0 : 1.0;
+  return std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(unit))), 0, 4);
+}
+
+}  // namespace report

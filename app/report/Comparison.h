@@ -1,0 +1,66 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/report/Study.h"
+#include "metrics/statistics/Family.h"
+#include "metrics/statistics/Summary.h"
+
+namespace report {
+
+using statistics::Interval;
+
+/// One metric of one option over all its runs.
+struct Estimate {
+  Numbers values;     // defined ones, in the order of the runs
+  int successes = 0;  // of a rate
+  double mean = statistics::kUndefined, deviation = statistics::kUndefined;
+  double median = statistics::kUndefined;
+  Interval interval;        // of the mean: BCa; of a rate: Wilson
+  Interval medianInterval;  // by order statistics
+  int count() const { return static_cast<int>(values.size()); }
+};
+
+/// Two options on the same blocks (case and seed).
+struct PairResult {
+  std::size_t first = 0, second = 0;      // options
+  Numbers differences;                    // first - second, per block that has both
+  int higher = 0, lower = 0;              // blocks in which the first is; the others tie
+  double shift = statistics::kUndefined;  // Hodges-Lehmann; of a rate the difference of the rates
+  Interval shiftInterval;
+  double p = 1.0;                               // signed-rank, of a rate McNemar
+  double adjusted = 1.0;                        // by Holm over all pairs of the metric
+  double delta = statistics::kUndefined;        // Cliff's
+  double enoughPairs = statistics::kUndefined;  // for 80 % power with such differences
+};
+
+/// One metric over all options.
+struct MetricComparison {
+  std::size_t metric = 0;           // place in the study
+  std::vector<Estimate> estimates;  // per option
+  std::vector<PairResult> pairs;    // of all two options
+  std::optional<std::size_t> best;  // option; none: the metric is neutral, or all are equal
+  std::vector<bool> differs;        // per option: significantly from the best
+  std::optional<statistics::Friedman> friedman;  // three options and two complete blocks or more
+  double criticalDifference = statistics::kUndefined;  // of mean ranks, Nemenyi
+
+  /// The pair of two options, whichever comes first; null: there is none.
+  const PairResult* pairOf(std::size_t a, std::size_t b) const;
+};
+
+constexpr double kSignificance = 0.05;
+
+/// The value of a metric in a run; a failed run succeeds and completes nothing.
+double valueOf(const Study& study, std::size_t metric, std::size_t run);
+
+/// Runs by block (case and seed): per option its run, or runCount() where there is none.
+std::vector<std::vector<std::size_t>> blocksOf(const Study& study);
+
+MetricComparison compare(const Study& study, std::size_t metric,
+                         const std::vector<std::vector<std::size_t>>& blocks);
+
+/// Decimals with which numbers of that spread are written: the spread keeps two digits.
+int decimalsFor(const std::vector<Estimate>& estimates, bool isRate);
+
+}  // namespace report

@@ -1,0 +1,267 @@
+#include "app/report/Markup.h"
+
+#include <cmath>
+#include <utility>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/Csv.h"
+
+namespace report {
+
+namespace {
+
+constexpr const char* kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
+/// Bytes of the UTF-8 character that begins at `at`; 0: none does.
+std::size_t characterLength(std::string_view text, std::size_t at) {
+  const auto byte = static_cast<unsigned char>(text[at]);
+  const std::size_t length = byte < 0x80   ? 1
+                             : byte < 0xC2 ? 0
+                             : byte < 0xE0 ? 2
+                             : byte < 0xF0 ? 3
+                             : byte < 0xF5 ? 4
+                                           : 0;
+  if (length == 0 || at + length > text.size()) {
+    return 0;
+  }
+  for (std::size_t k = 1; k < length; ++k) {
+    if ((static_cast<unsigned char>(text[at + k]) & 0xC0U) != 0x80U) {
+      return 0;
+    }
+  }
+  return length;
+}
+
+std::string entityOf(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    default:
+      return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r'
+                 ? kReplacement
+                 : std::string(1, c);
+  }
+}
+
+std::string rounded(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  const double whole = std::round(value * scale);
+  if (std::abs(whole) > 1e15) {
+    return base::formatDouble(value);
+  }
+  const bool isNegative = whole < 0.0;
+  std::string digits = std::to_string(static_cast<long long>(std::abs(whole)));
+  const auto places = static_cast<std::size_t>(decimals);
+  if (places > 0) {
+    digits.insert(0, digits.size() <= places ? places + 1 - digits.size() : 0, '0');
+    digits.insert(digits.size() - places, ".");
+  }
+  return (isNegative ? "-" : "") + digits;
+}
+
+std::string cellHtml(const Table::Cell& cell, const Table::Column& column) {
+  std::string content = cell.markup.empty() ? escaped(cell.text) : cell.markup;
+  if (cell.bold) {
+    content = element("b", "", content);
+  }
+  if (!cell.mark.empty()) {
+    content += element("sup", "", escaped(cell.mark));
+  }
+  if (!cell.below.empty()) {
+    content += element("small", "", escaped(cell.below));
+  }
+  std::string attributes = column.isNumber ? " class=\"n\"" : "";
+  if (!cell.sort.empty()) {
+    attributes += " data-sort=\"" + escaped(cell.sort) + "\"";
+  }
+  return element("td", attributes, content.empty() ? "–" : content);
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  result.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = characterLength(text, at);
+    if (length <= 1) {
+      result += length == 0 ? kReplacement : entityOf(text[at]);
+      ++at;
+    } else {
+      result += text.substr(at, length);
+      at += length;
+    }
+  }
+  return result;
+}
+
+std::string scriptSafe(std::string_view json) {
+  std::string result;
+  result.reserve(json.size());
+  for (const char c : json) {
+    result += c == '<'   ? "\\u003c"
+              : c == '>' ? "\\u003e"
+              : c == '&' ? "\\u0026"
+                         : std::string(1, c);
+  }
+  return result;
+}
+
+std::string latexText(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) {
+      result += '\\';
+      result += c;
+    } else if (c == '~' || c == '^' || c == '\\') {
+      result += c == '~'   ? "\\textasciitilde{}"
+                : c == '^' ? "\\textasciicircum{}"
+                           : "\\textbackslash{}";
+    } else if (c == '<' || c == '>') {
+      result += c == '<' ? "$<$" : "$>$";
+    } else {
+      result += c;
+    }
+  }
+  const auto replace = [&result](const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = result.find(from, at)) != std::string::npos; at += to.size()) {
+      result.replace(at, from.size(), to);
+    }
+  };
+  replace("−", "$-$");
+  replace("–", "--");
+  replace("²", "$^2$");
+  replace("³", "$^3$");
+  replace("†", "$^\\dagger$");
+  replace("δ", "$\\delta$");
+  replace("×", "$\\times$");
+  return result;
+}
+
+std::string numberText(double value, int decimals) {
+  if (std::isnan(value)) {
+    return "–";
+  }
+  std::string text = rounded(value, decimals);
+  return text[0] == '-' ? "−" + text.substr(1) : text;
+}
+
+std::string plainNumber(double value, int decimals) {
+  return std::isnan(value) ? std::string() : rounded(value, decimals);
+}
+
+std::string pText(double p) {
+  if (std::isnan(p)) {
+    return "–";
+  }
+  return p < 0.001 ? "< 0.001" : p >= 0.9995 ? "1" : rounded(p, 3);
+}
+
+std::string element(const char* name, const std::string& attributes, const std::string& content) {
+  const std::string begin = std::string("<") + name + attributes;
+  return content.empty() ? begin + "/>" : begin + ">" + content + "</" + name + ">";
+}
+
+std::string tableHtml(const Table& table, const std::string& htmlClass) {
+  std::string head;
+  for (const Table::Column& column : table.columns) {
+    std::string title = escaped(column.title);
+    if (!column.unit.empty()) {
+      title += " " + element("i", "", escaped(column.unit));
+    }
+    head += element("th", column.isNumber ? " class=\"n\" scope=\"col\"" : " scope=\"col\"",
+                    title.empty() ? "&#160;" : title);
+  }
+  std::string rows;
+  for (const std::vector<Table::Cell>& row : table.rows) {
+    std::string cells;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      cells += cellHtml(row[k], table.columns[k]);
+    }
+    rows += element("tr", "", cells) + "\n";
+  }
+  return "<div class=\"wide\"><table class=\"sortable " + htmlClass + "\">\n" +
+         element("caption", "", escaped(table.caption)) +
+         element("thead", "", element("tr", "", head)) + "\n<tbody>\n" + rows +
+         "</tbody></table></div>\n";
+}
+
+std::string tableLatex(const Table& table) {
+  std::string text = "% \\usepackage{booktabs}\n\\begin{table}\n  \\centering\n  \\caption{" +
+                     latexText(table.caption) + "}\n  \\begin{tabular}{";
+  std::string head;
+  for (const Table::Column& column : table.columns) {
+    text += column.isNumber ? 'r' : 'l';
+    head += (head.empty() ? "" : " & ") + latexText(column.title) +
+            (column.unit.empty() ? "" : " [" + latexText(column.unit) + "]");
+  }
+  text += "}\n    \\toprule\n    " + head + " \\\\\n    \\midrule\n";
+  for (const std::vector<Table::Cell>& row : table.rows) {
+    std::string line;
+    for (const Table::Cell& cell : row) {
+      std::string words = latexText(cell.text);
+      words = cell.bold ? "\\textbf{" + words + "}" : words;
+      words += cell.mark.empty() ? "" : latexText(cell.mark);
+      words += cell.below.empty() ? "" : " {\\footnotesize " + latexText(cell.below) + "}";
+      line += (&cell == &row.front() ? "" : " & ") + words;
+    }
+    text += "    " + line + " \\\\\n";
+  }
+  return text + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
+}
+
+std::string tableCsv(const Table& table) {
+  std::vector<bool> hasBelow(table.columns.size(), false);
+  for (const std::vector<Table::Cell>& row : table.rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      hasBelow[k] = hasBelow[k] || !row[k].below.empty();
+    }
+  }
+  const auto plain = [](std::string text) {
+    for (std::size_t at = 0; (at = text.find("−", at)) != std::string::npos; ++at) {
+      text.replace(at, std::string("−").size(), "-");
+    }
+    return text;
+  };
+  std::vector<std::vector<std::string>> rows(1);
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    const Table::Column& column = table.columns[k];
+    rows.front().push_back(column.title + (column.unit.empty() ? "" : " [" + column.unit + "]"));
+    if (hasBelow[k]) {
+      rows.front().push_back(column.title + " interval");
+    }
+  }
+  for (const std::vector<Table::Cell>& row : table.rows) {
+    std::vector<std::string> fields;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      fields.push_back(plain(row[k].text + row[k].mark));
+      if (hasBelow[k]) {
+        fields.push_back(plain(row[k].below));
+      }
+    }
+    rows.push_back(std::move(fields));
+  }
+  return csvText(rows);
+}
+
+std::string csvText(const std::vector<std::vector<std::string>>& rows) {
+  std::string text;
+  for (const std::vector<std::string>& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      text += k > 0 ? "," : "";
+      sim2d::appendCsvField(text, row[k]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace report

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Pieces of text of which pages, figures and tables are made.
+namespace report {
+
+/// With & < > " ' as entities: for text and attributes of XML and HTML. Bytes that XML does not
+/// take become U+FFFD.
+std::string escaped(std::string_view text);
+/// JSON text that can stand inside a script element of a well-formed page.
+std::string scriptSafe(std::string_view json);
+/// For LaTeX: what it would take for commands is escaped.
+std::string latexText(std::string_view text);
+
+/// Rounded, a true minus sign, exactly so many decimals: "−1.50". NaN: "–".
+std::string numberText(double value, int decimals);
+/// The same with an ASCII minus, for files: "-1.50"; NaN: empty.
+std::string plainNumber(double value, int decimals);
+/// Of a p value: "< 0.001", "0.012", "1".
+std::string pText(double p);
+/// "<name attributes>content</name>"; without content "<name attributes/>".
+std::string element(const char* name, const std::string& attributes, const std::string& content);
+
+/// A table to be shown, and to be written as CSV and LaTeX.
+struct Table {
+  struct Column {
+    std::string title;
+    std::string unit;
+    bool isNumber = true;  // right aligned, sorted by number
+  };
+  struct Cell {
+    std::string text;        // as shown
+    std::string below = {};  // small, in a second line: an interval
+    std::string sort = {};   // what a click sorts by; empty = the text
+    std::string mark = {};   // "†": a note of the caption
+    bool bold = false;
+    std::string markup = {};  // instead of text, as it is: a button
+  };
+  std::string name;     // of files: "results"
+  std::string caption;  // plain text
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows;
+};
+std::string tableHtml(const Table& table, const std::string& htmlClass = {});
+std::string tableLatex(const Table& table);  // booktabs
+std::string tableCsv(const Table& table);    // ASCII minus; intervals in columns of their own
+
+/// Rows of plain fields as CSV.
+std::string csvText(const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace report

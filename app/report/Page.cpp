@@ -1,0 +1,409 @@
+#include "app/report/Page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "app/report/PageTexts.h"
+#include "app/report/Plots.h"
+#include "app/report/Tables.h"
+#include "app/run/DataPaths.h"
+#include "sim2d/base/Text.h"
+
+namespace report {
+
+namespace {
+
+constexpr double kFineStep = 0.1;  // [s] between samples of a page with one run
+
+std::string replaced(std::string text, const std::string& hole, const std::string& by) {
+  const std::size_t at = text.find(hole);
+  return at == std::string::npos ? text : text.replace(at, hole.size(), by);
+}
+
+std::string paragraph(const std::string& words, const std::string& attributes = {}) {
+  return element("p", attributes, escaped(words)) + "\n";
+}
+
+std::string counted(std::size_t count, const std::string& word) {
+  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
+/// Makes the page of a study, section by section.
+class PageMaker {
+ public:
+  PageMaker(const Study& study, const std::vector<std::pair<std::string, double>>& weights,
+            const std::vector<std::string>& command)
+      : study_(study), weights_(weights), command_(command), blocks_(blocksOf(study)) {
+    for (const std::size_t metric : study.shown) {
+      comparisons_.push_back(compare(study, metric, blocks_));
+    }
+    findFailures();
+    pictures_ = readRunPictures(study, failures_);
+    report_.problems = pictures_.problems;
+  }
+
+  Report make() {
+    writeTitle();
+    writeResults();
+    writeFigures();
+    writePairs();
+    writeCases();
+    writeRuns();
+    writeFailures();
+    writeMethods();
+    report_.moreTables.emplace_back("all_metrics", allMetricsCsv(study_));
+    report_.html = wholePage(study_.title, head_ + navigation() + body_, hasPlayer_);
+    return std::move(report_);
+  }
+
+ private:
+  /// Runs that ended with an error, and those without success.
+  void findFailures() {
+    std::size_t key = study_.results.keyAt("success");
+    key = key < study_.results.keys.size() ? key : study_.results.keyAt("completed");
+    for (std::size_t run = 0; run < study_.runCount(); ++run) {
+      const bool hasKey = key < study_.results.keys.size();
+      if (!study_.results.runs[run].ok || (hasKey && study_.valuesOf(key)[run] == 0.0)) {
+        failures_.push_back(run);
+      }
+    }
+  }
+
+  void section(const std::string& id, const std::string& title) {
+    sections_.emplace_back(id, title);
+    body_ += "<h2 id=\"" + id + "\">" + escaped(title) + "</h2>\n";
+  }
+
+  std::string navigation() const {
+    std::string links;
+    for (const auto& [id, title] : sections_) {
+      links += "<a href=\"#" + id + "\">" + escaped(title) + "</a> ";
+    }
+    return "<nav>" + links + "</nav>\n";
+  }
+
+  void add(const std::optional<Figure>& figure) {
+    if (!figure) {
+      return;
+    }
+    report_.figures.push_back(*figure);
+    body_ += "<figure>\n" + figure->markup() + "<figcaption>" +
+             element("b", "", "Figure " + std::to_string(report_.figures.size()) + ".") + " " +
+             escaped(figure->caption) + "</figcaption>\n</figure>\n";
+  }
+  void add(const std::optional<Table>& table, const std::string& htmlClass = {}) {
+    if (!table) {
+      return;
+    }
+    report_.tables.push_back(*table);
+    body_ += tableHtml(*table, htmlClass);
+  }
+
+  void writeTitle() {
+    std::set<long long> seeds;
+    std::set<std::string> scenarios;
+    for (const Results::Run& run : study_.results.runs) {
+      seeds.insert(run.seed);
+      scenarios.insert(run.scenario);
+    }
+    head_ += element("h1", "", escaped(study_.title)) + "\n";
+    std::string lead = counted(study_.runCount(), "run") + " of " +
+                       counted(scenarios.size(), "scenario") + " with " +
+                       counted(seeds.size(), "seed");
+    if (study_.options.size() > 1) {
+      lead += ", " + std::to_string(study_.options.size()) + " options of " + study_.compared +
+              " side by side";
+    }
+    head_ += paragraph(lead + ".", " class=\"lead\"");
+    if (study_.status == "interrupted") {
+      head_ += paragraph("The batch was interrupted: only the runs that had ended are here.");
+    }
+    std::string findings;
+    for (const MetricComparison& comparison : comparisons_) {
+      const std::string words = finding(comparison);
+      if (!words.empty()) {
+        findings += element("li", "", words) + "\n";
+      }
+    }
+    if (!findings.empty()) {
+      head_ += element("ul", "", "\n" + findings) + "\n";
+    }
+  }
+
+  /// "Path length: best is dwa (7.1 m), better than pursuit; not clearly better than mppi."
+  std::string finding(const MetricComparison& comparison) const {
+    if (!comparison.best) {
+      return {};
+    }
+    const Metric& metric = study_.metrics[comparison.metric];
+    const std::size_t best = *comparison.best;
+    const int decimals = decimalsFor(comparison.estimates, metric.isRate);
+    std::vector<std::string> beaten;
+    std::vector<std::string> close;
+    for (std::size_t option = 0; option < study_.options.size(); ++option) {
+      if (option != best) {
+        (comparison.differs[option] ? beaten : close).push_back(study_.options[option]);
+      }
+    }
+    const auto names = [](const std::vector<std::string>& all) {
+      constexpr std::size_t kMostNames = 6;
+      return all.size() > kMostNames ? std::to_string(all.size()) + " others"
+                                     : base::join(all, ", ");
+    };
+    const std::string unit = metric.unit.empty() || metric.unit == "-" ? "" : " " + metric.unit;
+    std::string words =
+        element("b", "", escaped(metric.name)) + ": best is " + escaped(study_.options[best]) +
+        " (" + escaped(estimateText(metric, comparison.estimates[best].mean, decimals) + unit) +
+        ")";
+    words += beaten.empty() ? "" : ", better than " + escaped(names(beaten));
+    words += close.empty() ? ""
+                           : (beaten.empty() ? ", " : "; ") +
+                                 std::string("not clearly different from ") + escaped(names(close));
+    return words + ".";
+  }
+
+  void writeResults() {
+    section("results", "Results");
+    add(resultsTable(study_, comparisons_, weights_));
+    add(ratesFigure(study_, comparisons_));
+    add(intervalsFigure(study_, comparisons_));
+    add(mediansTable(study_, comparisons_));
+  }
+
+  void writeFigures() {
+    const std::optional<Figure> distribution = distributionFigure(study_, comparisons_);
+    if (distribution) {
+      section("distributions", "All runs");
+      add(distribution);
+    }
+    if (study_.pareto) {
+      const std::optional<Figure> front = paretoFigure(study_, comparisonOf(study_.pareto->first),
+                                                       comparisonOf(study_.pareto->second));
+      if (front) {
+        section("pareto", "Trade-off");
+        add(front);
+      }
+    }
+  }
+
+  MetricComparison comparisonOf(std::size_t metric) const {
+    for (const MetricComparison& comparison : comparisons_) {
+      if (comparison.metric == metric) {
+        return comparison;
+      }
+    }
+    return compare(study_, metric, blocks_);
+  }
+
+  void writePairs() {
+    if (study_.options.size() < 2) {
+      return;
+    }
+    section("pairs", "Paired comparisons");
+    add(differencesFigure(study_, comparisons_));
+    const Table all = pairsTable(study_, comparisons_, true);
+    body_ += tableHtml(pairsTable(study_, comparisons_, false));
+    report_.tables.push_back(all);
+    const std::optional<Table> family = familyTable(study_, comparisons_);
+    if (family) {
+      section("ranks", "All options at once");
+      add(ranksFigure(study_, comparisons_));
+      add(family);
+    }
+  }
+
+  void writeCases() {
+    if (study_.cases.size() < 2 || study_.shown.empty()) {
+      return;
+    }
+    const std::optional<Figure> figure = difficultyFigure(study_, study_.shown.front());
+    if (figure) {
+      section("difficulty", "Difficulty");
+      add(figure);
+    }
+  }
+
+  void writeRuns() {
+    const std::optional<Figure> ways = waysFigure(study_, pictures_);
+    const std::optional<Figure> contacts = contactsFigure(study_, pictures_);
+    if (ways || contacts) {
+      section("trajectories", "On the map");
+      add(ways);
+      add(contacts);
+    }
+  }
+
+  void writeFailures() {
+    std::vector<std::size_t> played;
+    std::vector<std::string> data;
+    for (const RunPicture& picture : pictures_.runs) {
+      if (!picture.player.empty()) {
+        played.push_back(picture.run);
+        data.push_back(picture.player);
+      }
+    }
+    constexpr std::size_t kMostRows = 200;
+    const bool isCut = failures_.size() > kMostRows;
+    std::vector<std::size_t> told = failures_;
+    told.resize(std::min(told.size(), kMostRows));
+    section("failures", "Failures");
+    if (failures_.empty()) {
+      body_ += paragraph("Every run succeeded.");
+    } else {
+      Table table = failuresTable(study_, told, played);
+      table.caption = counted(failures_.size(), "run") + " of " +
+                      std::to_string(study_.runCount()) + " without success" +
+                      (isCut ? "; the first " + std::to_string(kMostRows) +
+                                   " are listed, the others are in tables/failures.csv."
+                             : ".") +
+                      " The command shows the run in the window.";
+      body_ += tableHtml(table, "failures");
+      report_.tables.push_back(failuresTable(study_, failures_, {}));
+      report_.tables.back().caption = "Runs without success.";
+    }
+    if (pictures_.kept == 0) {
+      body_ += paragraph(
+          "No folders of runs were kept, so no run can be drawn or played here (record: all or "
+          "record: failed in the experiment keeps them).");
+    }
+    hasPlayer_ = !data.empty();
+    if (hasPlayer_) {
+      body_ += playerMarkup(data);
+    }
+  }
+
+  void writeMethods() {
+    section("methods", "Methods");
+    for (const char* words : kMethods) {
+      body_ += paragraph(words);
+    }
+    body_ += paragraph("Intervals are of " + numberText(100.0 * study_.level, 0) + " %, " +
+                       std::to_string(study_.resamples) +
+                       " resamples of the bootstrap, seed 1. Blocks are cases with one seed; " +
+                       std::to_string(blocks_.size()) + " here.");
+    std::string facts;
+    const auto fact = [&facts](const std::string& name, const std::string& value) {
+      if (!value.empty()) {
+        facts += element("dt", "", escaped(name)) +
+                 element("dd", "", element("code", "", escaped(value))) + "\n";
+      }
+    };
+    fact("Batch by", study_.version.empty() ? std::string("not known (no manifest)")
+                                            : "hunavsim " + study_.version + " " + study_.commit);
+    fact("Report by", "hunavsim " + app::programVersion() + " " + app::programCommit());
+    fact("results.csv", study_.resultsHash);
+    for (const Study::Input& input : study_.inputs) {
+      fact(input.path, input.sha256);
+    }
+    fact("Seeds", seedsText());
+    body_ += element("dl", "", "\n" + facts) + "\n";
+    std::string commands;
+    if (!study_.inputs.empty()) {
+      commands +=
+          shellText({"hunavsim", "batch", study_.inputs.front().path, "-o", study_.folder}) + "\n";
+    }
+    commands += shellText(command_);
+    body_ += "<pre>" + element("code", "", escaped(commands)) + "</pre>\n";
+  }
+
+  /// "1 to 20", or a list.
+  std::string seedsText() const {
+    std::set<long long> seeds;
+    for (const Results::Run& run : study_.results.runs) {
+      seeds.insert(run.seed);
+    }
+    const long long span = *seeds.rbegin() - *seeds.begin() + 1;
+    if (seeds.size() > 2 && span == static_cast<long long>(seeds.size())) {
+      return std::to_string(*seeds.begin()) + " to " + std::to_string(*seeds.rbegin());
+    }
+    std::vector<std::string> words;
+    for (const long long seed : seeds) {
+      words.push_back(std::to_string(seed));
+    }
+    return base::join(words, ", ");
+  }
+
+  static constexpr const char* kMethods[] = {
+      "A value is one metric of one run. What a run leaves undefined, such as the time to a goal "
+      "that is not reached, is left out, and n says how many values are left; a run that ended "
+      "with "
+      "an error counts as one without success. Means have bias-corrected and accelerated bootstrap "
+      "intervals (Efron 1987), rates Wilson's (Wilson 1927), medians those between order "
+      "statistics "
+      "(Conover 1999).",
+      "Options are compared on the same case and seed. The test of a pair is Wilcoxon's "
+      "signed-rank test, two-sided, zeros by Pratt's rule, exact up to 50 pairs without ties and "
+      "zeros, else normal with corrections for ties and continuity; of rates McNemar's exact test. "
+      "p values are adjusted by Holm's method over all pairs of one metric. The typical difference "
+      "is the estimate of Hodges and Lehmann with its interval (of rates the difference with a "
+      "bootstrap interval), the effect size is Cliff's delta over all values. Several metrics are "
+      "several families: the chance of a false finding holds for each of them.",
+      "With three options or more Friedman's test comes first (with ties; F of Iman and Davenport "
+      "1980), and mean ranks are compared by Nemenyi's critical difference (Demšar 2006). The "
+      "number of pairs that would be enough is Noether's (1987) for the signed-rank test, for "
+      "rates "
+      "Guenther's (1981) from mean and deviation of the differences."};
+
+  const Study& study_;
+  const std::vector<std::pair<std::string, double>>& weights_;
+  const std::vector<std::string>& command_;
+  std::vector<std::vector<std::size_t>> blocks_;
+  Comparisons comparisons_;
+  std::vector<std::size_t> failures_;
+  RunPictures pictures_;
+  Report report_;
+  std::string head_, body_;
+  std::vector<std::pair<std::string, std::string>> sections_;
+  bool hasPlayer_ = false;
+};
+
+}  // namespace
+
+std::string wholePage(const std::string& title, const std::string& body, bool withPlayer) {
+  std::string page = pageText;
+  page = replaced(page, "{{title}}", escaped(title));
+  page = replaced(page, "{{style}}", styleText);
+  page = replaced(page, "{{script}}", std::string(reportText) + (withPlayer ? playerText : ""));
+  return replaced(page, "{{body}}", body);  // last: it may hold anything
+}
+
+std::string playerMarkup(const std::vector<std::string>& runs) {
+  std::string data;
+  for (const std::string& run : runs) {
+    data += (data.empty() ? "" : ",\n") + scriptSafe(run);
+  }
+  return "<div class=\"player\">\n<header><b>Run</b><span>&#160;</span></header>\n"
+         "<canvas></canvas>\n<div class=\"controls\"><button type=\"button\" "
+         "class=\"toggle\">Play</button><input type=\"range\" min=\"0\" max=\"1\" value=\"0\" "
+         "aria-label=\"Time\"/><output>0</output><select aria-label=\"Speed\">"
+         "<option value=\"0.5\">0.5×</option><option value=\"1\" selected=\"selected\">1×</option>"
+         "<option value=\"2\">2×</option><option value=\"4\">4×</option>"
+         "<option value=\"10\">10×</option></select></div>\n<ul class=\"events\"></ul>\n</div>\n"
+         "<script type=\"application/json\" id=\"replays\">[" +
+         data + "]</script>\n";
+}
+
+std::string playerPage(const sim2d::Trace& trace, const std::string& title) {
+  const double seconds = trace.frames.empty() ? 0.0 : trace.frames.back().time;
+  const std::string body =
+      element("h1", "", escaped(title)) + "\n" +
+      paragraph((trace.header.humans.size() == 1
+                     ? std::string("1 person")
+                     : std::to_string(trace.header.humans.size()) + " people") +
+                    ", " + counted(trace.header.robots.size(), "robot") + ", " +
+                    numberText(seconds, 1) + " s, seed " + std::to_string(trace.header.seed) + ".",
+                " class=\"lead\"") +
+      playerMarkup({playerJson(trace, title, kFineStep)}) +
+      paragraph("Made by hunavsim " + app::programVersion() + " " + app::programCommit() + ".",
+                " class=\"lead\"");
+  return wholePage(title, body, true);
+}
+
+Report makeReport(const Study& study, const std::vector<std::pair<std::string, double>>& weights,
+                  const std::vector<std::string>& command) {
+  return PageMaker(study, weights, command).make();
+}
+
+}  // namespace report

@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "app/report/RunPictures.h"
+#include "sim2d/base/JsonText.h"
+#include "sim2d/base/Text.h"
+
+namespace report {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+int centimetres(double metres) {
+  return static_cast<int>(std::lround(100.0 * metres));
+}
+
+Json outlinesJson(const std::vector<sim2d::Outline>& outlines) {
+  Json all = Json::array();
+  for (const sim2d::Outline& outline : outlines) {
+    Json points = Json::array();
+    for (const base::Vec2& point : outline.points) {
+      points.push_back(centimetres(point.x()));
+      points.push_back(centimetres(point.y()));
+    }
+    all.push_back(std::move(points));
+  }
+  return all;
+}
+
+/// One body over the samples: stays in the world, each with its first sample and the differences.
+class BodyTrack {
+ public:
+  void add(std::size_t sample, double x, double y, double heading) {
+    const int now[3] = {centimetres(x), centimetres(y), centimetres(heading)};
+    if (stays_.empty() || last_ + 1 != sample) {
+      stays_.push_back({sample, Json::array()});
+      std::fill(std::begin(before_), std::end(before_), 0);
+    }
+    for (int k = 0; k < 3; ++k) {
+      stays_.back().second.push_back(now[k] - before_[k]);
+      before_[k] = now[k];
+    }
+    last_ = sample;
+  }
+  Json json() const {
+    Json stays = Json::array();
+    for (const auto& [from, differences] : stays_) {
+      stays.push_back({{"from", from}, {"d", differences}});
+    }
+    return stays;
+  }
+
+ private:
+  std::vector<std::pair<std::size_t, Json>> stays_;
+  std::size_t last_ = 0;
+  int before_[3] = {};
+};
+
+std::map<int, BodyTrack> bodyTracks(const std::vector<const sim2d::Frame*>& samples) {
+  std::map<int, BodyTrack> tracks;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const auto add = [&tracks, k](const sim2d::BodyColumns& bodies) {
+      for (std::size_t row = 0; row < bodies.size(); ++row) {
+        tracks[bodies.id[row]].add(k, bodies.x[row], bodies.y[row], bodies.heading[row]);
+      }
+    };
+    add(samples[k]->humans);
+    add(samples[k]->robots);
+  }
+  return tracks;
+}
+
+Json bodiesJson(const sim2d::TraceHeader& header, const std::vector<const sim2d::Frame*>& samples) {
+  const std::map<int, BodyTrack> tracks = bodyTracks(samples);
+  Json bodies = Json::array();
+  for (const auto& [id, track] : tracks) {
+    Json body = {{"id", id}, {"name", std::to_string(id)}, {"look", 1}, {"r", 35}};
+    if (const sim2d::TraceHuman* human = header.human(id)) {
+      body["name"] = human->name;
+      body["look"] = human->behavior;
+      body["r"] = centimetres(human->radius);
+    }
+    for (const sim2d::TraceRobot& robot : header.robots) {
+      if (robot.id == id) {
+        body["name"] = robot.name;
+        body["look"] = 0;  // of a robot
+        body["r"] = centimetres(robot.radius);
+        for (const base::Vec2& corner : robot.footprint) {
+          body["shape"].push_back(centimetres(corner.x()));
+          body["shape"].push_back(centimetres(corner.y()));
+        }
+      }
+    }
+    body["stays"] = track.json();
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+Json goalsJson(const sim2d::TraceHeader& header) {
+  Json goals = Json::array();
+  std::set<int> known;
+  for (const sim2d::TraceHuman& human : header.humans) {
+    for (const sim2d::TraceGoal& goal : human.goals) {
+      if (known.insert(goal.id).second) {
+        goals.push_back({centimetres(goal.position.x()), centimetres(goal.position.y()), 0});
+      }
+    }
+  }
+  for (const sim2d::TraceRobot& robot : header.robots) {
+    for (const sim2d::TraceGoal& goal : robot.goals) {
+      goals.push_back({centimetres(goal.position.x()), centimetres(goal.position.y()), 1});
+    }
+  }
+  return goals;
+}
+
+/// What a reader of a failure wants to find: not each goal of each person.
+bool isTold(const sim2d::Event& event) {
+  switch (event.kind) {
+    case sim2d::EventKind::Contact:
+    case sim2d::EventKind::Stuck:
+    case sim2d::EventKind::Door:
+    case sim2d::EventKind::Stop:
+      return true;
+    case sim2d::EventKind::Arrived:
+    case sim2d::EventKind::Replan:
+      return event.hasId && event.id < 0;
+    default:
+      return false;
+  }
+}
+
+Json eventsJson(const sim2d::Trace& trace) {
+  constexpr std::size_t kMostEvents = 200;
+  Json events = Json::array();
+  for (const auto& [step, event] : trace.events) {
+    if (!isTold(event) || events.size() >= kMostEvents) {
+      continue;
+    }
+    events.push_back({std::round(static_cast<double>(step) * trace.header.dt * 100.0) / 100.0,
+                      sim2d::eventKindName(event.kind), event.hasId ? Json(event.id) : Json(),
+                      event.hasOther ? Json(event.other) : Json(), event.text});
+  }
+  return events;
+}
+
+}  // namespace
+
+std::string playerJson(const sim2d::Trace& trace, const std::string& title, double every) {
+  const double recorded = trace.header.dt * std::max(1, trace.header.recordEvery);
+  const auto stride =
+      static_cast<std::size_t>(std::max(1.0, std::round(every / std::max(recorded, 1e-9))));
+  std::vector<const sim2d::Frame*> samples;
+  for (std::size_t k = 0; k < trace.frames.size(); k += stride) {
+    samples.push_back(&trace.frames[k]);
+  }
+  const Ground ground = groundOf(trace);
+  const Json json = {{"title", title},
+                     {"scenario", trace.header.scenario},
+                     {"seed", trace.header.seed},
+                     {"dt", recorded * static_cast<double>(stride)},
+                     {"samples", samples.size()},
+                     {"box",
+                      {centimetres(ground.low.x()), centimetres(ground.low.y()),
+                       centimetres(ground.high.x()), centimetres(ground.high.y())}},
+                     {"walls", outlinesJson(ground.walls)},
+                     {"shapes", outlinesJson(ground.shapes)},
+                     {"goals", goalsJson(trace.header)},
+                     {"bodies", bodiesJson(trace.header, samples)},
+                     {"events", eventsJson(trace)}};
+  return base::jsonText(json, -1);
+}
+
+}  // namespace report

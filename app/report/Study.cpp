@@ -1,0 +1,374 @@
+#include "app/report/Study.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run/Experiment.h"
+#include "app/run/Sha256.h"
+#include "metrics/MetricRegistry.h"
+#include "sim2d/base/Text.h"
+
+namespace report {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+constexpr const char* kUsualMetrics[] = {"success",
+                                         "time_to_reach_goal",
+                                         "path_length",
+                                         "path_efficiency",
+                                         "minimum_distance_to_people",
+                                         "robot_on_person_collision",
+                                         "intimate_space_intrusions",
+                                         "personal_space_intrusions"};
+constexpr const char* kScenario = "scenario";
+
+Metric metricOf(const std::string& key, bool isBoolean) {
+  Metric metric{key, key, {}, isBoolean, 0};
+  if (const metrics::MetricEntry* entry = metrics::standardRegistry().find(key)) {
+    metric.name = entry->info.name;
+    metric.unit = entry->info.unit;
+    metric.isRate = isBoolean || entry->info.kind == metrics::Kind::Boolean;
+    metric.sense = entry->info.better == metrics::Better::Higher  ? 1
+                   : entry->info.better == metrics::Better::Lower ? -1
+                                                                  : 0;
+  }
+  return metric;
+}
+
+/// The distinct texts in the order in which they come first.
+std::vector<std::string> distinct(const std::vector<std::string>& texts) {
+  std::vector<std::string> found;
+  std::set<std::string> seen;
+  for (const std::string& text : texts) {
+    if (seen.insert(text).second) {
+      found.push_back(text);
+    }
+  }
+  return found;
+}
+
+std::vector<std::size_t> placesIn(const std::vector<std::string>& names,
+                                  const std::vector<std::string>& texts) {
+  std::map<std::string, std::size_t> places;
+  for (const std::string& name : names) {
+    places.emplace(name, places.size());
+  }
+  std::vector<std::size_t> found;
+  found.reserve(texts.size());
+  for (const std::string& text : texts) {
+    found.push_back(places.at(text));
+  }
+  return found;
+}
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// "pedestrian_max_vel" for people: the last words of a path.
+std::string shortPath(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string::npos ? path : path.substr(dot + 1);
+}
+
+/// Makes a study of results and wishes, and says what is wrong with the wishes.
+class StudyMaker {
+ public:
+  StudyMaker(const Wishes& wishes, Results results) : wishes_(wishes) {
+    study_.folder = wishes.folder;
+    study_.results = std::move(results);
+    study_.level = wishes.level;
+    study_.resamples = wishes.resamples;
+  }
+
+  void choose() {
+    const Results& results = study_.results;
+    for (std::size_t k = 0; k < results.keys.size(); ++k) {
+      study_.metrics.push_back(metricOf(results.keys[k], results.isBoolean[k]));
+    }
+    chooseMetrics();
+    choosePareto();
+    chooseCompared();
+    nameCases();
+    const std::string what = study_.compared.empty() ? "Results of a batch"
+                             : study_.compared == kScenario
+                                 ? "Scenarios compared"
+                                 : titleOf(shortPath(study_.compared)) + " compared";
+    study_.title = what;
+  }
+  Study& study() { return study_; }
+  base::Diagnostics& problems() { return problems_; }
+
+ private:
+  static std::string titleOf(std::string word) {
+    std::replace(word.begin(), word.end(), '_', ' ');
+    if (!word.empty() && word[0] >= 'a' && word[0] <= 'z') {
+      word[0] = static_cast<char>(word[0] - 'a' + 'A');
+    }
+    return word + (word == "Planner" || word == "Model" ? "s" : "");
+  }
+
+  /// Place of a key that somebody has named; what is unknown is told.
+  std::optional<std::size_t> placeOf(const std::string& key) {
+    const std::size_t place = study_.results.keyAt(key);
+    if (place < study_.results.keys.size()) {
+      return place;
+    }
+    problems_.push_back(base::error(
+        "metrics.unknown-metric", {key, base::nearestName(key, study_.results.keys)}, "--metrics"));
+    return std::nullopt;
+  }
+
+  void chooseMetrics() {
+    for (const std::string& key : distinct(wishes_.metrics)) {
+      if (const auto place = placeOf(key)) {
+        study_.shown.push_back(*place);
+      }
+    }
+    for (const auto& [key, weight] : wishes_.weights) {
+      placeOf(key);
+    }
+    if (!wishes_.metrics.empty()) {
+      return;
+    }
+    for (const char* key : kUsualMetrics) {
+      const std::size_t place = study_.results.keyAt(key);
+      if (place < study_.results.keys.size() && hasValues(place)) {
+        study_.shown.push_back(place);
+      }
+    }
+    constexpr std::size_t kFew = 6;
+    for (std::size_t k = 0; study_.shown.empty() && k < study_.results.keys.size(); ++k) {
+      if (hasValues(k)) {  // metrics of the user's own
+        study_.shown.push_back(k);
+      }
+    }
+    study_.shown.resize(std::min(study_.shown.size(), std::max(kFew, std::size(kUsualMetrics))));
+  }
+
+  bool hasValues(std::size_t metric) const {
+    const Numbers& values = study_.results.metrics[metric];
+    return std::any_of(values.begin(), values.end(), [](double v) { return v == v; });
+  }
+
+  void choosePareto() {
+    const std::string x = wishes_.paretoX.empty() ? "time_to_reach_goal" : wishes_.paretoX;
+    const std::string y = wishes_.paretoY.empty() ? "minimum_distance_to_people" : wishes_.paretoY;
+    const std::size_t known = study_.results.keys.size();
+    const bool isAsked = !wishes_.paretoX.empty();
+    const std::size_t atX = isAsked ? placeOf(x).value_or(known) : study_.results.keyAt(x);
+    const std::size_t atY = isAsked ? placeOf(y).value_or(known) : study_.results.keyAt(y);
+    if (atX < known && atY < known && hasValues(atX) && hasValues(atY)) {
+      study_.pareto = {atX, atY};
+    }
+  }
+
+  /// Texts per run of a value path, or of the scenario.
+  std::vector<std::string> column(const std::string& path) const {
+    const auto& paths = study_.results.paths;
+    const auto at =
+        static_cast<std::size_t>(std::find(paths.begin(), paths.end(), path) - paths.begin());
+    std::vector<std::string> texts;
+    texts.reserve(study_.runCount());
+    for (const Results::Run& run : study_.results.runs) {
+      texts.push_back(at < paths.size() ? run.values[at] : run.scenario);
+    }
+    return texts;
+  }
+  bool isVaried(const std::string& path) const { return distinct(column(path)).size() > 1; }
+
+  std::string mostTelling() const {
+    const auto& paths = study_.results.paths;
+    for (const bool wantsPlanner : {true, false}) {
+      for (const std::string& path : paths) {
+        if ((!wantsPlanner || endsWith(path, ".planner")) && isVaried(path)) {
+          return path;
+        }
+      }
+    }
+    return isVaried(kScenario) ? kScenario : std::string();
+  }
+
+  void chooseCompared() {
+    const auto& paths = study_.results.paths;
+    study_.compared = wishes_.compare.empty() ? mostTelling() : wishes_.compare;
+    if (!wishes_.compare.empty() && wishes_.compare != kScenario &&
+        std::find(paths.begin(), paths.end(), wishes_.compare) == paths.end()) {
+      std::vector<std::string> known = paths;
+      known.emplace_back(kScenario);
+      problems_.push_back(base::error("report.unknown-path",
+                                      {wishes_.compare, base::join(known, ", ")}, "--compare"));
+      study_.compared.clear();
+    }
+    const std::vector<std::string> texts =
+        study_.compared.empty() ? std::vector<std::string>(study_.runCount(), "all runs")
+                                : column(study_.compared);
+    study_.options = distinct(texts);
+    study_.optionOf = placesIn(study_.options, texts);
+  }
+
+  /// What else is varied, without what is the same in all runs.
+  void nameCases() {
+    std::vector<std::string> texts(study_.runCount());
+    const auto add = [&](const std::string& path, bool withName) {
+      if (path == study_.compared || !isVaried(path)) {
+        return;
+      }
+      const std::vector<std::string> words = column(path);
+      for (std::size_t run = 0; run < texts.size(); ++run) {
+        texts[run] += (texts[run].empty() ? "" : ", ") +
+                      (withName ? shortPath(path) + " " + words[run] : words[run]);
+      }
+    };
+    add(kScenario, false);
+    for (const std::string& path : study_.results.paths) {
+      add(path, true);
+    }
+    for (std::size_t run = 0; run < texts.size(); ++run) {
+      if (texts[run].empty()) {
+        texts[run] = study_.compared == kScenario ? "all" : study_.results.runs[run].scenario;
+      }
+    }
+    study_.cases = distinct(texts);
+    study_.caseOf = placesIn(study_.cases, texts);
+  }
+
+  const Wishes& wishes_;
+  Study study_;
+  base::Diagnostics problems_;
+};
+
+std::string textIn(const Json& object, const char* key) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// The options that the experiment gives to all runs, if it still is the one that was run.
+void readRunWords(Study& study) {
+  if (study.inputs.empty() || study.inputs.front().sha256.empty() ||
+      app::sha256OfFile(study.inputs.front().path) != study.inputs.front().sha256) {
+    return;
+  }
+  const base::Result<app::Experiment> experiment = app::readExperiment(study.inputs.front().path);
+  if (experiment) {
+    study.knowsRunWords = true;
+    for (const auto& [option, value] : experiment->options) {
+      study.runWords.insert(study.runWords.end(), {option, value});
+    }
+  }
+}
+
+base::Diagnostics readManifest(const fs::path& path, Study& study) {
+  std::error_code ignored;  // what cannot be looked at is not there
+  if (!fs::exists(path, ignored)) {
+    return {base::warning("report.no-manifest", {}, path.string())};
+  }
+  const base::Result<std::string> text = base::readTextFile(path.string());
+  if (!text) {
+    return text.diagnostics();
+  }
+  const Json manifest = Json::parse(*text, nullptr, false);
+  const bool isManifest = manifest.is_object() && manifest.contains("program") &&
+                          manifest.contains("inputs") && manifest["inputs"].is_array() &&
+                          manifest.contains("runs");
+  if (!isManifest) {
+    return {base::error("report.bad-manifest", {}, path.string())};
+  }
+  study.version = textIn(manifest["program"], "version");
+  study.commit = textIn(manifest["program"], "commit");
+  study.status = textIn(manifest, "status");
+  for (const Json& input : manifest["inputs"]) {
+    study.inputs.push_back({textIn(input, "path"), textIn(input, "sha256")});
+  }
+  return {};
+}
+
+bool isPlainWord(const std::string& word) {
+  return !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+    return base::isLetter(c) || base::isDigit(c) ||
+           std::string_view("_-./=,:+@%").find(c) != std::string_view::npos;
+  });
+}
+
+}  // namespace
+
+std::string shellText(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    text += text.empty() ? "" : " ";
+    if (isPlainWord(word)) {
+      text += word;
+      continue;
+    }
+    text += '\'';
+    for (const char c : word) {
+      text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    text += '\'';
+  }
+  return text;
+}
+
+std::optional<std::string> Study::runFolder(std::size_t run) const {
+  const fs::path place = fs::path(folder) / "runs" / std::to_string(results.runs[run].number);
+  std::error_code ignored;  // not there then
+  return fs::exists(place / "trace.json", ignored) ? std::optional(place.string()) : std::nullopt;
+}
+
+std::string Study::replayCommand(std::size_t run) const {
+  if (const std::optional<std::string> kept = runFolder(run)) {
+    return shellText({"hunavsim", *kept});
+  }
+  const Results::Run& row = results.runs[run];
+  std::string scenario = row.scenario;
+  for (const Input& input : inputs) {  // as it lies on the disk, when that is known
+    const fs::path path(input.path);
+    if (endsWith(input.path, row.scenario) || path.stem().string() == row.scenario) {
+      scenario = input.path;
+    }
+  }
+  std::vector<std::string> words = {"hunavsim", scenario, "--seed", std::to_string(row.seed)};
+  words.insert(words.end(), runWords.begin(), runWords.end());
+  for (std::size_t k = 0; k < results.paths.size(); ++k) {
+    words.insert(words.end(), {"--set", results.paths[k] + "=" + row.values[k]});
+  }
+  return shellText(words);
+}
+
+base::Result<Study> readStudy(const Wishes& wishes) {
+  const std::string file = (fs::path(wishes.folder) / "results.csv").string();
+  const base::Result<std::string> text = base::readTextFile(file);
+  Study manifest;
+  base::Diagnostics problems = text.diagnostics();
+  base::append(problems, readManifest(fs::path(wishes.folder) / "manifest.json", manifest));
+  if (!text) {
+    return problems;
+  }
+  base::Result<Results> results = parseResults(*text, file);
+  base::append(problems, results.diagnostics());
+  if (!results) {
+    return problems;
+  }
+  StudyMaker maker(wishes, *std::move(results));
+  maker.choose();
+  base::append(problems, maker.problems());
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  Study& study = maker.study();
+  study.version = manifest.version;
+  study.commit = manifest.commit;
+  study.status = manifest.status;
+  study.inputs = std::move(manifest.inputs);
+  study.resultsHash = app::sha256OfFile(file).value_or("");
+  readRunWords(study);
+  return base::Result<Study>(std::move(study), std::move(problems));
+}
+
+}  // namespace report

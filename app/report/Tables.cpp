@@ -1,0 +1,309 @@
+#include "app/report/Tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/statistics/Choices.h"
+#include "sim2d/base/Text.h"
+
+namespace report {
+
+namespace {
+
+using Cell = Table::Cell;
+
+std::string levelText(const Study& study) {
+  return numberText(100.0 * study.level, 0) + " %";
+}
+
+std::string comparedName(const Study& study) {
+  return study.compared.empty() ? "Option" : study.compared;
+}
+
+std::size_t runsOf(const Study& study, std::size_t option) {
+  return static_cast<std::size_t>(std::count(study.optionOf.begin(), study.optionOf.end(), option));
+}
+
+/// How many runs have a value, where some have none.
+std::string countNote(const Study& study, const Estimate& estimate, std::size_t option) {
+  const std::size_t runs = runsOf(study, option);
+  return static_cast<std::size_t>(estimate.count()) < runs
+             ? "n = " + std::to_string(estimate.count())
+             : std::string();
+}
+
+Cell estimateCell(const Study& study, const MetricComparison& comparison, std::size_t option,
+                  bool median, int decimals) {
+  const Metric& metric = study.metrics[comparison.metric];
+  const Estimate& estimate = comparison.estimates[option];
+  const double value = median ? estimate.median : estimate.mean;
+  Cell cell;
+  cell.text = estimateText(metric, value, decimals);
+  cell.below = intervalText(metric, median ? estimate.medianInterval : estimate.interval, decimals);
+  const std::string count = countNote(study, estimate, option);
+  cell.below += count.empty() || cell.below.empty() ? count : " " + count;
+  cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
+  cell.bold = !median && comparison.best == option;
+  cell.mark = !median && comparison.differs[option] ? "†" : "";
+  return cell;
+}
+
+/// Means of the metrics of the weights, made one number per option.
+Numbers compositeOf(const Study& study,
+                    const std::vector<std::pair<std::string, double>>& weights) {
+  std::vector<statistics::Criterion> criteria;
+  for (const auto& [key, weight] : weights) {
+    const std::size_t metric = study.results.keyAt(key);
+    std::vector<Numbers> values(study.options.size());
+    for (std::size_t run = 0; run < study.runCount(); ++run) {
+      const double value = valueOf(study, metric, run);
+      if (!std::isnan(value)) {
+        values[study.optionOf[run]].push_back(value);
+      }
+    }
+    statistics::Criterion criterion;
+    for (const Numbers& each : values) {
+      criterion.values.push_back(statistics::mean(each));
+    }
+    criterion.sense =
+        study.metrics[metric].sense > 0 ? statistics::Sense::Higher : statistics::Sense::Lower;
+    criterion.weight = weight;
+    criteria.push_back(std::move(criterion));
+  }
+  return statistics::composite(criteria);
+}
+
+std::string weightsText(const std::vector<std::pair<std::string, double>>& weights) {
+  std::vector<std::string> words;
+  for (const auto& [key, weight] : weights) {
+    words.push_back(key + " " + base::formatDouble(weight));
+  }
+  return base::join(words, ", ");
+}
+
+std::vector<Cell> pairRow(const Study& study, const MetricComparison& comparison,
+                          const PairResult& pair) {
+  const Metric& metric = study.metrics[comparison.metric];
+  const int decimals = decimalsFor(comparison.estimates, metric.isRate);
+  const auto ties = static_cast<int>(pair.differences.size()) - pair.higher - pair.lower;
+  Cell shift;
+  shift.text = estimateText(metric, pair.shift, decimals);
+  shift.below = intervalText(metric, pair.shiftInterval, decimals);
+  shift.sort = std::isnan(pair.shift) ? "–" : base::formatDouble(pair.shift);
+  const bool isClear = pair.adjusted < kSignificance;
+  const auto sorted = [](const std::string& text, double value, bool bold = false) {
+    return Cell{text, {}, std::isnan(value) ? "–" : base::formatDouble(value), {}, bold, {}};
+  };
+  return {
+      {titleOf(metric)},
+      {study.options[pair.first] + " − " + study.options[pair.second]},
+      sorted(std::to_string(pair.differences.size()), static_cast<double>(pair.differences.size())),
+      {std::to_string(pair.higher) + " / " + std::to_string(ties) + " / " +
+       std::to_string(pair.lower)},
+      shift,
+      sorted(pText(pair.p), pair.p),
+      sorted(pText(pair.adjusted), pair.adjusted, isClear),
+      sorted(numberText(pair.delta, 2), pair.delta),
+      sorted(numberText(pair.enoughPairs, 0), pair.enoughPairs)};
+}
+
+std::vector<std::string> summaryRow(const Study& study, std::size_t metric, const Numbers& values) {
+  const Metric& what = study.metrics[metric];
+  const Numbers five = statistics::quantiles(values, {0.0, 0.25, 0.5, 0.75, 1.0});
+  const Interval interval = statistics::meanInterval(values, study.level);
+  std::vector<std::string> row = {what.key, what.unit == "-" ? "" : what.unit,
+                                  std::to_string(values.size())};
+  for (const double number :
+       {statistics::mean(values), statistics::standardDeviation(values), interval.low,
+        interval.high, five[0], five[1], five[2], five[3], five[4]}) {
+    row.push_back(std::isnan(number) ? std::string() : base::formatDouble(number));
+  }
+  return row;
+}
+
+}  // namespace
+
+std::string estimateText(const Metric& metric, double value, int decimals) {
+  if (metric.isRate && !std::isnan(value)) {
+    return numberText(100.0 * value, 0) + " %";
+  }
+  return numberText(value, decimals);
+}
+
+std::string intervalText(const Metric& metric, const Interval& interval, int decimals) {
+  if (!interval.isDefined()) {
+    return {};
+  }
+  const double scale = metric.isRate ? 100.0 : 1.0;
+  const int places = metric.isRate ? 0 : decimals;
+  return "[" + numberText(scale * interval.low, places) + ", " +
+         numberText(scale * interval.high, places) + "]";
+}
+
+Table resultsTable(const Study& study, const Comparisons& comparisons,
+                   const std::vector<std::pair<std::string, double>>& weights) {
+  Table table;
+  table.name = "results";
+  table.columns = {{comparedName(study), {}, false}, {"Runs", {}, true}};
+  for (const MetricComparison& comparison : comparisons) {
+    const Metric& metric = study.metrics[comparison.metric];
+    table.columns.push_back({metric.name, metric.unit == "-" ? "" : metric.unit, true});
+  }
+  const Numbers composite = compositeOf(study, weights);
+  if (!weights.empty()) {
+    table.columns.push_back({"Composite", {}, true});
+  }
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    std::vector<Cell> row = {{study.options[option]}, {std::to_string(runsOf(study, option))}};
+    for (const MetricComparison& comparison : comparisons) {
+      const Metric& metric = study.metrics[comparison.metric];
+      row.push_back(estimateCell(study, comparison, option, false,
+                                 decimalsFor(comparison.estimates, metric.isRate)));
+    }
+    if (!weights.empty()) {
+      row.push_back({numberText(composite[option], 2)});
+    }
+    table.rows.push_back(std::move(row));
+  }
+  table.caption = "Means (rates: shares of runs) with intervals of " + levelText(study) + ".";
+  if (study.options.size() > 1) {
+    table.caption += " Bold: best. †: differs from the best (p < 0.05, Holm over all pairs).";
+  }
+  if (!weights.empty()) {
+    table.caption += " Composite: " + weightsText(weights) +
+                     ", each between the worst (0) and the best (1) of these options.";
+  }
+  return table;
+}
+
+std::optional<Table> mediansTable(const Study& study, const Comparisons& comparisons) {
+  Table table;
+  table.name = "medians";
+  table.columns = {{comparedName(study), {}, false}};
+  for (const std::string& option : study.options) {
+    table.rows.push_back({{option}});
+  }
+  for (const MetricComparison& comparison : comparisons) {
+    const Metric& metric = study.metrics[comparison.metric];
+    if (metric.isRate) {
+      continue;
+    }
+    table.columns.push_back({metric.name, metric.unit == "-" ? "" : metric.unit, true});
+    const int decimals = decimalsFor(comparison.estimates, false);
+    for (std::size_t option = 0; option < study.options.size(); ++option) {
+      table.rows[option].push_back(estimateCell(study, comparison, option, true, decimals));
+    }
+  }
+  table.caption =
+      "Medians with intervals of at least " + levelText(study) + " between order statistics.";
+  return table.columns.size() > 1 ? std::optional(std::move(table)) : std::nullopt;
+}
+
+Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {
+  Table table;
+  table.name = "pairs";
+  table.columns = {{"Metric", {}, false},   {"Pair", {}, false},      {"Pairs", {}, true},
+                   {"+ / = / −", {}, true}, {"Difference", {}, true}, {"p", {}, true},
+                   {"p, Holm", {}, true},   {"δ", {}, true},          {"Enough", {}, true}};
+  for (const MetricComparison& comparison : comparisons) {
+    for (const PairResult* pair : shownPairs(comparison)) {
+      if (!all) {
+        table.rows.push_back(pairRow(study, comparison, *pair));
+      }
+    }
+    for (const PairResult& pair : comparison.pairs) {
+      if (all) {
+        table.rows.push_back(pairRow(study, comparison, pair));
+      }
+    }
+  }
+  table.caption =
+      "Pairs of options on the same case and seed: in how many the first is higher, equal, lower; "
+      "typical difference with its interval of " +
+      levelText(study) +
+      "; p of the signed-rank test (rates: McNemar), and adjusted over the pairs of the metric; "
+      "Cliff's δ; pairs that would be enough to see such a difference (power 80 %, level 5 %).";
+  return table;
+}
+
+std::optional<Table> familyTable(const Study& study, const Comparisons& comparisons) {
+  Table table;
+  table.name = "friedman";
+  table.columns = {{"Metric", {}, false}, {"Blocks", {}, true}, {"χ²", {}, true}, {"p", {}, true},
+                   {"F", {}, true},       {"p of F", {}, true}, {"CD", {}, true}};
+  for (const MetricComparison& comparison : comparisons) {
+    if (!comparison.friedman) {
+      continue;
+    }
+    const statistics::Friedman& test = *comparison.friedman;
+    table.rows.push_back({{titleOf(study.metrics[comparison.metric])},
+                          {std::to_string(test.blocks)},
+                          {numberText(test.chiSquared, 2)},
+                          {pText(test.p)},
+                          {std::isinf(test.f) ? std::string("∞") : numberText(test.f, 2)},
+                          {pText(test.fP)},
+                          {numberText(comparison.criticalDifference, 2)}});
+  }
+  table.caption =
+      "Friedman's test over all options (blocks in which every option has a value), F of Iman and "
+      "Davenport, Nemenyi's critical difference of mean ranks (5 %).";
+  return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
+}
+
+Table failuresTable(const Study& study, const std::vector<std::size_t>& failures,
+                    const std::vector<std::size_t>& played) {
+  Table table;
+  table.name = "failures";
+  table.columns = {{"Run", {}, true},  {comparedName(study), {}, false}, {"Case", {}, false},
+                   {"Seed", {}, true}, {"What happened", {}, false},     {"Replay", {}, false}};
+  for (const std::size_t run : failures) {
+    const Results::Run& row = study.results.runs[run];
+    const std::string command = study.replayCommand(run);
+    std::string markup = element("code", "", escaped(command));
+    const auto place = std::find(played.begin(), played.end(), run);
+    if (place != played.end()) {
+      markup = "<button type=\"button\" class=\"play\" data-replay=\"" +
+               std::to_string(place - played.begin()) + "\">Play</button> " + markup;
+    }
+    table.rows.push_back({{std::to_string(row.number)},
+                          {study.options[study.optionOf[run]]},
+                          {study.cases[study.caseOf[run]]},
+                          {std::to_string(row.seed)},
+                          {row.ok ? std::string("not successful") : row.reason},
+                          {command, {}, {}, {}, false, markup}});
+  }
+  return table;
+}
+
+std::string allMetricsCsv(const Study& study) {
+  std::vector<std::vector<std::string>> rows = {{comparedName(study), "case", "metric", "unit", "n",
+                                                 "mean", "sd", "low", "high", "min", "q1", "median",
+                                                 "q3", "max"}};
+  const std::size_t cases = study.cases.size();
+  for (std::size_t metric = 0; metric < study.metrics.size(); ++metric) {
+    // Of all cases together, and of each.
+    std::vector<Numbers> values(study.options.size() * (cases + 1));
+    for (std::size_t run = 0; run < study.runCount(); ++run) {
+      const double value = valueOf(study, metric, run);
+      const std::size_t first = study.optionOf[run] * (cases + 1);
+      if (!std::isnan(value)) {
+        values[first].push_back(value);
+        values[first + 1 + study.caseOf[run]].push_back(value);
+      }
+    }
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const std::size_t ofCase = k % (cases + 1);
+      if (cases == 1 && ofCase == 1) {
+        continue;  // the same as all
+      }
+      std::vector<std::string> row = {study.options[k / (cases + 1)],
+                                      ofCase == 0 ? "all" : study.cases[ofCase - 1]};
+      const std::vector<std::string> summary = summaryRow(study, metric, values[k]);
+      row.insert(row.end(), summary.begin(), summary.end());
+      rows.push_back(std::move(row));
+    }
+  }
+  return csvText(rows);
+}
+
+}  // namespace report
