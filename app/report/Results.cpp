@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"

@@ -1,0 +1,84 @@
+#include "app/report/PlotParts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/report/Markup.h"
+
+namespace report {
+
+namespace {
+
+/// Numbers to place as dots.
+Numbers dotsOf(Numbers values) {
+  if (values.size() <= kMostDots) {
+    return values;
+  }
+  std::sort(values.begin(), values.end());
+  Numbers dots;
+  dots.reserve(kMostDots);
+  for (std::size_t k = 0; k < kMostDots; ++k) {
+    dots.push_back(values[k * (values.size() - 1) / (kMostDots - 1)]);
+  }
+  return dots;
+}
+
+/// A place across a strip that looks random and is not: golden ratio.
+double scatter(std::size_t k) {
+  const double turns = static_cast<double>(k) * 0.6180339887498949;
+  return turns - std::floor(turns) - 0.5;
+}
+
+}  // namespace
+
+void Extent::add(double value) {
+  if (!std::isnan(value)) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+}
+
+std::vector<const MetricComparison*> ofKind(const Study& study, const Comparisons& comparisons,
+                                            bool rates) {
+  std::vector<const MetricComparison*> found;
+  for (const MetricComparison& comparison : comparisons) {
+    if (study.metrics[comparison.metric].isRate == rates) {
+      found.push_back(&comparison);
+    }
+  }
+  return found;
+}
+
+std::string nameOfOption(const Study& study, std::size_t option) {
+  constexpr std::size_t kNameLength = 16;
+  return shortened(study.options[option], kNameLength);
+}
+
+void optionNames(Figure& figure, const Study& study, double left, double top, double rowHeight) {
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    const double y = top + (static_cast<double>(option) + 0.5) * rowHeight;
+    figure.text(left + kNames - 10.0, y + 4.0, nameOfOption(study, option), "ink",
+                Figure::Anchor::End);
+  }
+}
+
+void panelTitle(Figure& figure, const std::string& title, double left, double top) {
+  constexpr std::size_t kTitleLength = 46;
+  constexpr double kSize = 11.5;
+  figure.text(left, top + 12.0, shortened(title, kTitleLength), "ink", Figure::Anchor::Start,
+              kSize);
+}
+
+std::string percentText(double level) {
+  return numberText(100.0 * level, 0) + " %";
+}
+
+void strip(Figure& figure, const Numbers& values, const Scale& scale, double y, double height,
+           const std::string& role) {
+  const Numbers dots = dotsOf(values);
+  for (std::size_t k = 0; k < dots.size(); ++k) {
+    figure.disc(scale.at(dots[k]), y + scatter(k) * height, 1.6, role, 0.45);
+  }
+}
+
+}  // namespace report

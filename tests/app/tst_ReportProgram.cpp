@@ -1,0 +1,321 @@
+#include <QDirIterator>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <QtTest>
+
+#include "tests/app/RunFiles.h"
+
+using outside::text;
+
+namespace {
+
+outside::Finished report(const QString& folder, const QStringList& more = {}) {
+  return outside::runProgram(QStringList({text("report"), folder}) + more);
+}
+
+/// A folder with the results written by hand.
+void copyResults(const QString& folder) {
+  for (const char* name : {"/results.csv", "/manifest.json"}) {
+    outside::writeText(folder + text(name),
+                       outside::bytesOf(text(TEST_DATA_DIR "/app/report") + text(name)));
+  }
+}
+
+/// What stands in the elements of that name, one text each; "!" and the mistake when the page is
+/// not well-formed.
+QStringList textsOf(const QByteArray& page, const char* name) {
+  QXmlStreamReader reader(page);
+  QStringList texts;
+  int depth = 0;
+  while (!reader.atEnd()) {
+    const auto token = reader.readNext();
+    if (token == QXmlStreamReader::StartElement && reader.name() == text(name)) {
+      ++depth;
+      texts.append(QString());
+    } else if (token == QXmlStreamReader::EndElement && reader.name() == text(name)) {
+      --depth;
+    } else if (token == QXmlStreamReader::Characters && depth > 0) {
+      texts.last() += reader.text();
+    }
+  }
+  return reader.hasError() ? QStringList(text("!") + reader.errorString()) : texts;
+}
+
+/// The row of a table of our own that has these fields at its beginning.
+QStringList rowOf(const QString& path, const QStringList& first) {
+  for (const QByteArray& line : outside::bytesOf(path).split('\n')) {
+    QStringList fields;
+    bool isQuoted = false;
+    QString field;
+    for (const QChar c : QString::fromUtf8(line)) {
+      isQuoted = c == QLatin1Char('"') ? !isQuoted : isQuoted;
+      if (c == QLatin1Char(',') && !isQuoted) {
+        fields.append(field);
+        field.clear();
+      } else if (c != QLatin1Char('"')) {
+        field += c;
+      }
+    }
+    fields.append(field);
+    if (fields.mid(0, first.size()) == first) {
+      return fields;
+    }
+  }
+  return {};
+}
+
+std::map<QString, QByteArray> filesIn(const QString& folder) {
+  std::map<QString, QByteArray> files;
+  QDirIterator each(folder, QDir::Files, QDirIterator::Subdirectories);
+  while (each.hasNext()) {
+    const QString path = each.next();
+    files[path.mid(folder.size())] = outside::bytesOf(path);
+  }
+  return files;
+}
+
+}  // namespace
+
+/// `hunavsim report` from outside. Numbers of results.csv in data/app/report worked out by hand.
+class ReportProgramTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void report_handMade_numbersAreThoseByHand() {
+    QTemporaryDir folder;
+    copyResults(folder.path());
+    const outside::Finished done = report(folder.path());
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    const QString table = folder.filePath(text("tables/results.csv"));
+    // Times 10 … 24: mean 102 / 6; of the other 86 / 5. Success 5 of 6, once because a run failed:
+    // Wilson (13.8415 ± 1.95996 √7.1748) / 19.683 = 0.4365, 0.9699.
+    const QStringList alpha = rowOf(table, {text("alpha"), text("6")});
+    const QStringList beta = rowOf(table, {text("b<&eta"), text("6")});
+    QVERIFY2(alpha.size() == 8 && beta.size() == 8, qPrintable(alpha.join(text("|"))));
+    QCOMPARE(alpha[2], text("83 %"));
+    QCOMPARE(alpha[3], text("[44, 97]"));
+    QCOMPARE(beta[2], text("83 %"));
+    QCOMPARE(alpha[4].toDouble(), 17.0);
+    QCOMPARE(beta[4].toDouble(), 17.2);
+    QVERIFY2(beta[5].endsWith(text(" n = 5")), qPrintable(beta[5]));
+    QCOMPARE(alpha[6].toDouble(), 5.0);
+    // Medians 17 and 15.
+    const QString medians = folder.filePath(text("tables/medians.csv"));
+    QCOMPARE(rowOf(medians, {text("alpha")}).value(1).toDouble(), 17.0);
+    QCOMPARE(rowOf(medians, {text("b<&eta")}).value(1).toDouble(), 15.0);
+    // Differences −1, −3, 1, −1, −4: of 15 means of pairs the 8th is −1.5; ranks 2 of 15, with
+    // three ties (2.5 - 0.5) … z = (5.5 - 0.5) / √13.25, p = .170; delta −2 / 30.
+    const QStringList pair =
+        rowOf(folder.filePath(text("tables/pairs.csv")),
+              {text("Time to reach the goal [s]"), text("alpha - b<&eta"), text("5")});
+    QVERIFY(pair.size() > 8);
+    QCOMPARE(pair[3], text("1 / 0 / 4"));
+    QCOMPARE(pair[4].toDouble(), -1.5);
+    QCOMPARE(pair[6], text("0.170"));
+    QCOMPARE(pair[7], text("0.170"));
+    QCOMPARE(pair[8], text("-0.07"));
+  }
+
+  void report_page_isWellFormedAndHasTheRows() {
+    QTemporaryDir folder;
+    copyResults(folder.path());
+    QCOMPARE(report(folder.path()).exitCode, 0);
+    const QByteArray page = outside::bytesOf(folder.filePath(text("report.html")));
+    const QStringList cells = textsOf(page, "td");
+    QVERIFY2(cells.size() > 20, qPrintable(cells.join(text("|"))));
+    for (const char* wanted : {"alpha", "b<&\"eta", "gave up, <sad>", "not successful", "door"}) {
+      QVERIFY2(cells.contains(text(wanted)), wanted);
+    }
+    QVERIFY(!cells
+                 .filter(text("hunavsim /nowhere/door.yaml --seed 3 --set "
+                              "'robot1.planner=b<&\"eta'"))
+                 .isEmpty());
+    QCOMPARE(textsOf(page, "h1"), QStringList(text("Planners compared")));
+    for (const char* outer : {"http://", "https://", "src=", "@import", "url("}) {  // no network
+      QByteArray rest = page;
+      rest.replace("http://www.w3.org/", "");
+      rest.replace("url(#", "");
+      QVERIFY2(!rest.contains(outer), outer);
+    }
+    for (const char* fact : {"0123456789ab", "hunavsim batch /nowhere/e.yaml", "1 to 3"}) {
+      QVERIFY2(page.contains(fact), fact);
+    }
+    for (const auto& [name, bytes] : filesIn(folder.filePath(text("figures")))) {
+      if (name.endsWith(text(".svg"))) {
+        const QStringList words = textsOf(bytes, "text");
+        QVERIFY2(!words.isEmpty() && !words[0].startsWith(QLatin1Char('!')), qPrintable(name));
+        QVERIFY2(!bytes.contains("class="), qPrintable(name));  // a file has no style sheet
+      } else {
+        QVERIFY2(bytes.startsWith("%PDF-"), qPrintable(name));
+      }
+    }
+    const QByteArray latex = outside::bytesOf(folder.filePath(text("tables/results.tex")));
+    QVERIFY(latex.contains("b$<$\\&\"eta & 6 & 83 \\%"));
+    QVERIFY(latex.contains("\\toprule"));
+  }
+
+  void report_twice_givesEqualBytes() {
+    QTemporaryDir folder;
+    copyResults(folder.path());
+    QCOMPARE(report(folder.path()).exitCode, 0);
+    const auto first = filesIn(folder.path());
+    QTest::qWait(1100);  // a date with seconds would be another one
+    QCOMPARE(report(folder.path()).exitCode, 0);
+    QVERIFY(first.size() > 12);
+    for (const auto& [name, bytes] : filesIn(folder.path())) {
+      QVERIFY2(bytes == first.at(name), qPrintable(name));
+    }
+  }
+
+  void report_words_chooseWhatIsShown() {
+    QTemporaryDir folder;
+    copyResults(folder.path());
+    const outside::Finished done =
+        report(folder.path(), {text("--metrics"), text("own_metric,path_length"), text("--compare"),
+                               text("scenario"), text("--weights"), text("path_length=1")});
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    // Own numbers 1, 2, 3 per hall run and 4, 5, 6: the failed one is missing. Of path_length hall
+    // has 33 / 6, door 29 / 5: the shorter is the better.
+    const QString table = folder.filePath(text("tables/results.csv"));
+    const QStringList hall = rowOf(table, {text("hall"), text("6")});
+    const QStringList door = rowOf(table, {text("door"), text("6")});
+    QVERIFY2(hall.size() == 7, qPrintable(hall.join(text("|"))));
+    QCOMPARE(hall[2].toDouble(), 2.0);
+    QVERIFY(std::abs(door[2].toDouble() - 24.0 / 5.0) < 0.006);
+    QCOMPARE(hall[6], text("1.00"));
+    QCOMPARE(door[6], text("0.00"));
+    const QByteArray page = outside::bytesOf(folder.filePath(text("report.html")));
+    QCOMPARE(textsOf(page, "h1"), QStringList(text("Scenarios compared")));
+    QVERIFY(textsOf(page, "td").contains(text("own_metric")));
+  }
+
+  void report_badInput_isTold_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<int>("exitCode");
+    QTest::addColumn<QString>("told");
+    const QByteArray head = "run,scenario,seed,status,reason,simulated,path_length\n";
+    const auto row = [](const char* name, const char* file, const QByteArray& content,
+                        const QStringList& words, int exitCode, const char* told) {
+      QTest::newRow(name) << text(file) << content << words << exitCode << text(told);
+    };
+    row("no results", "results.csv", {}, {}, 2, "results.csv: error: ");
+    row("columns", "results.csv", "a,b\n1,2\n", {}, 2,
+        "results.csv:1:1: error: the first line must be run,scenario,seed");
+    row("width", "results.csv", head + "0,hall,1,ok,,5,1\n1,hall,2,ok,,5\n", {}, 2,
+        "results.csv:3:1: error: the line has 6 fields instead of 7");
+    row("no number", "results.csv", head + "0,hall,1,ok,,5,fast\n", {}, 2,
+        "results.csv:2:15: error: path_length is not a finite number: 'fast'");
+    row("status", "results.csv", head + "0,hall,1,good,,5,1\n", {}, 2,
+        "results.csv:2:10: error: status must be ok or failed, not 'good'");
+    row("twice", "results.csv", head + "0,hall,1,ok,,5,1\n0,hall,2,ok,,5,1\n", {}, 2,
+        "results.csv:3:1: error: run 0 is there twice");
+    row("no runs", "results.csv", head, {}, 2, "results.csv: error: there are no runs in it");
+    row("cut", "results.csv", head + "0,hall,1,ok,,5,1", {}, 2, "cut?");
+    row("manifest", "manifest.json", "{\"runs\": 12", {}, 2,
+        "manifest.json: error: is no manifest of a batch (damaged?)");
+    row("metric", "", {}, {text("--metrics"), text("path_lenght")}, 2,
+        "error: unknown metric 'path_lenght' (did you mean 'path_length'?)");
+    row("path", "", {}, {text("--compare"), text("robot1.model")}, 2,
+        "error: 'robot1.model' is not varied here (known: robot1.planner, scenario)");
+    row("weights", "", {}, {text("--weights"), text("path_length=much")}, 64, "--weights takes");
+    row("pareto", "", {}, {text("--pareto"), text("path_length")}, 64, "--pareto takes two");
+  }
+  void report_badInput_isTold() {
+    QFETCH(QString, file);
+    QFETCH(QByteArray, content);
+    QFETCH(QStringList, words);
+    QFETCH(int, exitCode);
+    QFETCH(QString, told);
+    QTemporaryDir folder;
+    copyResults(folder.path());
+    if (!file.isEmpty()) {
+      QFile::remove(folder.filePath(file));
+      if (!content.isEmpty()) {
+        outside::writeText(folder.filePath(file), content);
+      }
+    }
+    const outside::Finished done = report(folder.path(), words);
+    QVERIFY2(done.exitCode == exitCode, qPrintable(done.err));
+    QVERIFY2(done.err.contains(told), qPrintable(done.err));
+    QVERIFY(!QFile::exists(folder.filePath(text("report.html"))));
+  }
+
+  void report_missingManifest_isAWarning() {
+    QTemporaryDir folder;
+    copyResults(folder.path());
+    QVERIFY(QFile::remove(folder.filePath(text("manifest.json"))));
+    const outside::Finished done = report(folder.path());
+    QCOMPARE(done.exitCode, 0);
+    QVERIFY2(done.err.contains(text("manifest.json: warning: is missing")), qPrintable(done.err));
+  }
+
+  /// Of runs that were kept: their ways on the map, and data for the player, decoded here anew.
+  void report_keptRuns_canBePlayed() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(text("e.yaml"));
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nseeds: 2\n"
+                       "duration: 4.0\nrecord: all\nvalues:\n  robot1.max_vel: [0.5, 1.0]\n");
+    const QString out = folder.filePath(text("out"));
+    const outside::Finished batch =
+        outside::runProgram({text("batch"), experiment, text("-o"), out});
+    QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
+    const outside::Finished done = report(out);
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    QVERIFY(QFile::exists(out + text("/figures/trajectories.svg")));
+    const QByteArray page = outside::bytesOf(out + text("/report.html"));
+    checkPlayer(page, out + text("/runs/0/trajectory.csv"), 0.2);
+    QVERIFY(!textsOf(page, "code").filter(text("hunavsim ") + out + text("/runs/0")).isEmpty());
+
+    const QString single = folder.filePath(text("run.html"));
+    const outside::Finished render =
+        outside::runProgram({text("render"), out + text("/runs/0"), text("-o"), single});
+    QVERIFY2(render.exitCode == 0, qPrintable(render.err));
+    checkPlayer(outside::bytesOf(single), out + text("/runs/0/trajectory.csv"), 0.1);
+  }
+
+ private:
+  /// The robot's places in the page are those of the trajectory, to the centimetre.
+  static void checkPlayer(const QByteArray& page, const QString& trajectory, double step) {
+    const int from = page.indexOf("id=\"replays\">");
+    QVERIFY(from > 0);
+    const QByteArray json = page.mid(from + 13, page.indexOf("</script>", from) - from - 13);
+    const QJsonObject run = QJsonDocument::fromJson(json).array().at(0).toObject();
+    QCOMPARE(run.value(text("dt")).toDouble(), step);
+    const auto samples = outside::readTrajectory(trajectory);
+    QVERIFY(samples.size() > 60);
+    const QJsonArray bodies = run.value(text("bodies")).toArray();
+    int compared = 0;
+    for (const auto& body : bodies) {
+      if (body.toObject().value(text("id")).toInt() != -1) {
+        continue;
+      }
+      const QJsonArray d = body.toObject()
+                               .value(text("stays"))
+                               .toArray()
+                               .at(0)
+                               .toObject()
+                               .value(text("d"))
+                               .toArray();
+      double x = 0.0;
+      double y = 0.0;
+      const auto stride = static_cast<int>(std::lround(step / 0.05));
+      for (int k = 0; k + 2 < d.size(); k += 3) {
+        x += d.at(k).toInt();
+        y += d.at(k + 1).toInt();
+        const auto& robot = samples[static_cast<std::size_t>(k / 3 * stride)].robot;
+        QVERIFY(robot.has_value());
+        QVERIFY(std::abs(x / 100.0 - robot->x) < 0.00501);
+        QVERIFY(std::abs(y / 100.0 - robot->y) < 0.00501);
+        ++compared;
+      }
+    }
+    QVERIFY(compared > 10);
+  }
+};
+
+QTEST_MAIN(ReportProgramTest)
+#include "tst_ReportProgram.moc"
