@@ -8,6 +8,7 @@
 #include "editor/panels/RouteEditor.h"
 #include "editor/run/SimulationRunner.h"
 #include "sim2d/nav/RobotTypes.h"
+#include "sim2d/nav/external/CodePermission.h"
 
 namespace editor {
 
