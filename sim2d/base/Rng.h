@@ -17,7 +17,7 @@ enum class Draw : std::uint32_t {
   Source = 3,      // arrivals of an area
   Placement = 4,   // area fill, brush
   GoalChoice = 5,
-  Sensor = 6,
+  Sensor = 6,  // of no use any more: each sensor has its own
   Test = 7,
   Odometry = 8,
   Lidar = 9,  // index = sensor and pair of beams; of a person: where a stride begins

@@ -4,6 +4,7 @@
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Rng.h"
 #include "sim2d/map/Outlines.h"
+#include "sim2d/nav/RobotTypes.h"
 #include "sim2d/scenario/Defaults.h"
 
 using namespace sim2d;
@@ -241,6 +242,47 @@ class DefaultsTest : public QObject {
     std::reverse(clockwise.footprintY.begin(), clockwise.footprintY.end());
     second = resolveRobot(scenario, clockwise, -2);
     QVERIFY(second.footprint[0] == Vec2(-0.3, -0.2) && second.footprint[1] == Vec2(0.3, -0.2));
+  }
+
+  void resolveRobot_withoutKeys_seesWithoutFaults() {
+    const ResolvedRobot robot = resolveRobot(Scenario{}, Robot{}, -1);
+    QVERIFY(robot.detectorKind == DetectorKind::Sensor && robot.odometry.isExact());
+    QCOMPARE(robot.detector.range, 10.0);
+    QCOMPARE(robot.detector.field, 2.0 * M_PI);
+    QVERIFY(robot.detector.isOccluded && robot.detector.isMotionMeasured);
+    QCOMPARE(robot.detector.rate + robot.detector.latency + robot.detector.noise, 0.0);
+    QCOMPARE(robot.detector.misses + robot.detector.swaps, 0.0);
+    QCOMPARE(robot.detector.coastTime, 1.0);
+    QVERIFY(!robot.recordsScans);
+    Robot noisy;
+    noisy.detector.noise = 0.1;
+    QVERIFY(!resolveRobot(Scenario{}, noisy, -1).detector.isMotionMeasured);
+    noisy.detector.velocities = TrackVelocities::Measured;
+    QVERIFY(resolveRobot(Scenario{}, noisy, -1).detector.isMotionMeasured);
+    noisy.detector.kind = DetectorKind::GroundTruth;
+    const DetectorParameters all = resolveRobot(Scenario{}, noisy, -1).detector;
+    QVERIFY(std::isinf(all.range) && all.noise == 0.0 && !all.isOccluded);
+  }
+
+  /// Beams stand as the type has them; all round it is a whole turn, so that another number of
+  /// beams leaves no gap.
+  void robotOfType_lidars_keepTheirBeams() {
+    for (const RobotType& type : robotTypes()) {
+      const LidarParameters lidar = robotOfType(type.name).lidar;
+      QCOMPARE(lidar.beams, type.lidar ? type.lidar->beams : 0);
+      if (!type.lidar) {
+        continue;
+      }
+      QVERIFY2(isPossible(lidar), type.name.c_str());
+      const double apart = (type.lidar->angleMax - type.lidar->angleMin) / (lidar.beams - 1);
+      const double span = lidar.angleMax - lidar.angleMin;
+      const bool isRound = std::fabs(span - 2.0 * M_PI) < 1e-12;
+      QCOMPARE(isRound, apart * lidar.beams > 2.0 * M_PI - 1e-6);
+      QVERIFY(std::fabs(span / (isRound ? lidar.beams : lidar.beams - 1) - apart) < 1e-12);
+      QCOMPARE(lidar.angleMin, type.lidar->angleMin);
+      QCOMPARE(lidar.range, type.lidar->range);
+      QCOMPARE(lidar.mount.position.x(), type.lidar->x);
+    }
   }
 
   void massOf_kinds_ordered() {
