@@ -39,8 +39,9 @@ void RobotDrive::sense(const FrozenWorld& world) {
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const bool isUnderWay =
         world.state.robots[i].goal < robots[i].goals.size() || !planners_[i]->needsGoal();
-    isScanRead_[i] =
+    const bool isRead =
         wantsSenses_ || robots[i].recordsScans || (isUnderWay && planners_[i]->readsScan());
+    isScanRead_[i] = isRead ? 1 : 0;
   }
   sensors_.update(world, isScanRead_);
   scans_.clear();
@@ -157,7 +158,7 @@ void RobotDrive::afterMotion(const WorldModel& model, WorldState& state) {
 std::vector<Vec2> RobotDrive::path(std::size_t robot, const WorldModel& model,
                                    const WorldState& state) const {
   const bool isOnTheWay =
-      isAsked(*planners_[robot], model.robots[robot], state.robots[robot], state.time);
+      wantsToBeAsked(*planners_[robot], model.robots[robot], state.robots[robot], state.time);
   return isOnTheWay ? planners_[robot]->path() : std::vector<Vec2>{};
 }
 

@@ -103,6 +103,22 @@ Json cornersJson(const sim2d::Footprint& footprint) {
   return corners;
 }
 
+/// By the keys of a scenario; null without one.
+Json lidarJson(const sim2d::RobotType& type) {
+  if (!type.lidar) {
+    return {};
+  }
+  const sim2d::LidarParameters lidar = sim2d::robotOfType(type.name).lidar;
+  return {{"beams", lidar.beams},
+          {"range", lidar.range},
+          {"rate", lidar.rate},
+          {"angle_min", lidar.angleMin},
+          {"angle_max", lidar.angleMax},
+          {"x", lidar.mount.position.x()},
+          {"y", lidar.mount.position.y()},
+          {"noise", lidar.noise}};
+}
+
 std::vector<Entry> robotEntries() {
   std::vector<Entry> entries;
   for (const sim2d::RobotType& type : sim2d::robotTypes()) {
@@ -123,6 +139,7 @@ std::vector<Entry> robotEntries() {
                         {"max_omega", limits.maxOmega},
                         {"max_alpha", limits.maxAlpha},
                         {"turning_radius", limits.turningRadius},
+                        {"lidar", lidarJson(type)},
                         {"source", type.source}}});
   }
   return entries;
