@@ -12,19 +12,19 @@ namespace {
 
 constexpr double kSight = 6.0;                           // [m]
 constexpr double kHalfView = 100.0 / 180.0 * base::kPi;  // [rad] to each side of the heading
-constexpr double kStanding = 0.1;                        // [m/s]; slower robots stand
+constexpr double kRobotStands = 0.1;                     // [m/s]; slower robots stand
 constexpr double kForesight = 4.0;                       // [s]
 constexpr double kLookAhead = 6.0;                       // [m] along the way
 
 // Room between the bodies [m]:
-constexpr double kRoom = 0.3;        // that people like to leave
+constexpr double kLikedRoom = 0.3;   // that people like to leave
 constexpr double kLeastRoom = 0.15;  // with which they still pass
 constexpr double kKept = 0.08;       // into which they do not walk
 constexpr double kWaiting = 0.6;     // to a robot that stands in the way
 constexpr double kComingNear = 2.5;  // to one that comes, from which on people step aside
 constexpr double kAside = 0.25;      // beside the strip that such a robot drives along
 
-constexpr double kSkin = 0.001;        // [m]
+constexpr double kOutside = 0.001;     // [m]
 constexpr double kShortestLeg = 0.02;  // [m]; shorter ones have no direction
 constexpr double kJustStopped = 5.0;   // [s]; a robot that stands for less may go on
 constexpr double kRemembered = 2.0;    // [s]; the side on which somebody passes
@@ -32,15 +32,15 @@ constexpr double kLoyalty = 1.5;       // [m]; the other side must be shorter by
 constexpr double kLoyaltyToMoving = 0.5;
 constexpr double kToTheRight = 0.1;  // [m]; … or this one longer, in the first place
 
-constexpr double kBraking = 1.5;        // [m/s²]
-constexpr double kReaction = 0.3;       // [s]
-constexpr double kPartingTime = 0.5;    // [s]
-constexpr double kParting = 0.3;        // [m/s], at most
-constexpr double kNearby = 5.0;         // [m]; farther off nobody has to brake
-constexpr double kSteppingAside = 0.8;  // [m/s]; so fast also who wanted to be slower
-constexpr double kWallTime = 0.2;       // [s]; nobody gives way into a wall
-constexpr double kTolerance = 1e-6;     // [m/s]
-constexpr int kMostRounds = 4;
+constexpr double kBraking = 1.5;          // [m/s²]
+constexpr double kReaction = 0.3;         // [s]
+constexpr double kPartingTime = 0.5;      // [s]
+constexpr double kParting = 0.3;          // [m/s], at most
+constexpr double kNearby = 5.0;           // [m]; farther off nobody has to brake
+constexpr double kSteppingAside = 0.8;    // [m/s]; so fast also who wanted to be slower
+constexpr double kWallTime = 0.2;         // [s]; nobody gives way into a wall
+constexpr double kBoundTolerance = 1e-6;  // [m/s]
+constexpr int kBoundRounds = 4;
 
 bool isSeen(const FrozenWorld& world, const Vec2& eye, const Vec2& point) {
   return world.navigation.isOpenBetween(eye, point) || world.obstacles.isVisible(eye, point);
@@ -59,7 +59,7 @@ std::vector<Vec2> lineOf(const GivingWay::Walking& who) {
   for (const Vec2& point : who.way) {
     const Vec2 leg = point - line.back();
     const double length = leg.norm();
-    if (length < kSkin) {
+    if (length < kOutside) {
       continue;
     }
     line.emplace_back(line.back() + std::min(1.0, left / length) * leg);
@@ -115,7 +115,7 @@ void GivingWay::update(const FrozenWorld& world) {
       footprints_.push_back({constants.radius, constants.footprint});
     }
     const RobotState& now = state.robots[robot];
-    movedAt_[robot] = now.velocity.norm() < kStanding ? movedAt_[robot] : state.time;
+    movedAt_[robot] = now.velocity.norm() < kRobotStands ? movedAt_[robot] : state.time;
     world.grid.forEachNear(now.pose.position, kSight + reachOf(constants), [&](int human) {
       const auto at = static_cast<std::size_t>(human);
       if (world.model.people[at].model->givesWayToRobots()) {
@@ -150,7 +150,7 @@ std::vector<GivingWay::Met> GivingWay::metBy(const FrozenWorld& world, const Wal
     const std::size_t robot = near_[i].second;
     const RobotState& now = world.state.robots[robot];
     const Vec2& place = now.pose.position;
-    Met item{robot, now.pose, now.velocity.norm() < kStanding, {}};
+    Met item{robot, now.pose, now.velocity.norm() < kRobotStands, {}};
     if (!item.stands) {
       const std::optional<double> time =
           meetingTime(place - who.position, who.speed * who.direction - now.velocity);
@@ -172,7 +172,7 @@ void GivingWay::draw(std::vector<Met>& met, const Walking& who, double room) con
     const Footprint& footprint = footprints_[item.robot];
     const double own = footprint.isDisc() ? footprint.radius : 0.0;
     const double apart = gapToDisc(footprint, item.pose, who.position, 0.0) + own;
-    const double most = apart / kOutlineExcess - own - kSkin;
+    const double most = apart / kOutlineExcess - own - kOutside;
     const double wide = std::min(who.radius + room, most);
     item.outline = wide > 0.0 ? outlineAround(footprint, item.pose, wide) : std::vector<Vec2>();
     if (!item.outline.empty() && isInside(item.outline, who.position)) {
@@ -190,7 +190,7 @@ GivingWay::Lead GivingWay::lead(const FrozenWorld& world, const Walking& who) {
   }
   const std::vector<Vec2> line = lineOf(who);
   Conflict conflict;
-  for (const double room : {kRoom, kLeastRoom}) {
+  for (const double room : {kLikedRoom, kLeastRoom}) {
     draw(met, who, room);
     bool isFree = true;
     for (std::size_t leg = 0; leg + 1 < line.size() && isFree; ++leg) {
@@ -222,9 +222,9 @@ Vec2 GivingWay::besideOf(const FrozenWorld& world, const Met& met, const Vec2& p
   const Obstacles::Point foot = nearestPointOf(world.model.robots[met.robot], met.pose, place);
   Vec2 outwards = foot.inside ? Vec2(foot.position - place) : Vec2(place - foot.position);
   const double length = outwards.norm();
-  outwards = length > kSkin ? Vec2(outwards / length) : base::directionOf(met.pose.heading);
+  outwards = length > kOutside ? Vec2(outwards / length) : base::directionOf(met.pose.heading);
   const double own = footprint.isDisc() ? footprint.radius : 0.0;
-  const double distance = (radius + kRoom + own) * kOutlineExcess - own + kSkin;
+  const double distance = (radius + kLikedRoom + own) * kOutlineExcess - own + kOutside;
   return foot.position + distance * outwards;
 }
 
@@ -244,7 +244,7 @@ std::optional<Vec2> GivingWay::wayPast(const FrozenWorld& world, const Walking& 
   }
   const bool isTaken = isWithin(line[end]);
   const Vec2 aim = isTaken ? besideOf(world, around, line[end], who.radius) : line[end];
-  if (isTaken && (aim - who.position).norm() < kRoom) {
+  if (isTaken && (aim - who.position).norm() < kLikedRoom) {
     return std::nullopt;  // nearer one cannot come
   }
   WaysRound ways = waysRound(around.outline, line[begin], aim);
@@ -315,7 +315,7 @@ GivingWay::Lead GivingWay::waiting(const FrozenWorld& world, const Walking& who,
     lead.direction = Vec2::Zero();
   }
   const Vec2 drives =
-      now.velocity.norm() < kStanding ? now.pose.direction() : Vec2(now.velocity.normalized());
+      now.velocity.norm() < kRobotStands ? now.pose.direction() : Vec2(now.velocity.normalized());
   const Vec2 apart = who.position - now.pose.position;
   if (lead.stoodFor > kJustStopped || gap > kComingNear || apart.dot(drives) <= 0.0) {
     return lead;
@@ -360,7 +360,7 @@ std::optional<HalfPlane> GivingWay::boundBy(const FrozenWorld& world, std::size_
   const Vec2 inwards = -outwardsOf(outline, entry->edge);
   const double room = (outline[entry->edge] - place).dot(inwards);
   const double most = closingSpeedFor(room) + drives.dot(inwards);
-  if (velocity.dot(inwards) <= most + kTolerance ||
+  if (velocity.dot(inwards) <= most + kBoundTolerance ||
       !(isSeen(world, place, nearest.position) || isSeen(world, place, now.pose.position))) {
     return std::nullopt;
   }
@@ -373,7 +373,7 @@ Vec2 GivingWay::limited(const FrozenWorld& world, std::size_t human, const Vec2&
   std::size_t fixed = 0;
   Vec2 velocity = wanted;
   const auto [first, last] = nearOf(human);
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kBoundRounds; ++round) {
     const std::size_t before = planes.size();
     for (std::size_t i = first; i < last; ++i) {
       const std::optional<HalfPlane> plane = boundBy(world, human, near_[i].second, velocity);

@@ -18,7 +18,7 @@ constexpr double kStuckAfter = 4.0;    // [s] without progress
 constexpr double kProgress = 0.1;      // [m]
 constexpr double kWalkingSpeed = 0.05;  // [m/s]; slower people cannot be stuck
 
-constexpr double kPatience = 10.0;     // [s]; nobody waits longer before taking another way
+constexpr double kLongestWait = 10.0;  // [s]; nobody waits longer before taking another way
 constexpr double kFirstPause = 1.0;    // [s] between searches for one
 constexpr double kLongestPause = 8.0;  // idem, when there is none
 
@@ -174,7 +174,7 @@ bool RouteFollower::takeAnotherWay(const Request& request,
   }
   searchPause_ = kFirstPause;
   const double longer = lengthOfWay(way) - lengthOfWay(request.position, path_, next_);
-  if (waited < std::min(longer / std::max(request.speed, kWalkingSpeed), kPatience)) {
+  if (waited < std::min(longer / std::max(request.speed, kWalkingSpeed), kLongestWait)) {
     return false;
   }
   path_ = std::move(way);
