@@ -104,7 +104,7 @@ class NavigationMap {
 
   /// From start to goal; empty when there is none.
   std::vector<Vec2> plan(double radius, const Vec2& start, const Vec2& goal) const;
-  /// The same, and out of convex polygons, none of which holds the start; empty as well where
+  /// The same, and out of convex polygons; none may hold the start or the goal; empty as well where
   /// nothing else stands: there is room to pass.
   std::vector<Vec2> planAround(double radius, const Vec2& start, const Vec2& goal,
                                const std::vector<std::vector<Vec2>>& closed) const {

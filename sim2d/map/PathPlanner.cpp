@@ -36,10 +36,11 @@ class TerrainAround {
   std::size_t size() const { return terrain_.size(); }
   const base::StopFlag& stopFlag() const { return terrain_.stopFlag(); }
   bool isUnknown(Index index) const { return terrain_.isUnknown(index); }
+  bool isClosed(Index index) const { return isClosed_[static_cast<std::size_t>(index)] != 0; }
   template <class Visit>
   void forEachStep(Index from, Visit visit) const {
     terrain_.forEachStep(from, [&](Index to, std::uint32_t cost) {
-      if (isClosed_[static_cast<std::size_t>(to)] == 0) {
+      if (!isClosed(to)) {
         visit(to, cost);
       }
     });
@@ -239,14 +240,15 @@ std::vector<Vec2> PathPlanner::planAround(const Vec2& start, const Vec2& goal,
   }
   const Terrain terrain(space_.field(), space_.radius(), first, last);
   const TerrainAround open(terrain, grid, closed);
+  const Terrain::Index begin = terrain.indexOf(from->cell);
   GoalSearch<TerrainAround> search(open, terrain.indexOf(to->cell));
-  if (!search.reach(terrain.indexOf(from->cell))) {
+  if (open.isClosed(begin) || open.isClosed(search.goal()) || !search.reach(begin)) {
     return {};
   }
   CellWay way(space_, closed);
   way.append(from->place);
   way.append(grid.cellToWorld(from->cell));
-  for (Terrain::Index at = terrain.indexOf(from->cell); at != search.goal();) {
+  for (Terrain::Index at = begin; at != search.goal();) {
     at = search.next(at);
     way.append(grid.cellToWorld(terrain.cellOf(at)));
   }

@@ -35,9 +35,9 @@ class PathPlanner {
   /// way where it was moved to; a start that had to be moved is followed by its new place (and left
   /// out if a wall lies between). Start and goal alike: two equal points.
   std::vector<Vec2> plan(const Vec2& start, const Vec2& goal);
-  /// The same, and out of `closed` (convex polygons, none of which holds the start): round what
-  /// stands for a while, so nothing of the search is kept. By cells within `kAroundReach` of the
-  /// two; empty as well where that are more than 4 million cells.
+  /// The same, and out of `closed` (convex polygons; none may hold the start or the goal): round
+  /// what stands for a while, so nothing of the search is kept. By cells within `kAroundReach` of
+  /// the two; empty as well where that are more than 4 million cells.
   std::vector<Vec2> planAround(const Vec2& start, const Vec2& goal,
                                const std::vector<std::vector<Vec2>>& closed) const;
   static constexpr double kAroundReach = 25.0;  // [m]

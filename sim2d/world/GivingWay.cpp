@@ -33,6 +33,7 @@ constexpr double kLoyaltyToMoving = 0.5;
 constexpr double kToTheRight = 0.1;  // [m]; … or this one longer, in the first place
 
 constexpr double kBraking = 1.5;          // [m/s²]
+constexpr double kHardest = 5.0;          // [m/s²], of who is surprised
 constexpr double kReaction = 0.3;         // [s]
 constexpr double kPartingTime = 0.5;      // [s]
 constexpr double kParting = 0.3;          // [m/s], at most
@@ -395,7 +396,13 @@ Vec2 GivingWay::limited(const FrozenWorld& world, std::size_t human, const Vec2&
     }
     velocity = nearestAllowed(planes, fixed, wanted, std::max(wanted.norm(), kSteppingAside));
   }
-  return velocity;
+  if (planes.empty()) {
+    return wanted;
+  }
+  const Vec2 now = world.state.velocity(human);
+  const double most = std::max(kHardest * world.model.dt, (wanted - now).norm());
+  const Vec2 change = velocity - now;
+  return now + std::min(1.0, most / std::max(change.norm(), kBoundTolerance)) * change;
 }
 
 }  // namespace sim2d

@@ -113,6 +113,8 @@ void ConvexPolygonTest::planAround_onlyWayClosed_isNone() {
   PathPlanner planner(twoDoors(5.0), 0.3);
   const std::vector<Vec2> second = {Vec2(4.4, 4.4), Vec2(5.6, 4.4), Vec2(5.6, 5.6), Vec2(4.4, 5.6)};
   QVERIFY(planner.planAround(Vec2(1.0, 0.0), Vec2(9.0, 0.0), {kInFirstDoor, second}).empty());
+  QVERIFY(planner.planAround(Vec2(1.0, 0.0), Vec2(5.2, 0.0), {kInFirstDoor}).empty());
+  QVERIFY(planner.planAround(Vec2(4.8, 0.0), Vec2(9.0, 0.0), {kInFirstDoor}).empty());
 }
 
 QTEST_APPLESS_MAIN(ConvexPolygonTest)
