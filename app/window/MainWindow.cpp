@@ -74,7 +74,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   if (setup.options.allowCode) {
     workspace_.allowCodeOf(QString::fromStdString(setup.options.scenario));
   }
-  new CodeQuestion(workspace_, *notices_, this);
+  new CodeQuestion(workspace_, *notices_, notices_);  // goes with them, before the workspace
   files_->setOptions(setup.options, setup.compatibility);
   actions_->remember(memory_);
   placeParts(setup);
