@@ -10,6 +10,7 @@
 #include "bt/human/Templates.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/Variation.h"
 
 namespace bt {
 
@@ -148,7 +149,10 @@ std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
   if (!source.isGenerated()) {
     return loadWritten(human, source, diagnostics);
   }
-  const TreeTable table = makeTable(scenario_, human, quirks_);
+  const sim2d::DesktopSettings& settings = scenario_.desktop;
+  const sim2d::Human drawn =
+      sim2d::withFirstGoal(settings.variation, human, settings.seed.value_or(1));
+  const TreeTable table = makeTable(scenario_, drawn, quirks_);
   std::shared_ptr<const PersonProgram>& program =
       generated_[contentOf(table, library_.catalogue())];
   if (!program) {

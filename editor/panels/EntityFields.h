@@ -83,6 +83,8 @@ decltype(auto) partOf(AnyEntity& entity) {
     return (std::get<sim2d::Robot>(entity).odometryNoise);
   } else if constexpr (std::is_same_v<T, sim2d::DesktopSettings>) {
     return (std::get<ScenarioSettings>(entity).desktop);
+  } else if constexpr (std::is_same_v<T, sim2d::VariationSettings>) {
+    return (std::get<ScenarioSettings>(entity).desktop.variation);
   } else if constexpr (std::is_same_v<T, sim2d::MetricsSettings>) {
     return (std::get<ScenarioSettings>(entity).desktop.metrics);
   } else {

@@ -14,6 +14,7 @@ namespace {
 
 using Desktop = sim2d::DesktopSettings;
 using Metrics = sim2d::MetricsSettings;
+using Variation = sim2d::VariationSettings;
 
 template <class AnyEntity>
 auto& desktop(AnyEntity& entity) {
@@ -147,6 +148,19 @@ void SettingsPage::addPeopleSection(const sim2d::Registries& registries) {
                                   : tr("Two values of x in metres, ascending, with a comma "
                                        "between them");
                     }));
+  addVariation(section);
+}
+
+/// The preset stands with the people; its quantities are folded: few change them.
+void SettingsPage::addVariation(FormSection* people) {
+  addField<Variation>(people, "preset",
+                      inWords({tr("Not, all seeds are alike"), tr("A little"), tr("Much")}));
+  FormSection* section = addFold(tr("How people differ"));
+  for (const auto& field : sim2d::fieldsOf<Variation>()) {
+    if (field.spec.key != "preset") {
+      addField<Variation>(section, field.spec.key);
+    }
+  }
 }
 
 void SettingsPage::addModelSection(const sim2d::Registries& registries) {

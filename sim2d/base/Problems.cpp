@@ -681,6 +681,7 @@ constexpr ProblemText kTexts[] = {
     {"scenario.bad-wrap", "needs two numbers, the smaller one first"},
     {"scenario.group-no-number", "a group needs a number as its key"},
     {"scenario.group-twice", "group {id} is named twice"},
+    {"scenario.spread-unused", "{key} has no effect: the kind is {kind}"},
     {"scenario.unknown-moment", "'{found}' is unknown (one of {known}, time T, event KIND)"},
     {"scenario.points-uneven", "must have as many numbers as xs"},
     {"scenario.too-few-points", "needs at least {least} points"},

@@ -34,7 +34,9 @@ struct ResolvedHuman {
   // force factors
   double goalFactor = 2.0, obstacleFactor = 10.0, socialFactor = 5.0, otherFactor = 20.0;
   // ours
-  double startTime = 0.0;  // [s]
+  double startTime = 0.0;     // [s]
+  double reactionTime = 1.0;  // factor of the model's relaxation time
+  bool isVaried = false;      // drawn for this seed, see Variation.h
   std::string model = "sfm";
   std::vector<std::pair<std::string, double>> modelParameters;  // of it, as far as they are given
   std::vector<double> wait;

@@ -80,7 +80,7 @@ const FieldTables& fieldTables() {
   static const FieldTables kTables(scenarioFields(), humanFields(), behaviorFields(),
                                    personFields(), robotFields(), lidarFields(), detectorFields(),
                                    odometryFields(), obstacleFields(), doorFields(), areaFields(),
-                                   settingsFields(), metricsFields());
+                                   settingsFields(), variationFields(), metricsFields());
   return kTables;
 }
 
@@ -145,6 +145,7 @@ std::vector<KeyTable> keyTables(const FieldTables& tables) {
       tableOf<Human>("A person", "PERSON.", tables),
       tableOf<Behavior>("The `behavior` of a person", "PERSON.behavior.", tables),
       tableOf<DesktopSettings>("The run", "", tables),
+      tableOf<VariationSettings>("`variation`", "variation.", tables),
       tableOf<MetricsSettings>("`metrics`", "metrics.", tables),
       tableOf<PersonExtension>("A person, keys of ours", "PERSON.", tables),
       tableOf<Robot>("A robot", "ROBOT.", tables),

@@ -79,7 +79,7 @@ struct FieldTables
     : std::tuple<Fields<ScenarioSettings>, Fields<Human>, Fields<Behavior>, Fields<PersonExtension>,
                  Fields<Robot>, Fields<LidarSettings>, Fields<DetectorSettings>,
                  Fields<OdometrySettings>, Fields<Obstacle>, Fields<Door>, Fields<Area>,
-                 Fields<DesktopSettings>, Fields<MetricsSettings>> {
+                 Fields<DesktopSettings>, Fields<VariationSettings>, Fields<MetricsSettings>> {
   using tuple::tuple;
 };
 const FieldTables& fieldTables();

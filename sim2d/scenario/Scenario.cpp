@@ -1,6 +1,7 @@
 #include "sim2d/scenario/Scenario.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <type_traits>
 
@@ -46,6 +47,13 @@ auto restOf(const Human& of) {
 }
 auto restOf(const DesktopSettings& of) {
   return std::tie(of.metrics);
+}
+/// What is kept in the map of each quantity.
+std::vector<UnknownKeys> restOf(const VariationSettings& of) {
+  std::vector<UnknownKeys> unknown;
+  std::transform(of.spreads.begin(), of.spreads.end(), std::back_inserter(unknown),
+                 [](const SpreadSettings& each) { return each.unknown; });
+  return unknown;
 }
 auto restOf(const Scenario& of) {
   return std::tie(of.goals, of.humans, of.robots, of.obstacles, of.doors, of.areas, of.desktop,
@@ -129,6 +137,7 @@ template bool operator==(const Robot&, const Robot&);
 template bool operator==(const Obstacle&, const Obstacle&);
 template bool operator==(const Door&, const Door&);
 template bool operator==(const Area&, const Area&);
+template bool operator==(const VariationSettings&, const VariationSettings&);
 template bool operator==(const MetricsSettings&, const MetricsSettings&);
 template bool operator==(const DesktopSettings&, const DesktopSettings&);
 template bool operator==(const Scenario&, const Scenario&);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -191,6 +192,31 @@ struct MetricsSettings {
   UnknownKeys unknown;
 };
 
+enum class VariationPreset { None, Light, Strong };
+enum class SpreadKind { None, Normal, Uniform };
+/// What of a person differs from seed to seed. The numbers are part of each draw.
+enum class Varied { StartTime, Start, Heading, Speed, ReactionTime, FirstGoal };
+constexpr std::size_t kVariedCount = 6;
+
+/// How far one quantity goes from what is written, in its unit; absent: see Variation.h.
+struct SpreadSettings {
+  std::optional<SpreadKind> kind;
+  std::optional<double> sd, halfWidth, min, max;
+  UnknownKeys unknown;
+};
+
+/// Key `variation` of the block: people are drawn anew for each seed.
+struct VariationSettings {
+  std::optional<VariationPreset> preset;
+  std::array<SpreadSettings, kVariedCount> spreads;  // by Varied
+  UnknownKeys unknown;
+
+  SpreadSettings& of(Varied quantity) { return spreads[static_cast<std::size_t>(quantity)]; }
+  const SpreadSettings& of(Varied quantity) const {
+    return spreads[static_cast<std::size_t>(quantity)];
+  }
+};
+
 enum class ObstaclePoints { Boundary, Rays };
 /// What a robot must touch on its way for the run to end: people, or whatever is solid.
 enum class StopOnCollision { None, People, Any };
@@ -211,6 +237,7 @@ struct DesktopSettings {
   std::optional<bool> loopTrees;
   std::vector<double> wrapX;                        // empty or 2
   std::vector<std::pair<int, std::string>> groups;  // names of groups
+  VariationSettings variation;
   MetricsSettings metrics;
   UnknownKeys unknown;
 };

@@ -41,6 +41,7 @@ Fields<Obstacle> obstacleFields();
 Fields<Door> doorFields();
 Fields<Area> areaFields();
 Fields<DesktopSettings> settingsFields();
+Fields<VariationSettings> variationFields();
 Fields<MetricsSettings> metricsFields();
 
 /// The value of one key, checked by its type and range; what is wrong with it is reported.
@@ -149,6 +150,8 @@ Vec2 readPoint(YamlMap& view);  // x, y
 /// A map of names and single values.
 ParameterTexts readParameters(YamlMap& view, const std::string& key);
 void writeParameters(YamlNode& tree, const std::string& key, const ParameterTexts& parameters);
+void readVariation(YamlMap& view, DesktopSettings& to);
+void writeVariation(YamlNode& tree, const DesktopSettings& desktop);
 /// Maps inside an entity that have no place for keys of others.
 void refuseUnknown(YamlMap& view);
 

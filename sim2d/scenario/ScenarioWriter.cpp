@@ -306,6 +306,7 @@ Scenario withoutDefaults(Scenario scenario, const FieldTables& tables) {
     }
   });
   dropDefaults(scenario.desktop, desktop, tables);
+  dropDefaults(scenario.desktop.variation, desktop, tables);
   dropDefaults(scenario.desktop.metrics, desktop, tables);
   return scenario;
 }

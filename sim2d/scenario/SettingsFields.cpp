@@ -175,7 +175,9 @@ Fields<DesktopSettings> settingsFields() {
             {"Corridor"}, "m")
           .with(&Field<Settings>::read, readWrap),
       FieldOf<Settings>("groups", "Names of groups by their numbers")
-          .madeBy(readGroups, writeGroups, &Settings::groups)};
+          .madeBy(readGroups, writeGroups, &Settings::groups),
+      FieldOf<Settings>("variation", "How people differ from seed to seed")
+          .madeBy(readVariation, writeVariation, &Settings::variation)};
 }
 
 Fields<MetricsSettings> metricsFields() {

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/Variation.h"
 #include "sim2d/world/Placement.h"
+#include "sim2d/world/StartVariation.h"
 #include "sim2d/world/WorldInside.h"
 
 namespace sim2d {
@@ -70,10 +72,12 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
   for (const Human* human : listed) {
     Person person;
     person.key = human->key;
-    person.constants = resolvePerson(model, *human);
-    std::shared_ptr<GoalPlan>& plan = plans[{human->goals, person.constants.goalRadius}];
+    const Human drawn = withFirstGoal(setup.scenario->desktop.variation, *human,
+                                      static_cast<long long>(model.seed));
+    person.constants = resolvePerson(model, drawn);
+    std::shared_ptr<GoalPlan>& plan = plans[{drawn.goals, person.constants.goalRadius}];
     if (plan == nullptr) {
-      plan = std::make_shared<GoalPlan>(GoalPlan{human->goals, {}});
+      plan = std::make_shared<GoalPlan>(GoalPlan{drawn.goals, {}});
     }
     person.plan = plan;
     checkPerson(model, person.constants, human->key, problems);
@@ -256,12 +260,13 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
 
 /// A model serves all people for whom it would be made alike.
 void giveModels(WorldModel& model) {
-  using Key = std::tuple<std::string, PersonKind, double, double, double, double>;
+  using Key = std::tuple<std::string, PersonKind, double, double, double, double, double>;
   std::map<Key, std::shared_ptr<const PedestrianModel>> made;
   for (Person& person : model.people) {
     const ResolvedHuman& of = person.constants;
-    std::shared_ptr<const PedestrianModel>& same = made[{
-        of.model, of.kind, of.goalFactor, of.obstacleFactor, of.socialFactor, of.otherFactor}];
+    std::shared_ptr<const PedestrianModel>& same =
+        made[{of.model, of.kind, of.goalFactor, of.obstacleFactor, of.socialFactor, of.otherFactor,
+              of.reactionTime}];
     if (same == nullptr) {
       same = model.registries->models.find(of.model)->make(of);
     }
@@ -289,6 +294,7 @@ base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup) {
       std::make_unique<NavigationMap>(parts->surroundings.grid, parts->surroundings.obstacles,
                                       placesOf(parts->model), parts->surroundings.layers);
   fitPlaces(parts->model, *parts->navigation, problems);
+  varyStarts(*setup.scenario, *parts->navigation, parts->model);
   if (base::hasErrors(problems)) {
     return problems;
   }

@@ -59,6 +59,13 @@ std::vector<std::pair<std::string, double>> parametersOf(const ResolvedHuman& pe
       {"obstacle_force_factor", person.obstacleFactor},
       {"social_force_factor", person.socialFactor},
       {"other_force_factor", person.otherFactor}};
+  if (person.isVaried) {
+    const Pose2& start = person.start;
+    parameters.insert(parameters.end(), {{"start_x", start.position.x()},
+                                         {"start_y", start.position.y()},
+                                         {"start_h", start.heading},
+                                         {"reaction_time", person.reactionTime}});
+  }
   for (std::size_t i = 0; i < person.wait.size(); ++i) {
     parameters.emplace_back("wait_" + std::to_string(i), person.wait[i]);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim2d/map/Outlines.h"
+#include "sim2d/scenario/Variation.h"
 
 namespace sim2d {
 
@@ -42,6 +43,12 @@ ResolvedHuman resolvePerson(const WorldModel& world, const Human& human) {
     person.route = Route::Direct;
   }
   person.radius = ownBodyRadius(*world.registries, person).value_or(person.radius);
+  const VariationSettings& variation = scenario.desktop.variation;
+  person.isVaried = isVaried(variation);
+  if (person.isVaried) {
+    PersonVariation(variation, static_cast<long long>(world.seed), person.id, person.groupId)
+        .apply(person);
+  }
   return person;
 }
 

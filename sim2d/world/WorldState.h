@@ -123,7 +123,7 @@ struct FrozenWorld {
 };
 
 /// What counts for a person in this run; with all of the original also its model and straight ways,
-/// unless the scenario says otherwise.
+/// unless the scenario says otherwise, and as the seed draws it but for start and first goal.
 ResolvedHuman resolvePerson(const WorldModel& model, const Human& human);
 
 /// What its own software may know of a robot.

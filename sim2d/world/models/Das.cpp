@@ -21,6 +21,7 @@ DensityParameters parametersOf(const ResolvedHuman& person) {
   parameters.social.socialFactor = person.socialFactor;
   static const base::ParameterTable<DensityParameters> kTable = densityTable();
   kTable.set(parameters, person.modelParameters);
+  parameters.social.relaxationTime *= person.reactionTime;
   return parameters;
 }
 

@@ -16,6 +16,7 @@ ForceParameters parametersOf(const ResolvedHuman& person, bool isOriginal) {
   parameters.socialFactor = person.socialFactor;
   static const base::ParameterTable<ForceParameters> kTable = forceTable();
   kTable.set(parameters, person.modelParameters);
+  parameters.relaxationTime *= person.reactionTime;
   return parameters;
 }
 
