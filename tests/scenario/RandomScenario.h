@@ -4,6 +4,7 @@
 
 #include "sim2d/base/Rng.h"
 #include "sim2d/scenario/Scenario.h"
+#include "sim2d/scenario/Variation.h"
 
 /// Scenarios with random contents, for properties that hold for every scenario.
 namespace scenariotest {
@@ -291,6 +292,24 @@ class RandomScenario {
     to.unknown = unknown();
     return to;
   }
+  sim2d::VariationSettings variation() {
+    sim2d::VariationSettings to;
+    maybe(to.preset, [&] { return static_cast<sim2d::VariationPreset>(upTo(2)); });
+    for (std::size_t i = 0; i < sim2d::kVariedCount; ++i) {
+      sim2d::SpreadSettings& spread = to.spreads[i];
+      const bool isFactor = sim2d::variedQuantity(static_cast<sim2d::Varied>(i)).isFactor;
+      if (upTo(3) == 0) {
+        maybe(spread.kind, [&] { return static_cast<sim2d::SpreadKind>(upTo(2)); });
+        maybe(spread.sd, [&] { return size(); });
+        maybe(spread.halfWidth, [&] { return size(); });
+        maybe(spread.min, [&] { return isFactor ? 0.25 * (1 + upTo(3)) : -size(); });
+        maybe(spread.max, [&] { return 1.0 + upTo(3); });
+        spread.unknown = unknown();
+      }
+    }
+    to.unknown = unknown();
+    return to;
+  }
   sim2d::DesktopSettings desktop() {
     sim2d::DesktopSettings to;
     if (upTo(3) == 0) {
@@ -318,6 +337,7 @@ class RandomScenario {
     if (flip()) {
       to.groups = {{upTo(3), word()}, {5, word()}};
     }
+    to.variation = variation();
     sim2d::MetricsSettings& metrics = to.metrics;
     maybe(metrics.from, [&] { return std::string(flip() ? "begin" : "event contact"); });
     maybe(metrics.until, [&] { return std::string(flip() ? "end" : "time 3.5"); });
