@@ -29,6 +29,7 @@ class RobotSensesTest : public QObject {
   void lidar_recorded_isInTheFrames();
   void run_noisySensors_dependsOnTheSeedAlone();
   void planner_blindRobot_drivesOn();
+  void planner_blindDetector_avoidsWhatItsLidarMeets();
   void create_badSensors_isRefused_data();
   void create_badSensors_isRefused();
   void create_keysWithoutEffect_warns();
@@ -381,6 +382,23 @@ void RobotSensesTest::planner_blindRobot_drivesOn() {
     const std::unique_ptr<World> world = make(
         scenario, [](const WorldView&, Intents& intents) { intents.of(0).motion = Motion::Stand; });
     QCOMPARE(ofKind(advance(*world, 200), EventKind::Contact).empty(), !isBlind);
+  }
+}
+
+void RobotSensesTest::planner_blindDetector_avoidsWhatItsLidarMeets() {
+  for (const bool hasLidar : {true, false}) {
+    Scenario scenario;
+    addPerson(scenario, 1, Vec2(4.0, 0.0));
+    Robot& robot = addRobot(scenario, Vec2(0.0, 0.0), Vec2(8.0, 0.0));
+    robot.planner = "dwa";
+    robot.detector.range = 0.1;
+    robot.lidar.legs = false;
+    if (!hasLidar) {
+      robot.lidar.beams = 0;
+    }
+    const std::unique_ptr<World> world = make(
+        scenario, [](const WorldView&, Intents& intents) { intents.of(0).motion = Motion::Stand; });
+    QCOMPARE(ofKind(advance(*world, 200), EventKind::Contact).empty(), hasLidar);
   }
 }
 
