@@ -20,10 +20,13 @@ constexpr double kLookAhead = 6.0;                       // [m] along the way
 constexpr double kLikedRoom = 0.3;   // that people like to leave
 constexpr double kLeastRoom = 0.15;  // with which they still pass
 constexpr double kKept = 0.08;       // into which they do not walk
-constexpr double kWaiting = 0.6;     // to a robot that stands in the way
+constexpr double kWaiting = 1.2;     // to a robot that stands in the way
+constexpr double kOffered = 0.8;     // to one that may want to go where the person stands
 constexpr double kComingNear = 2.5;  // to one that comes, from which on people step aside
 constexpr double kAside = 0.25;      // beside the strip that such a robot drives along
 
+constexpr double kOfGoal = 0.8;  // so much of its radius may a goal be missed by
+constexpr double kFront = 0.3;   // cosine of the bearing from which a robot has a person before it
 constexpr double kOutside = 0.001;     // [m]
 constexpr double kShortestLeg = 0.02;  // [m]; shorter ones have no direction
 constexpr double kJustStopped = 5.0;   // [s]; a robot that stands for less may go on
@@ -225,7 +228,7 @@ Vec2 GivingWay::besideOf(const FrozenWorld& world, const Met& met, const Vec2& p
   const double length = outwards.norm();
   outwards = length > kOutside ? Vec2(outwards / length) : base::directionOf(met.pose.heading);
   const double own = footprint.isDisc() ? footprint.radius : 0.0;
-  const double distance = (radius + kLikedRoom + own) * kOutlineExcess - own + kOutside;
+  const double distance = (radius + kLeastRoom + own) * kOutlineExcess - own + kOutside;
   return foot.position + distance * outwards;
 }
 
@@ -245,8 +248,9 @@ std::optional<Vec2> GivingWay::wayPast(const FrozenWorld& world, const Walking& 
   }
   const bool isTaken = isWithin(line[end]);
   const Vec2 aim = isTaken ? besideOf(world, around, line[end], who.radius) : line[end];
-  if (isTaken && (aim - who.position).norm() < kLikedRoom) {
-    return std::nullopt;  // nearer one cannot come
+  const bool isTarget = (line[end] - who.way.back()).norm() < kOutside;
+  if (isTaken && isTarget && (aim - line[end]).norm() > kOfGoal * who.goalRadius) {
+    return std::nullopt;  // as long as it stands there the goal cannot be reached
   }
   WaysRound ways = waysRound(around.outline, line[begin], aim);
   if (ways.left.empty()) {
@@ -312,23 +316,24 @@ GivingWay::Lead GivingWay::waiting(const FrozenWorld& world, const Walking& who,
     }
   }
   const double gap = gapToDisc(footprints_[robot], now.pose, who.position, who.radius);
-  if (gap < kWaiting) {
-    lead.direction = Vec2::Zero();
-  }
   const Vec2 drives =
       now.velocity.norm() < kRobotStands ? now.pose.direction() : Vec2(now.velocity.normalized());
   const Vec2 apart = who.position - now.pose.position;
-  if (lead.stoodFor > kJustStopped || gap > kComingNear || apart.dot(drives) <= 0.0) {
-    return lead;
-  }
-  lead.direction = Vec2::Zero();
   const double left = base::cross(drives, apart);
   const double missing = reachOf(footprints_[robot]) + who.radius + kAside - std::fabs(left);
-  for (const double side : {left >= 0.0 ? 1.0 : -1.0, left >= 0.0 ? -1.0 : 1.0}) {
-    const Vec2 aside = side * Vec2(-drives.y(), drives.x());
-    if (missing > 0.0 &&
-        isWayClear(who.position, who.position + missing * aside, world.obstacles, who.radius)) {
-      lead.direction = aside;
+  const bool isBefore = apart.dot(drives) > kFront * apart.norm();
+  const bool comes = lead.stoodFor <= kJustStopped && gap < kComingNear;
+  if (gap < kWaiting || (isBefore && comes)) {
+    lead.direction = Vec2::Zero();
+  }
+  if (!isBefore || !((comes && missing > 0.0) || gap < kOffered)) {
+    return lead;
+  }
+  const Vec2 aside = (left >= 0.0 ? 1.0 : -1.0) * Vec2(-drives.y(), drives.x());
+  for (const Vec2& away : {aside, Vec2(apart.normalized()), Vec2(-aside)}) {
+    const Vec2 to = who.position + std::max(missing, kOffered - gap) * away;
+    if (isWayClear(who.position, to, world.obstacles, who.radius)) {
+      lead.direction = away;
       break;
     }
   }

@@ -30,7 +30,8 @@ class GivingWay {
     double radius = 0.35;           // of the body [m]
     double speed = 1.0;             // wanted [m/s]
     Vec2 direction = Vec2::Zero();  // of the way; unit vector, not zero
-    std::vector<Vec2> way;          // the points to walk to
+    double goalRadius = 0.3;        // [m]
+    std::vector<Vec2> way;          // the points to walk to; not empty
   };
   struct Lead {
     Vec2 direction = Vec2::Zero();  // where to head; zero: stand

@@ -186,8 +186,9 @@ void PersonMotion::giveWay(std::size_t human, const RouteFollower::Request& requ
   RouteFollower* const route =
       world.model.people[human].constants.route == Route::Direct ? nullptr : routes_[human].get();
   const GivingWay::Lead lead = givingWay_.lead(
-      world, {human, request.position, request.radius, request.speed, leg.direction,
-              route != nullptr ? route->rest() : std::vector<Vec2>{request.target.position}});
+      world,
+      {human, request.position, request.radius, request.speed, leg.direction, request.target.radius,
+       route != nullptr ? route->rest() : std::vector<Vec2>{request.target.position}});
   leg.direction = lead.direction;
   if (lead.waits && route != nullptr) {
     route->wait(request.time);

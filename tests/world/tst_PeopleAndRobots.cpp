@@ -180,7 +180,7 @@ void PeopleAndRobotsTest::parkedRobot_onTheGoal_isNotTouched() {
   const std::unique_ptr<World> world = make(scenario);
   const Met met = walk(*world, 20.0);
   QVERIFY2(met.contacts.empty() && met.leastGap > 0.02, told(met));
-  QVERIFY2((positionOf(world->frame(), 0) - Vec2(5.0, 0.0)).norm() < 2.0, told(met));
+  QVERIFY2((positionOf(world->frame(), 0) - Vec2(5.0, 0.0)).norm() < 2.5, told(met));
 }
 
 void PeopleAndRobotsTest::parkedRobot_longFootprint_isPassed() {
@@ -321,11 +321,11 @@ void PeopleAndRobotsTest::fastRobot_fromBehindACorner_isAtFault() {
   int touched = 0;
   for (int tenths = 0; tenths < 30; ++tenths) {
     Scenario scenario = byModel(model.toStdString());
-    addWall(scenario, {Vec2(3.0, -1.15), Vec2(4.9, -1.15)}, 1.4);
+    addWall(scenario, {Vec2(3.0, -1.12), Vec2(4.9, -1.12)}, 1.4);
     addWall(scenario, {Vec2(4.4, -16.0), Vec2(4.4, -1.2)}, 1.0);
     addGoal(scenario, 1, 10.0, 0.0);
     addPerson(scenario, 1, Vec2(3.0, 0.0), {1}).maxVel = 1.0;
-    Robot& robot = park(scenario, Vec2(5.4, -13.0 + 0.2 * tenths), base::kPi / 2.0);
+    Robot& robot = park(scenario, Vec2(5.27, -13.0 + 0.2 * tenths), base::kPi / 2.0);
     robot.maxVel = 5.0;
     robot.maxAcc = 100.0;
     const std::unique_ptr<World> world = make(scenario);
