@@ -233,7 +233,7 @@ void PeopleAndRobotsTest::robotInDoorway_otherWay_isTaken() {
   });
   QVERIFY2(met.arrived && met.contacts.empty(), told(met));
   QVERIFY(mostY > 5.4);
-  QVERIFY2(met.replans >= 1 && met.replans <= 3, QByteArray::number(met.replans));
+  QVERIFY2(met.replans >= 1 && met.replans <= 5, QByteArray::number(met.replans));
 }
 
 /// A robot that stops before people is let through by somebody who wants to come the other way.
