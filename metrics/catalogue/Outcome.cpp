@@ -92,8 +92,8 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
 
 constexpr char kMetrics[] = R"(
 = Safety & Collisions|lower|robot, people|Tsoi et al., SEAN 2.0, RA-L 2022
-16 robot_on_person_collision|Robot runs into a person||0, 1, ...|contacts (gap < contact_distance begins) in which the robot closes in faster
-17 person_on_robot_collision|Person runs into the robot||0, 1, ...|contacts (gap < contact_distance begins) in which the person closes in faster
+16 robot_on_person_collision|Robot runs into a person||0, 1, ...|contacts (gap < contact_distance begins) in which the robot closes in faster along the line of centres, as events tell; both when equally fast
+17 person_on_robot_collision|Person runs into the robot||0, 1, ...|contacts (gap < contact_distance begins) in which the person closes in faster along the line of centres, as events tell; both when equally fast
 = Navigation Performance|higher|robot, people, obstacles, goal|Francis et al. 2025; SocNavBench; CrowdNav; Arena
 success|Success||0 or 1|completed, no contact with a person or an obstacle, no timeout
 = Navigation Performance|lower|nothing|all benchmarks
