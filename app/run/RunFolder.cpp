@@ -206,7 +206,8 @@ std::vector<std::string> formerRobotFiles(const std::string& folder) {
       manifest.is_object() && manifest.contains("robots") && manifest["robots"].is_array()
           ? manifest["robots"]
           : none;
-  for (const Json& robot : robots) {
+  for (std::size_t k = 1; k < robots.size(); ++k) {
+    const Json& robot = robots[k];
     const Json name = robot.is_object() ? robot.value("name", Json()) : Json();
     const std::string word = name.is_string() ? name.get<std::string>() : std::string();
     if (!word.empty() && word.find('/') == std::string::npos) {

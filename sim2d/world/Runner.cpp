@@ -21,7 +21,8 @@ bool moves(const Robot& robot) {
 
 /// Between setting off and arriving, the step of the arrival included.
 bool isOnWay(const RobotOnWay& robot, double time) {
-  return time >= robot.setsOff - kTick && (!robot.arrived || time <= *robot.arrived + kTick);
+  return robot.hasGoal && time >= robot.setsOff - kTick &&
+         (!robot.arrived || time <= *robot.arrived + kTick);
 }
 
 /// Follows the ways of the robots to what ends them.

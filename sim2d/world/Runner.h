@@ -35,8 +35,9 @@ struct RunResult {
 };
 
 /// Number of steps of a run, or until the robots have arrived plus 1 s. In either case a run ends
-/// with a contact that `stopOnCollision` tells, of a robot between setting off and arriving, and
-/// when each robot has arrived or is stuck, one at least the latter (World::robotsOnWay).
+/// with a contact that `stopOnCollision` tells, of a robot with a goal between setting off and
+/// arriving, and when each robot has arrived or is stuck, one at least the latter
+/// (World::robotsOnWay).
 struct StopRule {
   std::int64_t maximumSteps = 2400;
   bool stopOnArrival = true;

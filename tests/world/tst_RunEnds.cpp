@@ -179,6 +179,28 @@ class RunEndsTest : public QObject {
     QVERIFY(goal > 1.0 || ran.robot().time < timesOf(ran.trace, EventKind::Contact).front());
   }
 
+  /// A robot that has nowhere to go is an obstacle for the others.
+  void collision_withAStandingRobot_isOfWhoDrives() {
+    Scenario scenario = driveTo(6.0);
+    addRobot(scenario, Vec2(3.0, 0.0), Vec2::Zero()).goal.point.reset();
+    scenario.desktop.stopOnCollision = StopOnCollision::Any;
+    const Ran ran = ranWith(scenario, {-1});
+    QCOMPARE(ran.result.reason, std::string("collision: robot1 with robot2"));
+    QVERIFY(ran.robot(0).result == WayEnd::Collision);
+    QVERIFY(!ran.robot(1).result);
+    QVERIFY(isAbout(ran.robot(0).time, 2.8, 0.1));  // 2.3 m
+    addGoal(scenario, 1, 6.0, 3.0);
+    for (int id = 1; id <= 3; ++id) {  // they push the second one
+      addPerson(scenario, id, Vec2(2.0 - id, 3.0), {1}).ours.route = Route::Direct;
+    }
+    scenario.robots[0].start.position = Vec2(0.0, -6.0);
+    scenario.robots[0].goal.point = Vec2(30.0, -6.0);
+    scenario.robots[1].start.position = Vec2(3.0, 3.0);
+    const Ran pushed = ranWith(scenario);
+    QVERIFY(!timesOf(pushed.trace, EventKind::Contact, -2).empty());
+    QCOMPARE(pushed.result.reason, std::string("duration"));
+  }
+
   /// Two robots drive at each other, a third one is on its way far off.
   void collision_ofTwoRobots_isOneOfBoth() {
     Scenario scenario = driveTo(6.0);

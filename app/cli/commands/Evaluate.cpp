@@ -214,10 +214,11 @@ base::Result<metrics::TimedWay> readReference(const std::string& source,
 /// Tables of the robots beside the first.
 std::vector<std::string> robotFiles(const sim2d::TraceHeader& header) {
   std::vector<std::string> files;
-  for (const sim2d::TraceRobot& robot : header.robots) {
-    if (robot.name.find('/') == std::string::npos) {
-      files.push_back(metrics::robotFile("metrics", robot.name));
-      files.push_back(metrics::robotFile("steps", robot.name));
+  for (std::size_t k = 1; k < header.robots.size(); ++k) {
+    const std::string& name = header.robots[k].name;
+    if (name.find('/') == std::string::npos) {
+      files.push_back(metrics::robotFile("metrics", name));
+      files.push_back(metrics::robotFile("steps", name));
     }
   }
   return files;
