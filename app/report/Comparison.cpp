@@ -211,7 +211,7 @@ int decimalsFor(const std::vector<Estimate>& estimates, bool isRate) {
     size = std::isnan(estimate.mean) ? size : std::max(size, std::abs(estimate.mean));
   }
   const double unit = spread > 0.0 ? spread : size > 0.0 ? size / 10.0 : 1.0;
-  return std::clamp(static_cast<int>(std::ceil(1.0 - std::log10(unit))), 0, 4);
+  return std::clamp(static_cast<int>(std::ceil(0.3 - std::log10(unit))), 0, 4);
 }
 
 }  // namespace report

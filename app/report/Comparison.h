@@ -60,7 +60,8 @@ std::vector<std::vector<std::size_t>> blocksOf(const Study& study);
 MetricComparison compare(const Study& study, std::size_t metric,
                          const std::vector<std::vector<std::size_t>>& blocks);
 
-/// Decimals with which numbers of that spread are written: the spread keeps two digits.
+/// Decimals with which means are written: half of the narrowest interval is two units or more of
+/// the last place.
 int decimalsFor(const std::vector<Estimate>& estimates, bool isRate);
 
 }  // namespace report

@@ -84,7 +84,7 @@ struct PanelGrid {
   double panelHeight = 100.0;
   double width = 720.0, gap = 32.0;
   double rows() const;
-  double height() const { return rows() * (panelHeight + gap); }
+  double height() const { return rows() * (panelHeight + gap) - gap; }
   double panelWidth() const { return (width - gap * (columns - 1)) / columns; }
   void forEach(const std::function<void(std::size_t, double, double)>& draw) const;
 };

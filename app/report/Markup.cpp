@@ -67,6 +67,14 @@ std::string rounded(double value, int decimals) {
   return (isNegative ? "-" : "") + digits;
 }
 
+std::string withAsciiMinus(std::string text) {
+  const std::string minus = "−";
+  for (std::size_t at = 0; (at = text.find(minus, at)) != std::string::npos; ++at) {
+    text.replace(at, minus.size(), "-");
+  }
+  return text;
+}
+
 std::string cellHtml(const Table::Cell& cell, const Table::Column& column) {
   std::string content = cell.markup.empty() ? escaped(cell.text) : cell.markup;
   if (cell.bold) {
@@ -77,6 +85,9 @@ std::string cellHtml(const Table::Cell& cell, const Table::Column& column) {
   }
   if (!cell.below.empty()) {
     content += element("small", "", escaped(cell.below));
+  }
+  if (!cell.note.empty()) {
+    content += element("small", "", escaped(cell.note));
   }
   std::string attributes = column.isNumber ? " class=\"n\"" : "";
   if (!cell.sort.empty()) {
@@ -220,34 +231,34 @@ std::string tableLatex(const Table& table) {
 
 std::string tableCsv(const Table& table) {
   std::vector<bool> hasBelow(table.columns.size(), false);
+  std::vector<bool> hasNote(table.columns.size(), false);
   for (const std::vector<Table::Cell>& row : table.rows) {
     for (std::size_t k = 0; k < row.size(); ++k) {
       hasBelow[k] = hasBelow[k] || !row[k].below.empty();
+      hasNote[k] = hasNote[k] || !row[k].note.empty();
     }
   }
-  const auto plain = [](std::string text) {
-    for (std::size_t at = 0; (at = text.find("−", at)) != std::string::npos; ++at) {
-      text.replace(at, std::string("−").size(), "-");
-    }
-    return text;
-  };
   std::vector<std::vector<std::string>> rows(1);
+  const auto add = [&](std::size_t k, const std::string& text, const std::string& below,
+                       const std::string& note) {
+    rows.back().push_back(text);
+    if (hasBelow[k]) {
+      rows.back().push_back(below);
+    }
+    if (hasNote[k]) {
+      rows.back().push_back(note);
+    }
+  };
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     const Table::Column& column = table.columns[k];
-    rows.front().push_back(column.title + (column.unit.empty() ? "" : " [" + column.unit + "]"));
-    if (hasBelow[k]) {
-      rows.front().push_back(column.title + " interval");
-    }
+    add(k, column.title + (column.unit.empty() ? "" : " [" + column.unit + "]"),
+        column.title + " interval", column.title + " note");
   }
   for (const std::vector<Table::Cell>& row : table.rows) {
-    std::vector<std::string> fields;
+    rows.emplace_back();
     for (std::size_t k = 0; k < row.size(); ++k) {
-      fields.push_back(plain(row[k].text + row[k].mark));
-      if (hasBelow[k]) {
-        fields.push_back(plain(row[k].below));
-      }
+      add(k, withAsciiMinus(row[k].text), withAsciiMinus(row[k].below), row[k].note);
     }
-    rows.push_back(std::move(fields));
   }
   return csvText(rows);
 }

@@ -37,6 +37,7 @@ struct Table {
     std::string sort = {};   // what a click sorts by; empty = the text
     std::string mark = {};   // "†": a note of the caption
     bool bold = false;
+    std::string note = {};    // small, in a third line
     std::string markup = {};  // instead of text, as it is: a button
   };
   std::string name;     // of files: "results"
@@ -46,7 +47,8 @@ struct Table {
 };
 std::string tableHtml(const Table& table, const std::string& htmlClass = {});
 std::string tableLatex(const Table& table);  // booktabs
-std::string tableCsv(const Table& table);    // ASCII minus; intervals in columns of their own
+std::string tableCsv(
+    const Table& table);  // ASCII minus, no marks; intervals and notes have columns of their own
 
 /// Rows of plain fields as CSV.
 std::string csvText(const std::vector<std::vector<std::string>>& rows);

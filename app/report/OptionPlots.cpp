@@ -116,6 +116,8 @@ std::vector<CaseRow> caseRows(const Study& study, std::size_t metric) {
   return rows;
 }
 
+constexpr std::size_t kCaseLength = 38;
+
 /// A cell of the table of cases, tinted by how hard it is.
 void drawCell(Figure& figure, const Metric& metric, const Extent& extent, double mean,
               const base::Vec2& corner, const base::Vec2& size) {
@@ -184,14 +186,17 @@ std::optional<Figure> difficultyFigure(const Study& study, std::size_t metric) {
   constexpr std::size_t kMostRows = 60;
   const bool isCut = rows.size() > kMostRows;
   rows.resize(std::min(rows.size(), kMostRows));
-  constexpr double kCaseNames = 250.0;
+  std::size_t longest = 0;
+  for (const CaseRow& row : rows) {
+    longest = std::max(longest, shortened(study.cases[row.ofCase], kCaseLength).size());
+  }
+  const double names = 6.4 * static_cast<double>(longest) + 16.0;
   constexpr double kRow = 24.0;
   constexpr double kTop = 26.0;
-  const double cell =
-      std::min(110.0, (720.0 - kCaseNames) / static_cast<double>(study.options.size()));
+  const double cell = std::min(110.0, (720.0 - names) / static_cast<double>(study.options.size()));
   Figure figure("difficulty", 720.0, kTop + kRow * static_cast<double>(rows.size()) + 4.0);
-  const auto leftOf = [cell](std::size_t option) {
-    return kCaseNames + static_cast<double>(option) * cell;
+  const auto leftOf = [cell, names](std::size_t option) {
+    return names + static_cast<double>(option) * cell;
   };
   for (std::size_t option = 0; option < study.options.size(); ++option) {
     figure.text(leftOf(option) + 0.5 * cell, 16.0,
@@ -200,13 +205,14 @@ std::optional<Figure> difficultyFigure(const Study& study, std::size_t metric) {
   }
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const double y = kTop + kRow * static_cast<double>(k);
-    figure.text(kCaseNames - 10.0, y + 16.0, shortened(study.cases[rows[k].ofCase], 38), "ink",
+    figure.text(names - 10.0, y + 16.0, shortened(study.cases[rows[k].ofCase], kCaseLength), "ink",
                 Anchor::End);
     for (std::size_t option = 0; option < study.options.size(); ++option) {
       drawCell(figure, what, extent, rows[k].means[option], {leftOf(option), y}, {cell, kRow});
     }
   }
-  figure.caption = titleOf(what) + ", mean per case; the hardest first, darker is harder" +
+  figure.caption = titleOf(what) +
+                   ", mean per case; the hardest first, the stronger the colour the harder" +
                    (isCut ? " (the first " + std::to_string(kMostRows) + ")." : ".");
   return figure;
 }

@@ -157,7 +157,9 @@ class PageMaker {
         element("b", "", escaped(metric.name)) + ": best is " + escaped(study_.options[best]) +
         " (" + escaped(estimateText(metric, comparison.estimates[best].mean, decimals) + unit) +
         ")";
-    words += beaten.empty() ? "" : ", better than " + escaped(names(beaten));
+    const bool beatsAll = close.empty() && beaten.size() > 1;
+    words +=
+        beaten.empty() ? "" : ", better than " + (beatsAll ? "all others" : escaped(names(beaten)));
     words += close.empty() ? ""
                            : (beaten.empty() ? ", " : "; ") +
                                  std::string("not clearly different from ") + escaped(names(close));

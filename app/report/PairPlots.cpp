@@ -24,12 +24,12 @@ void differencePanel(Figure& figure, const Study& study, const MetricComparison&
       extent.add(difference);
     }
   }
-  constexpr double kPairNames = 1.3 * kNames;
+  constexpr double kPairNames = 1.45 * kNames;
   const Scale scale = roomyScale(extent.low, extent.high, left + kPairNames, left + width - 8.0);
   double y = top + kTitle + 0.5 * kRow;
   for (const PairResult* pair : pairs) {
-    const std::string first = shortened(study.options[pair->first], 10);
-    const std::string second = shortened(study.options[pair->second], 10);
+    const std::string first = shortened(study.options[pair->first], 11);
+    const std::string second = shortened(study.options[pair->second], 11);
     figure.text(left + kPairNames - 10.0, y + 4.0, first + " − " + second, "ink", Anchor::End,
                 10.5);
     strip(figure, pair->differences, scale, y + 5.0, 10.0, "dim");
@@ -97,12 +97,12 @@ void ranksPanel(Figure& figure, const Study& study, const MetricComparison& comp
     figure.line(scale.at(sorted[from]) - 3.0, y, scale.at(sorted[to]) + 3.0, y, "line", 3.0);
     y += 6.0;
   }
-  y = axis + 10.0 + 6.0 * count;
+  y = std::max(y, axis + 8.0);
   for (std::size_t k = 0; k < order.size(); ++k) {
     y += kRow;
     const double x = scale.at(sorted[k]);
-    figure.line(x, axis, x, y - 4.0, strokeOf(order[k]));
-    figure.line(left + kNames, y - 4.0, x, y - 4.0, strokeOf(order[k]));
+    figure.line(x, axis, x, y - 4.0, strokeOf(order[k]), 1.4);
+    figure.line(left + kNames, y - 4.0, x, y - 4.0, strokeOf(order[k]), 1.4);
     figure.text(left + kNames - 8.0, y, nameOfOption(study, order[k]), "ink", Anchor::End);
     figure.text(scale.to + 18.0, y, numberText(sorted[k], 2), "dim", Anchor::End, 10.0);
   }

@@ -12,16 +12,16 @@ namespace report {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 int centimetres(double metres) {
   return static_cast<int>(std::lround(100.0 * metres));
 }
 
-Json outlinesJson(const std::vector<sim2d::Outline>& outlines) {
-  Json all = Json::array();
+OrderedJson outlinesJson(const std::vector<sim2d::Outline>& outlines) {
+  OrderedJson all = OrderedJson::array();
   for (const sim2d::Outline& outline : outlines) {
-    Json points = Json::array();
+    OrderedJson points = OrderedJson::array();
     for (const base::Vec2& point : outline.points) {
       points.push_back(centimetres(point.x()));
       points.push_back(centimetres(point.y()));
@@ -37,7 +37,7 @@ class BodyTrack {
   void add(std::size_t sample, double x, double y, double heading) {
     const int now[3] = {centimetres(x), centimetres(y), centimetres(heading)};
     if (stays_.empty() || last_ + 1 != sample) {
-      stays_.push_back({sample, Json::array()});
+      stays_.push_back({sample, OrderedJson::array()});
       std::fill(std::begin(before_), std::end(before_), 0);
     }
     for (int k = 0; k < 3; ++k) {
@@ -46,8 +46,8 @@ class BodyTrack {
     }
     last_ = sample;
   }
-  Json json() const {
-    Json stays = Json::array();
+  OrderedJson json() const {
+    OrderedJson stays = OrderedJson::array();
     for (const auto& [from, differences] : stays_) {
       stays.push_back({{"from", from}, {"d", differences}});
     }
@@ -55,7 +55,7 @@ class BodyTrack {
   }
 
  private:
-  std::vector<std::pair<std::size_t, Json>> stays_;
+  std::vector<std::pair<std::size_t, OrderedJson>> stays_;
   std::size_t last_ = 0;
   int before_[3] = {};
 };
@@ -74,11 +74,12 @@ std::map<int, BodyTrack> bodyTracks(const std::vector<const sim2d::Frame*>& samp
   return tracks;
 }
 
-Json bodiesJson(const sim2d::TraceHeader& header, const std::vector<const sim2d::Frame*>& samples) {
+OrderedJson bodiesJson(const sim2d::TraceHeader& header,
+                       const std::vector<const sim2d::Frame*>& samples) {
   const std::map<int, BodyTrack> tracks = bodyTracks(samples);
-  Json bodies = Json::array();
+  OrderedJson bodies = OrderedJson::array();
   for (const auto& [id, track] : tracks) {
-    Json body = {{"id", id}, {"name", std::to_string(id)}, {"look", 1}, {"r", 35}};
+    OrderedJson body = {{"id", id}, {"name", std::to_string(id)}, {"look", 1}, {"r", 35}};
     if (const sim2d::TraceHuman* human = header.human(id)) {
       body["name"] = human->name;
       body["look"] = human->behavior;
@@ -101,8 +102,8 @@ Json bodiesJson(const sim2d::TraceHeader& header, const std::vector<const sim2d:
   return bodies;
 }
 
-Json goalsJson(const sim2d::TraceHeader& header) {
-  Json goals = Json::array();
+OrderedJson goalsJson(const sim2d::TraceHeader& header) {
+  OrderedJson goals = OrderedJson::array();
   std::set<int> known;
   for (const sim2d::TraceHuman& human : header.humans) {
     for (const sim2d::TraceGoal& goal : human.goals) {
@@ -135,16 +136,17 @@ bool isTold(const sim2d::Event& event) {
   }
 }
 
-Json eventsJson(const sim2d::Trace& trace) {
+OrderedJson eventsJson(const sim2d::Trace& trace) {
   constexpr std::size_t kMostEvents = 200;
-  Json events = Json::array();
+  OrderedJson events = OrderedJson::array();
   for (const auto& [step, event] : trace.events) {
     if (!isTold(event) || events.size() >= kMostEvents) {
       continue;
     }
     events.push_back({std::round(static_cast<double>(step) * trace.header.dt * 100.0) / 100.0,
-                      sim2d::eventKindName(event.kind), event.hasId ? Json(event.id) : Json(),
-                      event.hasOther ? Json(event.other) : Json(), event.text});
+                      sim2d::eventKindName(event.kind),
+                      event.hasId ? OrderedJson(event.id) : OrderedJson(),
+                      event.hasOther ? OrderedJson(event.other) : OrderedJson(), event.text});
   }
   return events;
 }
@@ -160,19 +162,19 @@ std::string playerJson(const sim2d::Trace& trace, const std::string& title, doub
     samples.push_back(&trace.frames[k]);
   }
   const Ground ground = groundOf(trace);
-  const Json json = {{"title", title},
-                     {"scenario", trace.header.scenario},
-                     {"seed", trace.header.seed},
-                     {"dt", recorded * static_cast<double>(stride)},
-                     {"samples", samples.size()},
-                     {"box",
-                      {centimetres(ground.low.x()), centimetres(ground.low.y()),
-                       centimetres(ground.high.x()), centimetres(ground.high.y())}},
-                     {"walls", outlinesJson(ground.walls)},
-                     {"shapes", outlinesJson(ground.shapes)},
-                     {"goals", goalsJson(trace.header)},
-                     {"bodies", bodiesJson(trace.header, samples)},
-                     {"events", eventsJson(trace)}};
+  const OrderedJson json = {{"title", title},
+                            {"scenario", trace.header.scenario},
+                            {"seed", trace.header.seed},
+                            {"dt", recorded * static_cast<double>(stride)},
+                            {"samples", samples.size()},
+                            {"box",
+                             {centimetres(ground.low.x()), centimetres(ground.low.y()),
+                              centimetres(ground.high.x()), centimetres(ground.high.y())}},
+                            {"walls", outlinesJson(ground.walls)},
+                            {"shapes", outlinesJson(ground.shapes)},
+                            {"goals", goalsJson(trace.header)},
+                            {"bodies", bodiesJson(trace.header, samples)},
+                            {"events", eventsJson(trace)}};
   return base::jsonText(json, -1);
 }
 

@@ -37,12 +37,13 @@ std::string percentText(double level);                             // "95 %"
 void strip(Figure& figure, const Numbers& values, const Scale& scale, double y, double height,
            const std::string& role);
 
-/// Panels of one height in two columns: draw(figure, index, left, top, width).
+/// Panels of one height in two columns, one alone in one: draw(figure, index, left, top, width).
 template <class Draw>
 Figure panels(const char* name, std::size_t count, double height, Draw draw) {
   PanelGrid grid;
   grid.count = count;
   grid.panelHeight = height;
+  grid.columns = count == 1 ? 1 : 2;
   grid.gap = 24.0;
   Figure figure(name, grid.width, grid.height());
   grid.forEach([&](std::size_t k, double left, double top) {

@@ -10,7 +10,7 @@ namespace report {
 
 namespace {
 
-constexpr std::size_t kFewPairs = 6;  // all are shown
+constexpr std::size_t kFewPairs = 3;  // all are shown
 
 /// A panel with one row per option: dot and interval.
 void intervalPanel(Figure& figure, const Study& study, const MetricComparison& comparison,
@@ -56,6 +56,7 @@ std::optional<Figure> intervalPanels(const Study& study,
   PanelGrid grid;
   grid.count = chosen.size();
   grid.panelHeight = kTitle + 22.0 * static_cast<double>(study.options.size()) + kAxis;
+  grid.columns = grid.count == 1 ? 1 : 2;
   grid.gap = 20.0;
   Figure figure(name, grid.width, grid.height());
   grid.forEach([&](std::size_t k, double left, double top) {

@@ -172,11 +172,11 @@ double panelHeightFor(const RunPictures& pictures, double width, double most) {
   return std::min(height, most);
 }
 
-using Cell = std::pair<std::size_t, std::size_t>;  // case, option
+using CasePlace = std::pair<std::size_t, std::size_t>;  // case, option
 
-std::map<Cell, std::vector<const RunPicture*>> waysByCell(const Study& study,
-                                                          const RunPictures& pictures) {
-  std::map<Cell, std::vector<const RunPicture*>> cells;
+std::map<CasePlace, std::vector<const RunPicture*>> waysByCell(const Study& study,
+                                                               const RunPictures& pictures) {
+  std::map<CasePlace, std::vector<const RunPicture*>> cells;
   for (const RunPicture& picture : pictures.runs) {
     auto& cell = cells[{study.caseOf[picture.run], study.optionOf[picture.run]}];
     if (picture.way.size() > 1 && cell.size() < 2 * kMostPerCell) {

@@ -12,6 +12,8 @@ namespace {
 
 using Cell = Table::Cell;
 
+constexpr double kManyPairs = 9999.0;
+
 std::string levelText(const Study& study) {
   return numberText(100.0 * study.level, 0) + " %";
 }
@@ -40,8 +42,7 @@ Cell estimateCell(const Study& study, const MetricComparison& comparison, std::s
   Cell cell;
   cell.text = estimateText(metric, value, decimals);
   cell.below = intervalText(metric, median ? estimate.medianInterval : estimate.interval, decimals);
-  const std::string count = countNote(study, estimate, option);
-  cell.below += count.empty() || cell.below.empty() ? count : " " + count;
+  cell.note = countNote(study, estimate, option);
   cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
   cell.bold = !median && comparison.best == option;
   cell.mark = !median && comparison.differs[option] ? "†" : "";
@@ -84,7 +85,7 @@ std::string weightsText(const std::vector<std::pair<std::string, double>>& weigh
 std::vector<Cell> pairRow(const Study& study, const MetricComparison& comparison,
                           const PairResult& pair) {
   const Metric& metric = study.metrics[comparison.metric];
-  const int decimals = decimalsFor(comparison.estimates, metric.isRate);
+  const int decimals = decimalsFor(comparison.estimates, metric.isRate) + 1;
   const auto ties = static_cast<int>(pair.differences.size()) - pair.higher - pair.lower;
   Cell shift;
   shift.text = estimateText(metric, pair.shift, decimals);
@@ -92,7 +93,7 @@ std::vector<Cell> pairRow(const Study& study, const MetricComparison& comparison
   shift.sort = std::isnan(pair.shift) ? "–" : base::formatDouble(pair.shift);
   const bool isClear = pair.adjusted < kSignificance;
   const auto sorted = [](const std::string& text, double value, bool bold = false) {
-    return Cell{text, {}, std::isnan(value) ? "–" : base::formatDouble(value), {}, bold, {}};
+    return Cell{text, {}, std::isnan(value) ? "–" : base::formatDouble(value), {}, bold, {}, {}};
   };
   return {
       {titleOf(metric)},
@@ -104,7 +105,31 @@ std::vector<Cell> pairRow(const Study& study, const MetricComparison& comparison
       sorted(pText(pair.p), pair.p),
       sorted(pText(pair.adjusted), pair.adjusted, isClear),
       sorted(numberText(pair.delta, 2), pair.delta),
-      sorted(numberText(pair.enoughPairs, 0), pair.enoughPairs)};
+      sorted(pair.enoughPairs > kManyPairs ? "> 9999" : numberText(pair.enoughPairs, 0),
+             pair.enoughPairs)};
+}
+
+/// Of a run without success: what its metrics tell.
+std::string whatHappened(const Study& study, std::size_t run) {
+  const struct {
+    const char* key;
+    bool whenZero;
+    const char* words;
+  } signs[] = {{"robot_on_person_collision", false, "ran into a person"},
+               {"person_on_robot_collision", false, "a person ran into it"},
+               {"obstacle_collisions", false, "ran into an obstacle"},
+               {"timeout", false, "timeout"},
+               {"completed", true, "goal not reached"}};
+  std::vector<std::string> words;
+  for (const auto& sign : signs) {
+    const std::size_t metric = study.results.keyAt(sign.key);
+    const bool isKnown = metric < study.results.keys.size();
+    if (isKnown &&
+        (sign.whenZero ? study.valuesOf(metric)[run] == 0.0 : study.valuesOf(metric)[run] > 0.0)) {
+      words.emplace_back(sign.words);
+    }
+  }
+  return words.empty() ? "not successful" : base::join(words, ", ");
 }
 
 std::vector<std::string> summaryRow(const Study& study, std::size_t metric, const Numbers& values) {
@@ -222,7 +247,8 @@ Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {
       "typical difference with its interval of " +
       levelText(study) +
       "; p of the signed-rank test (rates: McNemar), and adjusted over the pairs of the metric; "
-      "Cliff's δ; pairs that would be enough to see such a difference (power 80 %, level 5 %).";
+      "Cliff's δ; pairs that would be enough to see such a difference (power 80 %, level 5 %)." +
+      (all || study.options.size() < 4 ? "" : " With the best only; all are in tables/pairs.csv.");
   return table;
 }
 
@@ -269,8 +295,8 @@ Table failuresTable(const Study& study, const std::vector<std::size_t>& failures
                           {study.options[study.optionOf[run]]},
                           {study.cases[study.caseOf[run]]},
                           {std::to_string(row.seed)},
-                          {row.ok ? std::string("not successful") : row.reason},
-                          {command, {}, {}, {}, false, markup}});
+                          {row.ok ? whatHappened(study, run) : row.reason},
+                          {command, {}, {}, {}, false, {}, markup}});
   }
   return table;
 }

@@ -92,14 +92,19 @@ class ReportProgramTest : public QObject {
     // Wilson (13.8415 ± 1.95996 √7.1748) / 19.683 = 0.4365, 0.9699.
     const QStringList alpha = rowOf(table, {text("alpha"), text("6")});
     const QStringList beta = rowOf(table, {text("b<&eta"), text("6")});
-    QVERIFY2(alpha.size() == 8 && beta.size() == 8, qPrintable(alpha.join(text("|"))));
+    QVERIFY2(alpha.size() == 10 && beta.size() == 10, qPrintable(alpha.join(text("|"))));
     QCOMPARE(alpha[2], text("83 %"));
     QCOMPARE(alpha[3], text("[44, 97]"));
     QCOMPARE(beta[2], text("83 %"));
-    QCOMPARE(alpha[4].toDouble(), 17.0);
-    QCOMPARE(beta[4].toDouble(), 17.2);
-    QVERIFY2(beta[5].endsWith(text(" n = 5")), qPrintable(beta[5]));
-    QCOMPARE(alpha[6].toDouble(), 5.0);
+    QCOMPARE(alpha[4], text("17"));  // the intervals are some seconds wide
+    QCOMPARE(beta[4], text("17"));
+    const QStringList all = rowOf(folder.filePath(text("tables/all_metrics.csv")),
+                                  {text("b<&eta"), text("all"), text("time_to_reach_goal")});
+    QCOMPARE(all.value(4), text("5"));
+    QCOMPARE(all.value(5).toDouble(), 17.2);
+    QCOMPARE(beta[6], text("n = 5"));
+    QCOMPARE(alpha[6], QString());
+    QCOMPARE(alpha[7].toDouble(), 5.0);
     // Medians 17 and 15.
     const QString medians = folder.filePath(text("tables/medians.csv"));
     QCOMPARE(rowOf(medians, {text("alpha")}).value(1).toDouble(), 17.0);
@@ -124,7 +129,8 @@ class ReportProgramTest : public QObject {
     const QByteArray page = outside::bytesOf(folder.filePath(text("report.html")));
     const QStringList cells = textsOf(page, "td");
     QVERIFY2(cells.size() > 20, qPrintable(cells.join(text("|"))));
-    for (const char* wanted : {"alpha", "b<&\"eta", "gave up, <sad>", "not successful", "door"}) {
+    for (const char* wanted :
+         {"alpha", "b<&\"eta", "gave up, <sad>", "not successful", "door", "hall"}) {
       QVERIFY2(cells.contains(text(wanted)), wanted);
     }
     QVERIFY(!cells
@@ -180,11 +186,11 @@ class ReportProgramTest : public QObject {
     const QString table = folder.filePath(text("tables/results.csv"));
     const QStringList hall = rowOf(table, {text("hall"), text("6")});
     const QStringList door = rowOf(table, {text("door"), text("6")});
-    QVERIFY2(hall.size() == 7, qPrintable(hall.join(text("|"))));
+    QVERIFY2(hall.size() == 9, qPrintable(hall.join(text("|"))));
     QCOMPARE(hall[2].toDouble(), 2.0);
     QVERIFY(std::abs(door[2].toDouble() - 24.0 / 5.0) < 0.006);
-    QCOMPARE(hall[6], text("1.00"));
-    QCOMPARE(door[6], text("0.00"));
+    QCOMPARE(hall[8], text("1.00"));
+    QCOMPARE(door[8], text("0.00"));
     const QByteArray page = outside::bytesOf(folder.filePath(text("report.html")));
     QCOMPARE(textsOf(page, "h1"), QStringList(text("Scenarios compared")));
     QVERIFY(textsOf(page, "td").contains(text("own_metric")));

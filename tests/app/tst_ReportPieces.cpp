@@ -1,0 +1,144 @@
+#include <limits>
+
+#include <QtTest>
+
+#include "app/report/Comparison.h"
+#include "app/report/Figure.h"
+#include "app/report/Markup.h"
+
+using namespace report;
+
+namespace {
+
+/// Two planners, one scenario, seeds 1 to 3; the second planner lacks seed 3.
+Study smallStudy() {
+  Study study;
+  study.options = {"a", "b"};
+  study.cases = {"hall"};
+  const struct {
+    std::size_t option;
+    long long seed;
+    double value;
+  } rows[] = {{0, 1, 1.0}, {0, 2, 4.0}, {0, 3, 7.0}, {1, 1, 2.0}, {1, 2, 3.0}};
+  study.results.keys = {"time"};
+  study.results.metrics.emplace_back();
+  study.results.isBoolean = {false};
+  study.metrics = {{"time", "Time", "s", false, -1}};
+  for (const auto& row : rows) {
+    Results::Run run;
+    run.seed = row.seed;
+    study.results.runs.push_back(run);
+    study.results.metrics[0].push_back(row.value);
+    study.optionOf.push_back(row.option);
+    study.caseOf.push_back(0);
+  }
+  return study;
+}
+
+}  // namespace
+
+/// Parts of reports: texts, scales, pairs.
+class ReportPiecesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void escaped_whatXmlRefuses_isReplaced() {
+    QCOMPARE(escaped("a<b>&\"'"), std::string("a&lt;b&gt;&amp;&quot;&#39;"));
+    QCOMPARE(escaped("\xC3\xA4\xE2\x88\x92"), std::string("\xC3\xA4\xE2\x88\x92"));
+    QCOMPARE(escaped("a\x01z\xFF\xC3"), std::string("a\xEF\xBF\xBDz\xEF\xBF\xBD\xEF\xBF\xBD"));
+    QCOMPARE(scriptSafe("\"</script>&\""), std::string("\"\\u003c/script\\u003e\\u0026\""));
+  }
+
+  void numberText_rounding_isToTheNearest() {
+    QCOMPARE(numberText(1.005, 1), std::string("1.0"));
+    QCOMPARE(numberText(-0.04, 1), std::string("0.0"));
+    QCOMPARE(numberText(-1.25, 2), std::string("−1.25"));
+    QCOMPARE(numberText(1234.5, 0), std::string("1235"));
+    QCOMPARE(numberText(0.0625, 3), std::string("0.063"));
+    QCOMPARE(numberText(std::numeric_limits<double>::quiet_NaN(), 2), std::string("–"));
+    QCOMPARE(plainNumber(-1.5, 1), std::string("-1.5"));
+    QCOMPARE(pText(0.0004), std::string("< 0.001"));
+    QCOMPARE(pText(0.0456), std::string("0.046"));
+    QCOMPARE(pText(1.0), std::string("1"));
+  }
+
+  void latexText_commands_areEscaped() {
+    QCOMPARE(latexText("50 % of a_b & {c} \\x ~ ^ <"),
+             std::string("50 \\% of a\\_b \\& \\{c\\} \\textbackslash{}x \\textasciitilde{} "
+                         "\\textasciicircum{} $<$"));
+    QCOMPARE(latexText("−1.5 m²"), std::string("$-$1.5 m$^2$"));
+  }
+
+  void shellText_words_areQuotedWhereNeeded() {
+    QCOMPARE(shellText({"hunavsim", "a b", "it's", "x=1", ""}),
+             std::string("hunavsim 'a b' 'it'\\''s' x=1 ''"));
+  }
+
+  void ticks_areRoundNumbersWithin() {
+    QCOMPARE(ticks(0.0, 1.0, 5),
+             std::vector<double>({0.0, 0.2, 0.4, 0.6000000000000001, 0.8, 1.0}));
+    QCOMPARE(ticks(-3.0, 12.0, 3), std::vector<double>({0.0, 5.0, 10.0}));
+    QCOMPARE(ticks(980.0, 1010.0, 3), std::vector<double>({980.0, 990.0, 1000.0, 1010.0}));
+    const Scale equal = roomyScale(5.0, 5.0, 0.0, 10.0);
+    QVERIFY(equal.low < 5.0 && equal.high > 5.0);
+    QCOMPARE(roomyScale(1.0, 0.0, 0.0, 10.0).high, 1.0);  // nothing to show
+  }
+
+  void shortened_utf8_cutsNoCharacter() {
+    QCOMPARE(shortened("planner", 7), std::string("planner"));
+    QCOMPARE(shortened("planners", 7), std::string("planne…"));
+    QCOMPARE(shortened("ääää", 3), std::string("ää…"));
+  }
+
+  void standalone_roles_becomeColours() {
+    Figure figure("f", 10.0, 10.0);
+    figure.text(1.0, 2.0, "a<b", "ink");
+    figure.mark(3.0, 4.0, 8);  // the eighth option has the second's mark and colour again
+    const std::string svg = figure.standalone();
+    QVERIFY(svg.find("class=") == std::string::npos);
+    QVERIFY(svg.find("a&lt;b") != std::string::npos);
+    QVERIFY(svg.find("#C65600") != std::string::npos);
+    QVERIFY(figure.markup().find("class=\"f1\"") != std::string::npos);
+  }
+
+  void compare_missingRun_isLeftOutOfThePairs() {
+    const Study study = smallStudy();
+    const auto blocks = blocksOf(study);
+    QCOMPARE(blocks.size(), std::size_t{3});
+    const MetricComparison found = compare(study, 0, blocks);
+    QCOMPARE(found.pairs.size(), std::size_t{1});
+    QCOMPARE(found.pairs[0].differences, Numbers({-1.0, 1.0}));
+    QCOMPARE(found.pairs[0].p, 1.0);
+    QCOMPARE(found.estimates[0].mean, 4.0);
+    QCOMPARE(found.estimates[1].mean, 2.5);
+    QVERIFY(found.best == std::size_t{1});  // less time is better
+    QVERIFY(!found.differs[0]);
+    QVERIFY(!found.friedman);
+  }
+
+  void compare_clearDifference_isMarked() {
+    Study study = smallStudy();
+    study.results.runs.clear();
+    study.results.metrics[0].clear();
+    study.optionOf.clear();
+    study.caseOf.clear();
+    for (int seed = 1; seed <= 8; ++seed) {
+      for (std::size_t option = 0; option < 2; ++option) {
+        Results::Run run;
+        run.seed = seed;
+        study.results.runs.push_back(run);
+        study.results.metrics[0].push_back(seed + (option == 0 ? 0.1 * seed : 0.0));
+        study.optionOf.push_back(option);
+        study.caseOf.push_back(0);
+      }
+    }
+    const MetricComparison found = compare(study, 0, blocksOf(study));
+    QVERIFY(found.best == std::size_t{1});
+    QVERIFY(std::abs(found.pairs[0].p - 2.0 / 256.0) < 1e-12);  // eight of one sign: 2 / 2^8
+    QVERIFY(found.differs[0]);
+    QVERIFY(!found.differs[1]);
+  }
+};
+
+QTEST_APPLESS_MAIN(ReportPiecesTest)
+#include "tst_ReportPieces.moc"
