@@ -159,6 +159,30 @@ std::vector<std::vector<std::size_t>> blocksOf(const Study& study) {
   return blocks;
 }
 
+std::size_t constantCells(const Study& study) {
+  struct Cell {
+    std::size_t first = 0;  // run
+    int runs = 0;
+    bool isConstant = true;
+  };
+  std::map<std::pair<std::size_t, std::size_t>, Cell> cells;
+  for (std::size_t run = 0; run < study.runCount(); ++run) {
+    Cell& cell = cells[{study.optionOf[run], study.caseOf[run]}];
+    cell.first = cell.runs++ == 0 ? run : cell.first;
+    bool hasValue = false;
+    for (const Numbers& values : study.results.metrics) {
+      const bool isUndefined = std::isnan(values[run]);
+      hasValue = hasValue || !isUndefined;
+      const double first = values[cell.first];
+      cell.isConstant = cell.isConstant && (isUndefined ? std::isnan(first) : values[run] == first);
+    }
+    cell.isConstant = cell.isConstant && hasValue;
+  }
+  return static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), [](const auto& each) {
+    return each.second.runs > 1 && each.second.isConstant;
+  }));
+}
+
 MetricComparison compare(const Study& study, std::size_t metric,
                          const std::vector<std::vector<std::size_t>>& blocks) {
   MetricComparison comparison;

@@ -57,6 +57,10 @@ double valueOf(const Study& study, std::size_t metric, std::size_t run);
 /// Runs by block (case and seed): per option its run, or runCount() where there is none.
 std::vector<std::vector<std::size_t>> blocksOf(const Study& study);
 
+/// Options in cases in which several seeds have run and gave equal values of every metric (and at
+/// least one value): runs that are not independent.
+std::size_t constantCells(const Study& study);
+
 MetricComparison compare(const Study& study, std::size_t metric,
                          const std::vector<std::vector<std::size_t>>& blocks);
 

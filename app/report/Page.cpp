@@ -120,6 +120,7 @@ class PageMaker {
     if (study_.status == "interrupted") {
       head_ += paragraph("The batch was interrupted: only the runs that had ended are here.");
     }
+    writeSeedWarning();
     std::string findings;
     for (const MetricComparison& comparison : comparisons_) {
       const std::string words = finding(comparison);
@@ -130,6 +131,21 @@ class PageMaker {
     if (!findings.empty()) {
       head_ += element("ul", "", "\n" + findings) + "\n";
     }
+  }
+
+  /// Runs that differ in nothing but their number are no evidence.
+  void writeSeedWarning() {
+    const std::size_t constant = constantCells(study_);
+    if (constant == 0) {
+      return;
+    }
+    head_ += paragraph(
+        "In " + std::to_string(constant) +
+            " combinations of option and case all seeds gave the same values. Their runs are "
+            "counted as if they were independent and are not: intervals and p values are too "
+            "small. Let the seed matter (variation in the scenario, noise of sensors, random "
+            "arrivals), or read the table as one run per combination.",
+        " class=\"warning\"");
   }
 
   /// "Path length: best is dwa (7.1 m), better than pursuit; not clearly better than mppi."
@@ -321,6 +337,7 @@ class PageMaker {
       return std::to_string(*seeds.begin()) + " to " + std::to_string(*seeds.rbegin());
     }
     std::vector<std::string> words;
+    words.reserve(seeds.size());
     for (const long long seed : seeds) {
       words.push_back(std::to_string(seed));
     }
@@ -364,10 +381,10 @@ class PageMaker {
 }  // namespace
 
 std::string wholePage(const std::string& title, const std::string& body, bool withPlayer) {
-  std::string page = pageText;
+  std::string page = kPageText;
   page = replaced(page, "{{title}}", escaped(title));
-  page = replaced(page, "{{style}}", styleText);
-  page = replaced(page, "{{script}}", std::string(reportText) + (withPlayer ? playerText : ""));
+  page = replaced(page, "{{style}}", kStyleText);
+  page = replaced(page, "{{script}}", std::string(kReportText) + (withPlayer ? kPlayerText : ""));
   return replaced(page, "{{body}}", body);  // last: it may hold anything
 }
 

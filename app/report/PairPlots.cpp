@@ -84,7 +84,7 @@ void ranksPanel(Figure& figure, const Study& study, const MetricComparison& comp
   for (const std::size_t option : order) {
     sorted.push_back(ranks[option]);
   }
-  const Scale scale{1.0, count, left + kNames + 10.0, left + width - 20.0};
+  const Scale scale{1.0, count, left + kNames + 10.0, left + width - 46.0};
   constexpr double kRow = 18.0;
   const double axis = top + kTitle + 20.0;
   figure.line(scale.from, axis, scale.to, axis, "axis");
@@ -104,7 +104,7 @@ void ranksPanel(Figure& figure, const Study& study, const MetricComparison& comp
     figure.line(x, axis, x, y - 4.0, strokeOf(order[k]), 1.4);
     figure.line(left + kNames, y - 4.0, x, y - 4.0, strokeOf(order[k]), 1.4);
     figure.text(left + kNames - 8.0, y, nameOfOption(study, order[k]), "ink", Anchor::End);
-    figure.text(scale.to + 18.0, y, numberText(sorted[k], 2), "dim", Anchor::End, 10.0);
+    figure.text(left + width, y, numberText(sorted[k], 2), "dim", Anchor::End, 10.0);
   }
 }
 

@@ -76,6 +76,7 @@ Numbers compositeOf(const Study& study,
 
 std::string weightsText(const std::vector<std::pair<std::string, double>>& weights) {
   std::vector<std::string> words;
+  words.reserve(weights.size());
   for (const auto& [key, weight] : weights) {
     words.push_back(key + " " + base::formatDouble(weight));
   }

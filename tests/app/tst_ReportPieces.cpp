@@ -116,6 +116,15 @@ class ReportPiecesTest : public QObject {
     QVERIFY(!found.friedman);
   }
 
+  void constantCells_seedsThatChangeNothing_areCounted() {
+    Study study = smallStudy();
+    QCOMPARE(constantCells(study), std::size_t{0});
+    study.results.metrics[0] = {1.0, 1.0, 1.0, 2.0, 3.0};  // of the first option all are equal
+    QCOMPARE(constantCells(study), std::size_t{1});
+    study.results.metrics[0][2] = std::numeric_limits<double>::quiet_NaN();
+    QCOMPARE(constantCells(study), std::size_t{0});
+  }
+
   void compare_clearDifference_isMarked() {
     Study study = smallStudy();
     study.results.runs.clear();

@@ -59,6 +59,8 @@ class EffectsTest : public QObject {
   void shiftInterval_largeSamples_isTheOneOfTheList() {
     Numbers first;
     Numbers second;
+    first.reserve(40);
+    second.reserve(30);
     for (int k = 0; k < 40; ++k) {
       first.push_back((k * 37) % 41 / 7.0);
     }
