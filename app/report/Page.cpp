@@ -276,7 +276,11 @@ class PageMaker {
                       (isCut ? "; the first " + std::to_string(kMostRows) +
                                    " are listed, the others are in tables/failures.csv."
                              : ".") +
-                      " The command shows the run in the window.";
+                      " The command shows the run in the window." +
+                      (study_.knowsRunWords ? ""
+                                            : " What the experiment sets for all runs (duration, "
+                                              "dt …) is not in it: the file of the "
+                                              "experiment is gone or has changed.");
       body_ += tableHtml(table, "failures");
       report_.tables.push_back(failuresTable(study_, failures_, {}));
       report_.tables.back().caption = "Runs without success.";

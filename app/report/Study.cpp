@@ -329,7 +329,8 @@ std::string Study::replayCommand(std::size_t run) const {
   std::string scenario = row.scenario;
   for (const Input& input : inputs) {  // as it lies on the disk, when that is known
     const fs::path path(input.path);
-    if (endsWith(input.path, row.scenario) || path.stem().string() == row.scenario) {
+    if (input.path == row.scenario || endsWith(input.path, "/" + row.scenario) ||
+        path.stem().string() == row.scenario) {
       scenario = input.path;
     }
   }

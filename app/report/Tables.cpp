@@ -249,7 +249,9 @@ Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {
       levelText(study) +
       "; p of the signed-rank test (rates: McNemar), and adjusted over the pairs of the metric; "
       "Cliff's δ; pairs that would be enough to see such a difference (power 80 %, level 5 %)." +
-      (all || study.options.size() < 4 ? "" : " With the best only; all are in tables/pairs.csv.");
+      (all || study.options.size() < 4
+           ? ""
+           : " With the best only, if there is one, else the first; all are in tables/pairs.csv.");
   return table;
 }
 

@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <QBuffer>
 #include <QPageSize>
@@ -12,6 +13,7 @@
 #include "app/cli/Console.h"
 #include "app/report/Page.h"
 #include "sim2d/base/Files.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -126,8 +128,15 @@ int reportCommand(const ReportOptions& options, const Invocation& given) {
   words.front() = "hunavsim";
   const report::Report report = report::makeReport(*study, wishes.weights, words);
   requireFine(report.problems);
-  requireFine(base::writeFilesTogether(filesOf(report, options)));
-  if (!given.quiet) {
+  const std::vector<base::FileContent> files = filesOf(report, options);
+  requireFine(base::writeFilesTogether(files));
+  if (given.json) {
+    nlohmann::ordered_json written = nlohmann::ordered_json::array();
+    for (const base::FileContent& file : files) {
+      written.push_back(file.path);
+    }
+    printLine(base::jsonText(nlohmann::ordered_json{{"written", written}}));
+  } else if (!given.quiet) {
     printLine((fs::path(options.wishes.folder) / "report.html").string());
   }
   return ExitFine;
