@@ -238,10 +238,15 @@ Scale roomyScale(double low, double high, double from, double to) {
   return {low - room, high + room, from, to};
 }
 
+std::vector<double> axisTicks(const Scale& scale) {
+  constexpr double kRoom = 60.0;  // px for a number
+  return ticks(scale.low, scale.high,
+               std::max(2, static_cast<int>((scale.to - scale.from) / kRoom)));
+}
+
 void horizontalAxis(Figure& figure, const Scale& scale, double y, bool asPercent) {
   figure.line(scale.from, y, scale.to, y, "axis");
-  const std::vector<double> at =
-      ticks(scale.low, scale.high, std::max(2, static_cast<int>((scale.to - scale.from) / 60.0)));
+  const std::vector<double> at = axisTicks(scale);
   const double step = at.size() > 1 ? at[1] - at[0] : 1.0;
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
   for (const double tick : at) {

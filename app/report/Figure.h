@@ -71,6 +71,8 @@ struct Scale {
 std::vector<double> ticks(double low, double high, int count);
 /// [low, high] with some room, never empty.
 Scale roomyScale(double low, double high, double from, double to);
+/// Ticks of a horizontal axis, as many as there is room for.
+std::vector<double> axisTicks(const Scale& scale);
 /// A thin axis below a panel with its numbers.
 void horizontalAxis(Figure& figure, const Scale& scale, double y, bool asPercent = false);
 
