@@ -229,12 +229,13 @@ std::vector<double> ticks(double low, double high, int count) {
 }
 
 Scale roomyScale(double low, double high, double from, double to) {
-  if (!(low <= high)) {
+  constexpr double kWidest = 1e300;
+  if (!(low <= high) || high - low > kWidest) {
     return {0.0, 1.0, from, to};
   }
   const double size = std::max(std::abs(low), std::abs(high));
   double room = 0.05 * (high - low);
-  room = room > 1e-9 * size ? room : size > 0.0 ? 0.1 * size : 1.0;
+  room = room > 1e-9 * size ? room : size > 1e-12 ? 0.1 * size : 1.0;
   return {low - room, high + room, from, to};
 }
 

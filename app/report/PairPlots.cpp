@@ -142,7 +142,7 @@ std::optional<Figure> ranksFigure(const Study& study, const Comparisons& compari
     return std::nullopt;
   }
   Figure figure = panels("ranks", chosen.size(),
-                         kTitle + 40.0 + 24.0 * static_cast<double>(study.options.size()),
+                         kTitle + 34.0 + 20.0 * static_cast<double>(study.options.size()),
                          [&](Figure& to, std::size_t k, double left, double top, double width) {
                            ranksPanel(to, study, *chosen[k], left, top, width);
                          });
