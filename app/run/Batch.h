@@ -1,52 +1,35 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
-#include <optional>
+#include <limits>
 #include <string>
 #include <vector>
 
-#include "app/run/Experiment.h"
-#include "app/run/ResultColumns.h"
-#include "sim2d/map/MapReader.h"
+#include "app/run/ResultRow.h"
 
 namespace app {
 
-/// What is known of one run of a batch after its process has ended.
-struct BatchRow {
-  bool ok = false;
-  std::string reason;     // why it ended, or failed
-  std::string simulated;  // [s], as text; empty when not known
-  ResultValues values;
-};
-/// By run; nothing = not run, the batch was interrupted before.
-using BatchRows = std::vector<std::optional<BatchRow>>;
-
-/// Scenarios that no run of the experiment could use, and values that no scenario takes.
-base::Diagnostics checkExperiment(const Experiment& experiment, const sim2d::ImageLoader& loader);
-
+/// What a batch does with its runs, and how.
 struct BatchJob {
-  std::string runsFolder;  // each run writes into <runsFolder>/<run>; which of them stay is up to
-                           // the experiment
-  int jobs = 1;            // processes at a time
-  std::function<bool()> wantsStop;  // this and the next are always called
-  std::function<void(std::size_t finished)> onProgress;
+  std::vector<std::size_t> runs;  // their numbers, in the order in which they begin
+  int jobs = 1;                   // worker processes at a time
+  double timeLimit = std::numeric_limits<double>::infinity();  // of one run [s], by the wall clock
+  std::size_t runsPerWorker = 1000;  // then another takes its place: memory stays bounded
+  std::size_t mostGrowth = std::size_t{512}
+                           << 20U;  // idem, memory beyond that of its first run [B]
+  /// In a worker: makes a run. Errors: its files cannot be written; the batch ends with them.
+  std::function<base::Result<ResultRow>(std::size_t run)> make;
+  /// Here: takes its row, as soon as it is there. Errors end the batch.
+  std::function<base::Diagnostics(std::size_t run, const ResultRow& row)> take;
+  std::function<bool()> wantsStop;  // asked often
 };
 
-/// What lies where the runs will write and is not of an earlier batch.
-base::Diagnostics checkRunFolders(const Experiment& experiment, const std::string& runsFolder);
-
-/// Runs the runs of an experiment as child processes of this program (Box2D keeps process-wide
-/// statics, so worlds in parallel are processes). Returns when all have ended, or `wantsStop` says
-/// so: running children are ended then. Rows are in the order of the runs, whatever the order they
-/// end in.
-BatchRows runBatch(const Experiment& experiment, const BatchJob& job);
-
-struct BatchCount {
-  std::size_t finished = 0, failed = 0;
-};
-BatchCount countOf(const BatchRows& rows);
-
-/// results.csv; nothing of it depends on the number of jobs or the clock.
-std::string resultsCsv(const Experiment& experiment, const BatchRows& rows);
+/// Makes the runs in processes that are started once and make many (Box2D keeps process-wide
+/// statics, so worlds in parallel are processes). A process that crashes is replaced and its run
+/// begun again, once: who was killed from outside costs nothing, a run that crashes twice is a
+/// failed one. Returns when all have ended, or `wantsStop` says so; what was not finished then was
+/// never begun. One thread.
+base::Diagnostics runBatch(const BatchJob& job);
 
 }  // namespace app

@@ -15,25 +15,22 @@ namespace app {
 
 namespace {
 
-void readMapOf(Bundle& bundle, const sim2d::FilePlaces& places, const sim2d::ImageLoader& loader) {
+void readMapOf(Bundle& bundle, const sim2d::FilePlaces& places, KnownFiles& files) {
   const sim2d::Scenario& scenario = *bundle.scenario;
   const base::Result<std::string> path = sim2d::findMap(scenario, places);
   base::Diagnostics problems = path.diagnostics();
   sim2d::addPlaceOfMap(problems, places.scenarioPath);
   base::append(bundle.remarks, problems);
-  if (path && path->empty()) {
-    bundle.map = std::make_shared<const sim2d::OccupancyGrid>();
-  }
-  if (!path || path->empty()) {
+  if (!path) {
     return;
   }
-  base::Result<sim2d::MapFile> file =
-      readMapFile(*path, scenario.desktop.mapRule.value_or("humble"), loader);
-  base::append(bundle.remarks, file.diagnostics());
-  if (file) {
-    bundle.inputs.insert(bundle.inputs.end(), {file->path, file->imagePath});
-    bundle.mapPath = file->path;
-    bundle.map = std::make_shared<const sim2d::OccupancyGrid>(std::move(file->grid));
+  const auto map = files.map(*path, scenario.desktop.mapRule.value_or("humble"));
+  base::append(bundle.remarks, map->problems);
+  bundle.map = map->grid;
+  bundle.known = map->surroundings;
+  bundle.mapPath = map->path;
+  if (!map->path.empty()) {
+    bundle.inputs.insert(bundle.inputs.end(), {map->path, map->imagePath});
   }
 }
 
@@ -133,29 +130,6 @@ void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup, 
 
 }  // namespace
 
-std::shared_ptr<const sim2d::Surroundings> KnownSurroundings::of(
-    const sim2d::Scenario& scenario, const std::shared_ptr<const sim2d::OccupancyGrid>& map,
-    const base::StopFlagPtr& stop) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const bool isKnown = surroundings_ != nullptr && map_ == map && stop_ == stop &&
-                       obstacles_ == scenario.obstacles && doors_ == scenario.doors;
-  if (!isKnown) {
-    surroundings_ =
-        std::make_shared<const sim2d::Surroundings>(sim2d::makeSurroundings(scenario, *map, stop));
-    stop_ = stop;
-    map_ = map;
-    obstacles_ = scenario.obstacles;
-    doors_ = scenario.doors;
-  }
-  return surroundings_;
-}
-
-base::Result<sim2d::MapFile> readMapFile(const std::string& path, const std::string& rule,
-                                         const sim2d::ImageLoader& loader) {
-  return sim2d::readMap(path, loader,
-                        rule == "main" ? sim2d::MapRule::Main : sim2d::MapRule::Humble);
-}
-
 base::Diagnostics errorsOf(const base::Diagnostics& problems) {
   base::Diagnostics errors;
   std::copy_if(problems.begin(), problems.end(), std::back_inserter(errors),
@@ -165,26 +139,33 @@ base::Diagnostics errorsOf(const base::Diagnostics& problems) {
 
 Bundle readBundle(const RunOptions& options, const RunSettings& settings,
                   const sim2d::ImageLoader& loader) {
+  KnownFiles files(loader);
+  return readBundle(options, settings, files);
+}
+
+Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownFiles& files) {
   Bundle bundle;
   bundle.path = options.scenario;
   bundle.metrics = options.metrics;
   bundle.settings = settings;
+  bundle.stop = files.stopFlag();
   bundle.inputs.push_back(options.scenario);
-  sim2d::ScenarioReading reading = sim2d::readScenario(options.scenario);
+  const auto reading = files.scenario(options.scenario);
   const std::optional<base::Diagnostic> unknown = unknownScenario(options.scenario);
-  bundle.remarks = unknown ? base::Diagnostics{*unknown} : reading.diagnostics;
-  bundle.isWhole = reading.ok();
-  bundle.comments = reading.commentCount;
-  bundle.lines = std::move(reading.lines);
+  bundle.remarks = unknown ? base::Diagnostics{*unknown} : reading->diagnostics;
+  bundle.isWhole = reading->ok();
+  bundle.comments = reading->commentCount;
+  bundle.lines = reading->lines;
+  auto scenario = std::make_shared<sim2d::Scenario>(reading->scenario);
   if (bundle.isWhole) {
-    bundle.wrongWords = applyOptions(reading.scenario, options, settings.compatibility);
+    bundle.wrongWords = applyOptions(*scenario, options, settings.compatibility);
   }
-  bundle.scenario = std::make_shared<const sim2d::Scenario>(std::move(reading.scenario));
+  bundle.scenario = std::move(scenario);
   if (bundle.hasScenario() && !base::hasErrors(bundle.wrongWords)) {
     const sim2d::FilePlaces places{options.scenario, options.map, options.trees,
                                    shippedMapsFolder()};
-    readMapOf(bundle, places, loader);
-    findTrees(bundle, places, reading.hasBlock);
+    readMapOf(bundle, places, files);
+    findTrees(bundle, places, reading->hasBlock);
     for (std::string& file : filesThatPlannersRead(*bundle.scenario, options.scenario)) {
       bundle.inputs.push_back(std::move(file));
     }

@@ -2,33 +2,15 @@
 
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
+#include "app/run/KnownFiles.h"
 #include "app/run/RunOptions.h"
 #include "bt/human/TreeBehavior.h"
-#include "sim2d/map/MapReader.h"
 #include "sim2d/world/World.h"
 
 namespace app {
-
-/// Surroundings in one document, worked out anew only when map, obstacles, doors or the flag that
-/// ends the work are others. Thread: any.
-class KnownSurroundings {
- public:
-  std::shared_ptr<const sim2d::Surroundings> of(
-      const sim2d::Scenario& scenario, const std::shared_ptr<const sim2d::OccupancyGrid>& map,
-      const base::StopFlagPtr& stop);
-
- private:
-  std::mutex mutex_;
-  std::shared_ptr<const sim2d::OccupancyGrid> map_;
-  std::vector<sim2d::Obstacle> obstacles_;
-  std::vector<sim2d::Door> doors_;
-  base::StopFlagPtr stop_;
-  std::shared_ptr<const sim2d::Surroundings> surroundings_;
-};
 
 /// A scenario with all that a run of it takes, in memory: read from files, or as the window has it.
 struct Bundle {
@@ -57,6 +39,8 @@ struct Bundle {
 /// reads map images other than PGM.
 Bundle readBundle(const RunOptions& options, const RunSettings& settings,
                   const sim2d::ImageLoader& loader);
+/// The same for one of many runs.
+Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownFiles& files);
 
 /// What is said of a bundle, and the run that it makes.
 struct Verdict {
@@ -78,9 +62,5 @@ Verdict check(const Bundle& bundle, CheckDepth depth = CheckDepth::World);
 
 /// Those that are errors.
 base::Diagnostics errorsOf(const base::Diagnostics& problems);
-
-/// The map at `path` by the rule of nav2 of this name.
-base::Result<sim2d::MapFile> readMapFile(const std::string& path, const std::string& rule,
-                                         const sim2d::ImageLoader& loader);
 
 }  // namespace app

@@ -29,6 +29,7 @@ class Reader {
     if (!text) {
       return text.diagnostics();
     }
+    experiment_.text = *text;
     const YamlNode root = base::parseYaml(*text, experiment_.path, errors_);
     if (!base::hasErrors(errors_)) {
       readRoot(root);
@@ -194,14 +195,36 @@ class Reader {
   }
 
   /// A path or a value that one of the scenarios does not take, before anything runs.
-  void tryValue(const std::string& path, const YamlNode& item) {
+  void tryValue(const std::string& path, const std::string& text, const YamlNode& item) {
     for (const sim2d::Scenario& scenario : readable_) {
       sim2d::Scenario changed = scenario;
-      const base::Diagnostics problems = sim2d::setValue(changed, path, textOf(item));
+      const base::Diagnostics problems = sim2d::setValue(changed, path, text);
       if (base::hasErrors(problems)) {
-        error(item, problems.front());
+        const bool isTold = !errors_.empty() && errors_.back().message == problems.front().message;
+        if (!isTold) {  // an unknown path once, whatever its values
+          error(item, problems.front());
+        }
         return;
       }
+    }
+  }
+
+  /// Each text of a list at its place; of a draw both ends, and a number as it will be drawn.
+  void tryValues(const ExperimentValue& value, const YamlNode& node) {
+    const YamlNode& list = node.isMap() ? node.items.front() : node;
+    for (std::size_t k = 0; k < value.texts.size(); ++k) {
+      tryValue(value.path, value.texts[k], k < list.items.size() ? list.items[k] : list);
+    }
+    const std::size_t before = errors_.size();
+    const bool hasEnds = value.isDrawn() && value.texts.empty();
+    for (std::size_t k = 0; hasEnds && k < list.items.size(); ++k) {
+      const bool isEnd = list.items.size() == 2 || k >= 2;
+      if (isEnd) {
+        tryValue(value.path, list.items[k].text, list.items[k]);
+      }
+    }
+    if (hasEnds && errors_.size() == before) {
+      tryValue(value.path, drawnText(value, {}, 0), list);
     }
   }
 
@@ -213,40 +236,29 @@ class Reader {
       error(*node, "experiment.bad-values");
       return;
     }
-    for (const YamlNode& dimension : node->items) {
-      std::vector<std::string> texts;
-      if (dimension.isList()) {
-        for (const YamlNode& item : dimension.items) {
-          texts.push_back(textOf(item));
-          tryValue(dimension.key, item);
-        }
+    for (const YamlNode& item : node->items) {
+      const base::Result<ExperimentValue> value = readExperimentValue(item);
+      for (base::Diagnostic problem : value.diagnostics()) {
+        problem.file = experiment_.path;
+        errors_.push_back(std::move(problem));
       }
-      if (texts.empty()) {
-        error(dimension, "experiment.values-no-list", {dimension.key});
+      if (value) {
+        tryValues(*value, item);
+        experiment_.values.push_back(*value);
       }
-      experiment_.values.emplace_back(dimension.key, std::move(texts));
     }
+    checkCount(*node);
   }
 
-  static std::string textOf(const YamlNode& node) {
-    return node.isScalar() ? node.text : inOneLine(node);
-  }
-
-  /// A list or map as value: in flow style.
-  static std::string inOneLine(const YamlNode& node) {
-    if (node.isNull()) {
-      return "~";
+  void checkCount(const YamlNode& node) {
+    double count = static_cast<double>(experiment_.scenarios.size()) *
+                   static_cast<double>(experiment_.seeds.size());
+    for (const ExperimentValue& value : experiment_.values) {
+      count *= value.isDrawn() ? 1.0 : static_cast<double>(value.texts.size());
     }
-    if (node.isScalar()) {
-      return base::emitYaml(node);
+    if (count > static_cast<double>(kMaximumRuns)) {
+      error(node, "experiment.too-many-runs", {count, kMaximumRuns});
     }
-    std::vector<std::string> parts;
-    for (const YamlNode& item : node.items) {
-      const std::string key = node.isMap() ? base::emitYaml(base::stringNode(item.key)) + ": " : "";
-      parts.push_back(key + inOneLine(item));
-    }
-    const std::string inside = base::join(parts, ", ");
-    return node.isMap() ? "{" + inside + "}" : "[" + inside + "]";
   }
 
   void readRecord(const YamlNode* node) {
@@ -265,28 +277,6 @@ class Reader {
 };
 
 }  // namespace
-
-std::size_t Experiment::runCount() const {
-  std::size_t count = scenarios.size() * seeds.size();
-  for (const auto& dimension : values) {
-    count *= dimension.second.size();
-  }
-  return count;
-}
-
-Experiment::Run Experiment::run(std::size_t index) const {
-  Run run;
-  run.seed = seeds[index % seeds.size()];
-  index /= seeds.size();
-  run.values.resize(values.size());
-  for (std::size_t k = values.size(); k-- > 0;) {
-    const std::vector<std::string>& texts = values[k].second;
-    run.values[k] = texts[index % texts.size()];
-    index /= texts.size();
-  }
-  run.scenario = index;
-  return run;
-}
 
 base::Result<Experiment> readExperiment(const std::string& path) {
   return Reader(path).read();

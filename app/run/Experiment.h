@@ -2,10 +2,10 @@
 
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "sim2d/base/Result.h"
+#include "app/run/ExperimentValues.h"
+#include "app/run/RunOptions.h"
 
 namespace app {
 
@@ -13,23 +13,28 @@ namespace app {
 struct Experiment {
   enum class Record { Metrics, Failed, All };
 
-  std::string path;
+  std::string path, text;                  // of its file
   std::vector<std::string> scenarios;      // as written: relative files or names of shipped ones
   std::vector<std::string> scenarioPaths;  // where they lie
   std::vector<long long> seeds;
   std::map<std::string, std::string> options;  // of `run`: "--dt" -> "0.05"
-  std::vector<std::pair<std::string, std::vector<std::string>>> values;  // --set path -> texts
+  std::vector<ExperimentValue> values;
   Record record = Record::Metrics;
   bool allowCode = false;  // said by who starts the batch, never in the file
 
-  /// Run `index`: scenarios outermost, then values in their order, seeds innermost.
+  /// Run `index`: scenarios outermost, then dimensions among the values in their order, seeds
+  /// innermost.
   struct Run {
     std::size_t scenario = 0;
     long long seed = 1;
-    std::vector<std::string> values;  // one per path
+    std::vector<std::string> values;  // one per path, drawn ones too
   };
   std::size_t runCount() const;
   Run run(std::size_t index) const;
+
+  /// The run as the words of a command line, without the program, and what they say.
+  std::vector<std::string> wordsOf(std::size_t index) const;
+  RunOptions optionsOf(std::size_t index) const;
 };
 
 /// Every problem with file:line:column; unknown keys are errors.

@@ -44,33 +44,6 @@ Json inputsJson(const std::vector<std::string>& paths) {
   return inputs;
 }
 
-/// The files that were read, those that trees include too, each once.
-std::vector<std::string> allInputs(const Bundle& bundle) {
-  std::vector<std::string> inputs;
-  std::set<fs::path> seen;
-  const auto add = [&](const std::string& path) {
-    std::error_code ignored;  // as it is named, if it is gone by now
-    const fs::path real = fs::weakly_canonical(path, ignored);
-    if (seen.insert(real.empty() ? fs::path(path) : real).second) {
-      inputs.push_back(path);
-    }
-  };
-  for (const std::string& path : bundle.inputs) {
-    add(path);
-  }
-  for (const auto& [person, tree] : bundle.trees) {
-    const base::Result<bt::TreeTable> trees =
-        tree.path.empty() ? base::Result<bt::TreeTable>(bt::TreeTable()) : bt::loadTrees(tree.path);
-    if (!trees) {
-      continue;  // told when it was loaded for the run
-    }
-    for (const auto& [id, entry] : trees->entries) {
-      add(fs::path(entry.file).lexically_normal().string());
-    }
-  }
-  return inputs;
-}
-
 Json humanJson(const sim2d::TraceHuman& human) {
   Json json = {{"id", human.id}, {"name", human.name}, {"model", human.model}};
   for (const auto& [key, value] : human.parameters) {
@@ -157,7 +130,7 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   json["command_line"] = commandLine;
   json["status"] = kStatusNames[static_cast<int>(result.status)];
   json["reason"] = result.reason;
-  json["inputs"] = inputsJson(allInputs(bundle));
+  json["inputs"] = inputsJson(inputsOf(bundle));
   json["code"] = codeJson(bundle);
   json["seed"] = header.seed;
   json["dt"] = header.dt;
@@ -293,6 +266,32 @@ void writeParts(Folder& folder, const FinishedRun& run, RunWriter& writer) {
 }
 
 }  // namespace
+
+std::vector<std::string> inputsOf(const Bundle& bundle) {
+  std::vector<std::string> inputs;
+  std::set<fs::path> seen;
+  const auto add = [&](const std::string& path) {
+    std::error_code ignored;  // as it is named, if it is gone by now
+    const fs::path real = fs::weakly_canonical(path, ignored);
+    if (seen.insert(real.empty() ? fs::path(path) : real).second) {
+      inputs.push_back(path);
+    }
+  };
+  for (const std::string& path : bundle.inputs) {
+    add(path);
+  }
+  for (const auto& [person, tree] : bundle.trees) {
+    const base::Result<bt::TreeTable> trees =
+        tree.path.empty() ? base::Result<bt::TreeTable>(bt::TreeTable()) : bt::loadTrees(tree.path);
+    if (!trees) {
+      continue;  // told when it was loaded for the run
+    }
+    for (const auto& [id, entry] : trees->entries) {
+      add(fs::path(entry.file).lexically_normal().string());
+    }
+  }
+  return inputs;
+}
 
 std::optional<std::string> strangerIn(const std::string& runFolder, bool isOurs) {
   std::error_code error;
@@ -487,20 +486,6 @@ base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run
     folder.write("manifest.json", runManifest(bundle, run, commandLine));
   }
   return folder.problems();
-}
-
-std::string batchManifest(const Experiment& experiment, const BatchRows& rows) {
-  const BatchCount count = countOf(rows);
-  std::vector<std::string> inputs = {experiment.path};
-  inputs.insert(inputs.end(), experiment.scenarioPaths.begin(), experiment.scenarioPaths.end());
-  const Json json = {{"program", programJson()},
-                     {"inputs", inputsJson(inputs)},
-                     {"code", {{"allowed", experiment.allowCode}}},
-                     {"status", count.finished == rows.size() ? "finished" : "interrupted"},
-                     {"runs", rows.size()},
-                     {"finished", count.finished},
-                     {"failed", count.failed}};
-  return base::jsonText(json) + "\n";
 }
 
 base::Diagnostics checkWritableFolder(const std::string& folder) {

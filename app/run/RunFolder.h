@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/run/Batch.h"
 #include "app/run/Bundle.h"
 #include "metrics/PlanningTime.h"
 #include "metrics/RunningEvaluation.h"
@@ -80,8 +79,8 @@ struct FinishedRun {
 base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run, RunWriter& writer,
                                  const Bundle& bundle, const std::vector<std::string>& commandLine);
 
-/// manifest.json of a batch; nothing of it depends on the number of jobs or the clock.
-std::string batchManifest(const Experiment& experiment, const BatchRows& rows);
+/// The files that a bundle is made of, those that trees include too, each once.
+std::vector<std::string> inputsOf(const Bundle& bundle);
 
 /// Whether all that is in the folder of a run is of a run (`isOurs`: its files are of an earlier
 /// batch; else only those that were cut short count): nothing else would be lost with it. What is

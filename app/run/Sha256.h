@@ -5,8 +5,9 @@
 
 namespace app {
 
-/// SHA-256 (FIPS 180-4) of what stands in a file, in lower-case hexadecimal digits; nothing when it
-/// cannot be read.
+/// SHA-256 (FIPS 180-4) in lower-case hexadecimal digits.
+std::string sha256Of(const std::string& bytes);
+/// Of what stands in a file; nothing when it cannot be read.
 std::optional<std::string> sha256OfFile(const std::string& path);
 
 }  // namespace app

@@ -573,6 +573,34 @@ constexpr ProblemText kTexts[] = {
 
     // Experiments.
     {"batch.stranger", "this is of no batch and would be lost: move it, or write elsewhere"},
+    {"batch.unfinished",
+     "a batch was interrupted here after {finished} of {runs} runs: --resume goes on with it, "
+     "--force begins anew"},
+    {"batch.locked",
+     "process {pid}{host? on %} writes its results here: wait for it, or write "
+     "elsewhere"},
+    {"batch.damaged",
+     "the results cannot be read ({reason}); nothing was changed: put a copy in "
+     "its place, or write elsewhere"},
+    {"batch.newer", "these results are of a newer program"},
+    {"batch.no-results", "there are no results of a batch (results.sqlite) in this folder"},
+    {"batch.cannot-store", "the results cannot be written ({reason}): what is in them is kept"},
+    {"batch.no-files", "the files of a run cannot be written: {reason}"},
+    {"batch.no-process", "the system gives no more processes"},
+    {"batch.other-program",
+     "the batch was begun by version {was}, this is {now}: finish it with that one, or begin anew "
+     "elsewhere"},
+    {"batch.other-experiment",
+     "the experiment is another one: where it differs first there was '{was}'"},
+    {"batch.other-input", "this file is another one than when the batch began"},
+    {"batch.other-shard", "the folder holds shard {was}, not {now}"},
+    {"batch.other-shards", "a study of {was} shards, not of {now}"},
+    {"merge.twice", "shard {shard} is given twice: it is in {other} too"},
+    {"merge.not-given", "shard {shard} is not given"},
+    {"merge.incomplete",
+     "shard {shard} is not complete: {finished} of {runs} runs (batch … --shard {shard} --resume "
+     "goes on with it)"},
+    {"merge.own-shard", "this folder is one of the shards: write elsewhere"},
     {"experiment.no-map", "an experiment is a map that begins with hunavsim_experiment: 1"},
     {"experiment.no-format",
      "the key hunavsim_experiment is missing (write hunavsim_experiment: 1)"},
@@ -589,7 +617,19 @@ constexpr ProblemText kTexts[] = {
     {"experiment.no-word", "{key} is a word"},
     {"experiment.unknown-name", "there is no {key} '{found}' (known: {known})"},
     {"experiment.bad-values", "values is a map: path of --set -> list of values"},
-    {"experiment.values-no-list", "the values of '{path}' are not a list"},
+    {"experiment.values-no-list",
+     "the values of '{path}' are neither a list nor one of range, normal, uniform, choice with a "
+     "list"},
+    {"experiment.unknown-draw",
+     "there is no way '{found}' to give values (known: {known}){nearest}"},
+    {"experiment.bad-range",
+     "range takes [FROM, TO, STEP]: three numbers, TO at least FROM, STEP above 0"},
+    {"experiment.bad-normal",
+     "normal takes [MEAN, DEVIATION, LEAST, MOST]: four numbers, DEVIATION above 0, LEAST below "
+     "MOST"},
+    {"experiment.bad-uniform", "uniform takes [FROM, TO]: two numbers, FROM below TO"},
+    {"experiment.bad-choice", "choice takes a list of at least one value"},
+    {"experiment.too-many-runs", "these are {count} runs, at most {most} are possible"},
     {"experiment.bad-record", "record is metrics, failed or all"},
 
     // Reports on batches.

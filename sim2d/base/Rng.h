@@ -25,6 +25,7 @@ enum class Draw : std::uint32_t {
   Mppi = 11,
   Variation = 12,  // of a scenario, between the runs of a batch
   Bootstrap = 13,  // step = resample, index = place in it
+  Value = 14,      // of an experiment, between its seeds
 };
 
 class AgentRng {

@@ -15,6 +15,10 @@ constexpr double kRayRange = 4.0;       // [m]
 
 bool isNearer(const Obstacles::Point& a, const Obstacles::Point& b) {
   // Steps of a nanometre: feet of equal distance stay in one order however their outline is cut.
+  constexpr double kSurely = 2e-9;  // then the steps are others too
+  if (std::abs(a.distance - b.distance) > kSurely) {
+    return a.distance < b.distance;
+  }
   const auto rank = [](const Obstacles::Point& point) {
     return std::llround(point.distance * 1e9);
   };
@@ -94,11 +98,12 @@ void Obstacles::addCorner(int edge, const PointQuery& query) const {
   const Vec2 offset = query.position - corner;
   const bool isMinimum = offset.dot(info.along) <= kSlack && offset.dot(in) >= -kSlack;
   const bool faces = base::cross(info.along, offset) <= kSlack || base::cross(in, offset) <= kSlack;
-  if (!isMinimum || !faces || !(index_.bucketAt(corner) == query.bucket)) {
+  if (!isMinimum || !faces) {
     return;
   }
   const double distance = offset.norm();
-  if (distance < query.range && isExposed(corner, info.previous, edge)) {
+  if (distance < query.range && index_.bucketAt(corner) == query.bucket &&
+      isExposed(corner, info.previous, edge)) {
     query.points.push_back({corner, distance, false, info.part});
   }
 }

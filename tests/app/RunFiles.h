@@ -98,6 +98,23 @@ inline std::vector<std::map<QString, QString>> readCsv(const QString& path) {
   return rows;
 }
 
+/// Processes that this one has started.
+inline std::vector<qint64> childrenOf(qint64 process) {
+  std::vector<qint64> found;
+  const QByteArray list = bytesOf(text("/proc/%1/task/%1/children").arg(process));
+  for (const QByteArray& word : list.simplified().split(' ')) {
+    if (!word.isEmpty()) {
+      found.push_back(word.toLongLong());
+    }
+  }
+  return found;
+}
+
+inline bool isAlive(qint64 process) {  // one that waits for its parent to look is not
+  const QByteArray state = bytesOf(text("/proc/%1/stat").arg(process));
+  return !state.isEmpty() && !state.contains(") Z ");
+}
+
 struct Body {
   int id = 0;
   double x = 0, y = 0, heading = 0, vx = 0, vy = 0, omega = 0;

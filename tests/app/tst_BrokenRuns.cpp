@@ -97,15 +97,29 @@ class BrokenRunsTest : public QObject {
     QCOMPARE(outside::readCsv(out + text("/results.csv")).size(), std::size_t{0});
   }
 
+  /// It cannot end them cleanly: they end with it, and what they left goes when it is resumed.
   void batch_killed_itsRunsEndToo() {
     QTemporaryDir folder;
+    const QString experiment = longExperiment(folder);
     const QString out = folder.filePath(text("out"));
-    Group batch({program(), text("batch"), longExperiment(folder), text("-o"), out, text("--jobs"),
-                 text("1")});  // with two, the other one might not listen yet
-    QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 3, 30000);
+    const QStringList words{program(), text("batch"),  experiment, text("-o"),
+                            out,       text("--jobs"), text("2")};
+    Group batch(words);
+    QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 6, 30000);
+    const std::vector<qint64> workers = outside::childrenOf(batch.pid());
+    QCOMPARE(workers.size(), std::size_t{2});
     QVERIFY(::kill(batch.pid(), SIGKILL) == 0);
     batch.wait();
-    QTRY_COMPARE_WITH_TIMEOUT(statusOf(out + text("/runs/0")), text("interrupted"), 50000);
+    for (const qint64 worker : workers) {
+      QTRY_VERIFY_WITH_TIMEOUT(!outside::isAlive(worker), 10000);
+    }
+    const QStringList rests = halfWritten(out);
+    QVERIFY(rests.size() >= 6);
+    Group again(words + QStringList{text("--resume")});
+    QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 6 && halfWritten(out) != rests, 30000);
+    QVERIFY(::kill(again.pid(), SIGTERM) == 0);
+    QCOMPARE(again.wait().exitCode, 1);
+    QCOMPARE(halfWritten(out), QStringList());
   }
 
   void run_signals_keepThePart_data() {

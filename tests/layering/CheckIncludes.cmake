@@ -27,7 +27,7 @@ set(allowed_app_cli "${core};${rooms}")
 set(allowed_app_window "${core};${rooms};app/cli")
 set(allowed_app "app/cli;app/window")
 
-set(third_party "include *<((yaml-cpp|box2d|nlohmann|openssl|Random123|CLI|xsimd|boost)/|(tinyxml2|hdf5)\\.h)")
+set(third_party "include *<((yaml-cpp|box2d|nlohmann|openssl|Random123|CLI|xsimd|boost)/|(tinyxml2|hdf5|sqlite3)\\.h)")
 
 # Sets `complaint` in the caller; empty = allowed.
 function(check_include folder name line)

@@ -8,9 +8,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/BatchReport.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
-#include "app/run/RunFolder.h"
+#include "app/run/BatchFolder.h"
+#include "app/run/ClusterScript.h"
+#include "app/run/DataPaths.h"
+#include "app/run/ExperimentRunner.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
 
@@ -22,79 +26,105 @@ struct BatchOptions {
   std::string experiment;
   std::string output;
   int jobs = 0;  // 0 = number of cores
-  bool allowCode = false;
+  bool allowCode = false, resume = false, force = false;
+  std::string shard;       // "K/N"; empty = all runs
+  double timeLimit = 0.0;  // [s]; 0 = none
+  std::string script;      // "slurm", "parallel"; empty: the runs are made
+  std::size_t chunks = 20;
 };
 
 namespace fs = std::filesystem;
 
-std::string progressText(std::size_t finished, std::size_t total, double seconds) {
+/// Nothing: it is none.
+std::optional<Shard> shardOf(const std::string& text) {
+  constexpr long long kMost = 1'000'000;
+  const std::vector<std::string> parts = base::split(text, '/');
+  const auto number = base::parseInt(parts.front()), count = base::parseInt(parts.back());
+  const bool isShard =
+      parts.size() == 2 && number && count && *number >= 1 && *number <= *count && *count <= kMost;
+  return isShard ? std::optional(
+                       Shard{static_cast<std::size_t>(*number), static_cast<std::size_t>(*count)})
+                 : std::nullopt;
+}
+
+std::string shardProblem(const std::string& text) {
+  return shardOf(text) ? std::string() : "K/N is wanted with 1 <= K <= N, not '" + text + "'";
+}
+
+std::string progressText(std::size_t finished, std::size_t total, double rate) {
   std::string text = std::to_string(finished) + " / " + std::to_string(total) + " runs";
-  if (finished > 0 && seconds > 0.0) {
-    const double rate = static_cast<double>(finished) / seconds;
+  if (rate > 0.0) {
     text += ", " + base::formatDecimals(std::round(rate * 10.0) / 10.0, 1) + " runs/s, " +
             durationText(static_cast<double>(total - finished) / rate) + " left";
   }
   return text;
 }
 
-int report(const Experiment& experiment, const BatchRows& rows, const BatchOptions& options,
-           const Invocation& given) {
-  const BatchCount count = countOf(rows);
-  const bool complete = count.finished == rows.size();
-  const std::string manifest = batchManifest(experiment, rows);
-  const fs::path folder = options.output;
-  const std::string results = (folder / "results.csv").string();
-  base::Diagnostics problems = base::writeFileAtomically(results, resultsCsv(experiment, rows));
-  base::append(problems, base::writeFileAtomically((folder / "manifest.json").string(), manifest));
-  requireFine(problems);
-  if (given.json) {
-    print(manifest);
-  } else if (!given.quiet) {
-    printLine(std::to_string(count.finished) + " of " + std::to_string(rows.size()) +
-              " runs finished, " + std::to_string(count.failed) + " failed: " + results);
-  }
-  if (!complete) {
-    printError("interrupted: the finished runs are kept");
-  }
-  return complete && count.failed == 0 ? ExitFine : ExitRunFailed;
+std::string absolute(const std::string& path) {
+  std::error_code ignored;
+  return fs::absolute(path, ignored).lexically_normal().string();
+}
+
+int printScript(const BatchOptions& options) {
+  const ClusterJob job{programPath(), absolute(options.experiment), absolute(options.output),
+                       options.chunks, options.allowCode};
+  print(options.script == "slurm" ? slurmScript(job) : parallelScript(job));
+  return ExitFine;
+}
+
+/// The runs that are missing in the folder; returns what ended them before their time.
+base::Diagnostics makeRuns(const Experiment& experiment, ExperimentRunner& runner,
+                           BatchFolder& folder, const BatchOptions& options, bool quiet) {
+  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  const ResultStore& store = folder.store();
+  const std::size_t total = store.study().shard.runsOf(store.study().runs);
+  const std::size_t before = store.finished();
+  const auto start = std::chrono::steady_clock::now();
+  Progress progress(quiet);
+  const auto show = [&] {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+    const auto made = static_cast<double>(store.finished() - before);
+    progress.show(progressText(store.finished(), total, made / elapsed.count()));
+  };
+  show();
+  BatchJob job;
+  job.runs = folder.missing();
+  job.jobs = options.jobs > 0 ? options.jobs : cores;
+  job.timeLimit = options.timeLimit > 0.0 ? options.timeLimit : job.timeLimit;
+  job.make = [&](std::size_t run) { return runner.run(run); };
+  job.take = [&](std::size_t run, const ResultRow& row) {
+    const Experiment::Run values = experiment.run(run);
+    base::Diagnostics problems =
+        folder.add({run, experiment.scenarios[values.scenario], values.seed, values.values, row});
+    show();
+    return problems;
+  };
+  job.wantsStop = wasInterrupted;
+  return runBatch(job);
 }
 
 int batchCommand(const BatchOptions& options, const Invocation& given) {
   base::Result<Experiment> experiment = readExperiment(options.experiment);
   requireFine(experiment.diagnostics());
   experiment->allowCode = options.allowCode;
-  base::Diagnostics problems = checkExperiment(*experiment, editor::loadMapImage);
-  if (!base::hasErrors(problems)) {  // else nothing will be written
-    base::append(problems, checkWritableFolder(options.output));
+  ExperimentRunner runner(*experiment, (fs::path(options.output) / "runs").string(),
+                          editor::loadMapImage);
+  requireFine(runner.check());
+  if (!options.script.empty()) {
+    return printScript(options);
   }
-  const std::string runs = (fs::path(options.output) / "runs").string();
-  base::append(problems, checkRunFolders(*experiment, runs));
-  requireFine(problems);
-  // From here on the folder is that of a batch, also when this one is cut short.
-  requireFine(
-      base::writeFileAtomically((fs::path(options.output) / "manifest.json").string(),
-                                batchManifest(*experiment, BatchRows(experiment->runCount()))));
+  const Study study =
+      studyOf(*experiment, runner.inputs(), shardOf(options.shard).value_or(Shard()));
+  const Earlier earlier = options.resume  ? Earlier::Resume
+                          : options.force ? Earlier::Replace
+                                          : Earlier::Refuse;
+  base::Result<std::unique_ptr<BatchFolder>> folder =
+      BatchFolder::open(options.output, study, earlier);
+  requireFine(folder.diagnostics());
   catchInterrupts();
-  const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  const auto start = std::chrono::steady_clock::now();
-  BatchRows rows;
-  {
-    Progress progress(given.quiet);
-    const std::size_t total = experiment->runCount();
-    progress.show(progressText(0, total, 0.0));
-    BatchJob job;
-    job.runsFolder = runs;
-    job.jobs = options.jobs > 0 ? options.jobs : cores;
-    job.wantsStop = wasInterrupted;
-    job.onProgress = [&](std::size_t finished) {
-      const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-      progress.show(progressText(finished, total, elapsed.count()));
-    };
-    rows = runBatch(*experiment, job);
-  }
-  std::error_code ignored;  // the folder stays when runs are kept in it
-  fs::remove(runs, ignored);
-  return report(*experiment, rows, options, given);
+  base::Diagnostics troubles = makeRuns(*experiment, runner, **folder, options, given.quiet);
+  base::append(troubles, (*folder)->finish());
+  return reportBatch(**folder, troubles, given);
 }
 
 }  // namespace
@@ -107,6 +137,23 @@ void addBatch(CommandRegistry& commands) {
   command.add_option("--jobs", options.jobs, "Processes at a time (number of cores)")
       ->check(CLI::Range(1, 1024));
   addAllowCode(command, options.allowCode);
+  CLI::Option* const resume =
+      command.add_flag("--resume", options.resume,
+                       "Go on with a batch that was interrupted; begin it if there is none");
+  command.add_flag("--force", options.force, "Begin anew where a batch was interrupted")
+      ->excludes(resume);
+  command.add_option("--shard", options.shard, "K/N: part K of N of the runs; see merge")
+      ->check(shardProblem);
+  command
+      .add_option("--time-limit", options.timeLimit,
+                  "Seconds of wall time after which a run has failed")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--script", options.script,
+                  "Run nothing: print a script that splits the study by slurm or parallel")
+      ->check(oneOf({"slurm", "parallel"}));
+  command.add_option("--chunks", options.chunks, "Shards that the script makes (20)")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
 }
 
 }  // namespace app

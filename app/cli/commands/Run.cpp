@@ -9,6 +9,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
+#include "app/run/Simulation.h"
 #include "editor/document/QtImageLoader.h"
 #include "metrics/Counterfactual.h"
 #include "metrics/ReportFiles.h"
@@ -22,36 +23,16 @@ std::string oneDecimal(double value) {
   return base::formatDecimals(std::round(value * 10.0) / 10.0, 1);
 }
 
-FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& scenarioSetup,
-                     RunWriter& writer, const Invocation& given) {
+FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::World& world,
+                          RunWriter& writer, const Invocation& given) {
   const double end = static_cast<double>(session.rule().maximumSteps) * world.dt();
-  sim2d::StepTimes times;
-  metrics::PlanningTime planning;
-  double planned = 0.0;  // [s] up to the step before
-  if (!world.frame().robots.id.empty()) {
-    world.measure(&times);
-  }
-  sim2d::RunResult result;
-  {
-    Progress progress(given.quiet);
-    result = session.run(world, &writer, [&](const sim2d::Frame& frame) {
-      const double now = times.seconds[static_cast<std::size_t>(sim2d::StepPhase::Robots)];
-      if (times.steps > planning.steps()) {
-        planning.add(now - planned);
-        planned = now;
-      }
-      if (progress.isDue()) {
-        progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
-      }
-      if (wasInterrupted() || writer.hasFailed()) {
-        session.stop();
-      }
-    });
-  }
-  world.measure(nullptr);
-  sim2d::TraceHeader header = world.header();
-  noteMetricsFile(scenarioSetup, header);
-  return {std::move(header), std::move(result), planning, writer.evaluation(), {}, false};
+  Progress progress(given.quiet);
+  return simulate(session, world, setup, writer, [&](const sim2d::Frame& frame) {
+    if (progress.isDue()) {
+      progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
+    }
+    return wasInterrupted();
+  });
 }
 
 /// The same people with the same draws, alone; as many steps as the run had.
@@ -169,16 +150,6 @@ int conclude(const RunOptions& options, const Invocation& given, const Bundle& b
   return exitCodeOf(run, options.scenario);
 }
 
-/// Of the metrics what nobody will read is not worked out: per sample only for the files, per
-/// behaviour type for them and for JSON.
-void wantNoMore(const RunOptions& options, const Invocation& given, metrics::Selection& selection) {
-  const bool hasFiles = !options.totals && !options.output.empty();
-  selection.everyRobot = true;
-  selection.series = selection.seriesOnDisk = hasFiles;
-  selection.behaviors = !options.totals && (hasFiles || given.json);
-  selection.behaviorSeries = false;  // in none of the files
-}
-
 int runCommand(const RunOptions& options, const Invocation& given) {
   const base::Result<RunSettings> settings = runSettingsOf(options);
   requireFine(settings.diagnostics(), ExitWrongCommandLine);
@@ -193,14 +164,15 @@ int runCommand(const RunOptions& options, const Invocation& given) {
   printDiagnostics(verdict.worldRemarks);
   sim2d::World& world = *verdict.world;
   catchInterrupts();
-  wantNoMore(options, given, verdict.metrics.selection);
+  const bool hasFiles = !options.totals && !options.output.empty();
+  wantNoMore(hasFiles, hasFiles || (given.json && !options.totals), verdict.metrics.selection);
   RunWriter writer(options.totals ? std::string() : options.output, world,
                    verdict.metrics.selection, verdict.metrics.parameters);
   Session session(sim2d::stopRuleOf(*bundle.scenario));
   if (options.counterfactual) {
     session.keepHistory(bundle.scenario->desktop.recordEvery.value_or(1));
   }
-  FinishedRun run = simulate(session, world, verdict.scenarioMetrics, writer, given);
+  FinishedRun run = simulateShown(session, verdict.scenarioMetrics, world, writer, given);
   run.totalsOnly = options.totals;
   base::Diagnostics troubles;
   world.behavior().takeDiagnostics(troubles);

@@ -1,0 +1,29 @@
+#include "app/cli/BatchReport.h"
+
+#include "app/cli/Console.h"
+
+namespace app {
+
+int reportBatch(const BatchFolder& folder, const base::Diagnostics& troubles,
+                const Invocation& given) {
+  const ResultStore& store = folder.store();
+  const std::size_t total = store.study().shard.runsOf(store.study().runs);
+  const std::string count =
+      std::to_string(store.finished()) + " of " + std::to_string(total) + " runs";
+  if (base::hasErrors(troubles)) {
+    printError("after " + count + ": batch --resume goes on with the others");
+    requireFine(troubles);
+  }
+  if (given.json) {
+    print(folder.manifest());
+  } else if (!given.quiet) {
+    printLine(count + " finished, " + std::to_string(store.failed()) +
+              " failed: " + folder.resultsFile());
+  }
+  if (!store.isComplete()) {
+    printError("interrupted: the finished runs are kept; batch --resume goes on with the others");
+  }
+  return store.isComplete() && store.failed() == 0 ? ExitFine : ExitRunFailed;
+}
+
+}  // namespace app

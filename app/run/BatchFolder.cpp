@@ -1,0 +1,276 @@
+#include "app/run/BatchFolder.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run/DataPaths.h"
+#include "app/run/ResultFiles.h"
+#include "app/run/RunFolder.h"
+#include "app/run/Sha256.h"
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string fileIn(const std::string& folder, const char* name) {
+  return (fs::path(folder) / name).string();
+}
+
+bool isThere(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(path, ignored));
+}
+
+/// How many runs a batch of before had in this folder; none where its manifest is of no batch.
+std::optional<std::size_t> runsOfBatchIn(const std::string& folder) {
+  const base::Result<std::string> text = base::readTextFile(fileIn(folder, "manifest.json"));
+  const auto manifest = text ? nlohmann::json::parse(*text, nullptr, false) : nlohmann::json();
+  const auto runs = manifest.is_object() ? manifest.find("runs") : manifest.end();
+  return runs != manifest.end() && runs->is_number_unsigned()
+             ? std::optional(runs->get<std::size_t>())
+             : std::nullopt;
+}
+
+/// What lies where the results will be written and is not of an earlier batch.
+base::Diagnostics strangersIn(const std::string& folder, std::size_t runCount) {
+  constexpr std::size_t kMostTold = 5;
+  std::optional<std::size_t> known = runsOfBatchIn(folder);
+  if (!known && ResultStore::isStore(fileIn(folder, "results.sqlite"))) {
+    known = runCount;
+  }
+  for (const char* name : {"manifest.json", "results.csv", "results.sqlite"}) {
+    if (!known && isThere(fileIn(folder, name))) {
+      return {base::error("batch.stranger", {}, fileIn(folder, name))};
+    }
+  }
+  const std::string runs = fileIn(folder, "runs");
+  std::error_code error;
+  if (fs::is_symlink(fs::symlink_status(runs, error))) {
+    return {base::error("batch.stranger", {}, runs)};
+  }
+  base::Diagnostics problems;
+  for (fs::directory_iterator at(runs, error), end; !error && at != end; at.increment(error)) {
+    const auto run = base::parseInt(at->path().filename().string());
+    if (!run || *run < 0 || problems.size() >= kMostTold) {
+      continue;  // nothing will be written there
+    }
+    const auto index = static_cast<std::size_t>(*run);
+    const auto stranger = strangerIn(at->path().string(), index < known.value_or(0));
+    if (stranger && index < runCount) {
+      problems.push_back(base::error("batch.stranger", {}, *stranger));
+    }
+  }
+  return problems;
+}
+
+/// The first line that is another one, in the text of now.
+base::Diagnostic otherText(const Study& was, const Study& now) {
+  const std::vector<std::string> before = base::split(was.experiment, '\n');
+  const std::vector<std::string> after = base::split(now.experiment, '\n');
+  std::size_t line = 0;
+  while (line < before.size() && line < after.size() && before[line] == after[line]) {
+    ++line;
+  }
+  const std::string text = line < before.size() ? base::trimmed(before[line]) : std::string();
+  return base::error("batch.other-experiment", {text}, now.experimentPath,
+                     static_cast<int>(line) + 1);
+}
+
+void removeQuietly(const std::string& path) {
+  std::error_code ignored;  // what stays is replaced
+  fs::remove(path, ignored);
+}
+
+}  // namespace
+
+Study studyOf(const Experiment& experiment, const std::vector<std::string>& inputs,
+              const Shard& shard) {
+  Study study;
+  study.version = programVersion();
+  study.commit = programCommit();
+  study.experimentPath = experiment.path;
+  study.experiment = experiment.text;
+  study.inputs.push_back({experiment.path, sha256Of(experiment.text)});
+  for (const std::string& input : inputs) {
+    study.inputs.push_back({input, sha256OfFile(input).value_or("")});
+  }
+  for (const ExperimentValue& value : experiment.values) {
+    study.paths.push_back(value.path);
+    if (value.isDrawn()) {
+      study.drawn.push_back(value.path);
+    }
+  }
+  study.runs = experiment.runCount();
+  study.shard = shard;
+  study.allowsCode = experiment.allowCode;
+  return study;
+}
+
+base::Diagnostics differences(const Study& was, const Study& now) {
+  base::Diagnostics found;
+  if (was.version != now.version || was.commit != now.commit) {
+    found.push_back(base::error("batch.other-program", {was.version + " (" + was.commit + ")",
+                                                        now.version + " (" + now.commit + ")"}));
+  }
+  if (was.experiment != now.experiment) {
+    found.push_back(otherText(was, now));
+    return found;  // other files may well be read
+  }
+  if (was.shard.count != now.shard.count) {
+    found.push_back(base::error("batch.other-shards", {was.shard.count, now.shard.count}));
+  }
+  for (std::size_t k = 1; k < std::max(was.inputs.size(), now.inputs.size()); ++k) {
+    const bool isBoth = k < was.inputs.size() && k < now.inputs.size();
+    if (!isBoth || was.inputs[k].sha256 != now.inputs[k].sha256) {
+      const InputHash& input = k < now.inputs.size() ? now.inputs[k] : was.inputs[k];
+      found.push_back(base::error("batch.other-input", {}, input.path));
+    }
+  }
+  return found;
+}
+
+base::Result<std::unique_ptr<BatchFolder>> BatchFolder::open(const std::string& folder,
+                                                             const Study& study, Earlier earlier) {
+  base::Diagnostics problems = checkWritableFolder(folder);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::take(folder);
+  if (!lock) {
+    return lock.diagnostics();
+  }
+  std::unique_ptr<BatchFolder> batch(new BatchFolder(folder, *std::move(lock)));
+  problems = strangersIn(folder, study.runs);
+  if (!base::hasErrors(problems)) {
+    problems = batch->takeEarlier(study, earlier);
+  }
+  if (!base::hasErrors(problems) && !batch->store_) {
+    problems = batch->begin(study);
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return batch;
+}
+
+/// The store of an earlier batch is taken over where it is to be resumed.
+base::Diagnostics BatchFolder::takeEarlier(const Study& study, Earlier earlier) {
+  const std::string path = fileIn(folder_, "results.sqlite");
+  if (!isThere(path) || earlier == Earlier::Replace) {
+    return {};
+  }
+  base::Result<std::unique_ptr<ResultStore>> store = ResultStore::open(path);
+  if (!store) {
+    return store.diagnostics();
+  }
+  const ResultStore& found = **store;
+  if (earlier == Earlier::Refuse) {
+    const std::size_t runs = found.study().shard.runsOf(found.study().runs);
+    return found.isComplete() ? base::Diagnostics()
+                              : base::Diagnostics{base::error("batch.unfinished",
+                                                              {found.finished(), runs}, folder_)};
+  }
+  base::Diagnostics problems = differences(found.study(), study);
+  if (problems.empty() && found.study().shard.number != study.shard.number) {
+    problems.push_back(base::error("batch.other-shard",
+                                   {found.study().shard.text(), study.shard.text()}, folder_));
+  }
+  if (problems.empty()) {
+    store_ = *std::move(store);
+  }
+  return problems;
+}
+
+/// From the first file on the folder is that of a batch, also when this one is cut short.
+base::Diagnostics BatchFolder::begin(const Study& study) {
+  const std::size_t former = runsOfBatchIn(folder_).value_or(0);
+  base::Diagnostics problems =
+      base::writeFileAtomically(fileIn(folder_, "manifest.json"), emptyManifest(study));
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  for (const char* name :
+       {"results.csv", "results.sqlite", "results.sqlite-wal", "results.sqlite-journal"}) {
+    removeQuietly(fileIn(folder_, name));
+  }
+  std::error_code error;
+  std::vector<std::string> old;
+  for (fs::directory_iterator at(runsFolder(), error), end; !error && at != end;
+       at.increment(error)) {
+    const auto run = base::parseInt(at->path().filename().string());
+    if (run && *run >= 0 && static_cast<std::size_t>(*run) < std::max(former, study.runs)) {
+      old.push_back(at->path().string());
+    }
+  }
+  std::for_each(old.begin(), old.end(), removeRun);
+  base::Result<std::unique_ptr<ResultStore>> store =
+      ResultStore::create(fileIn(folder_, "results.sqlite"), study);
+  if (!store) {
+    return store.diagnostics();
+  }
+  store_ = *std::move(store);
+  return {};
+}
+
+std::string BatchFolder::runsFolder() const {
+  return fileIn(folder_, "runs");
+}
+
+std::string BatchFolder::resultsFile() const {
+  return fileIn(folder_, "results.csv");
+}
+
+std::vector<std::size_t> BatchFolder::missing() const {
+  std::vector<std::size_t> runs;
+  const Study& study = store_->study();
+  for (std::size_t run = study.shard.number - 1; run < study.runs; run += study.shard.count) {
+    if (!store_->has(run)) {
+      runs.push_back(run);
+    }
+  }
+  return runs;
+}
+
+/// Folders of runs that were cut short: their manifest would be written last.
+void BatchFolder::removeRests() const {
+  std::error_code error;
+  std::vector<std::string> rests;
+  for (fs::directory_iterator at(runsFolder(), error), end; !error && at != end;
+       at.increment(error)) {
+    const auto run = base::parseInt(at->path().filename().string());
+    const bool isOfStudy =
+        run && *run >= 0 && static_cast<std::size_t>(*run) < store_->study().runs;
+    if (isOfStudy && (!store_->has(static_cast<std::size_t>(*run)) ||
+                      !isThere((at->path() / "manifest.json").string()))) {
+      rests.push_back(at->path().string());
+    }
+  }
+  std::for_each(rests.begin(), rests.end(), removeRun);
+  if (fs::is_directory(fs::symlink_status(runsFolder(), error))) {
+    removeQuietly(runsFolder());  // it stays when runs are kept in it
+  }
+}
+
+base::Diagnostics BatchFolder::finish() {
+  removeRests();
+  base::Diagnostics problems = writeResults(*store_, resultsFile());
+  manifest_ = batchManifest(*store_);
+  base::append(problems, base::writeFileAtomically(fileIn(folder_, "manifest.json"), manifest_));
+  base::append(problems, store_->close());
+  return problems;
+}
+
+base::Result<std::unique_ptr<ResultStore>> readResults(const std::string& folder) {
+  const std::string path = fileIn(folder, "results.sqlite");
+  if (!isThere(path)) {
+    return base::error("batch.no-results", {}, folder);
+  }
+  return ResultStore::open(path);
+}
+
+}  // namespace app

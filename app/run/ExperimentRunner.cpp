@@ -1,0 +1,125 @@
+#include "app/run/ExperimentRunner.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "app/run/DataPaths.h"
+#include "app/run/PlannerFiles.h"
+#include "app/run/Simulation.h"
+
+namespace app {
+
+namespace {
+
+using Record = Experiment::Record;
+
+/// The settings of all runs: options of an experiment say nothing about them.
+RunSettings settingsOf(const Experiment& experiment) {
+  RunSettings settings;
+  settings.code = experiment.allowCode ? sim2d::CodeUse::Allowed : sim2d::CodeUse::Refused;
+  return settings;
+}
+
+/// Code that runs want to start and may not: those of the first values, and of each other value
+/// beside them.
+base::Diagnostics codeOfRuns(const Experiment& experiment, const sim2d::Scenario& first,
+                             const std::string& scenarioPath) {
+  std::vector<ForeignCode> all = foreignCodeOf(first);
+  for (const ExperimentValue& value : experiment.values) {
+    for (const std::string& text : value.texts) {
+      sim2d::Scenario changed = first;
+      if (base::hasErrors(sim2d::setValue(changed, value.path, text))) {
+        continue;  // told by who read the experiment
+      }
+      for (const ForeignCode& code : foreignCodeOf(changed)) {
+        if (std::find(all.begin(), all.end(), code) == all.end()) {
+          all.push_back(code);
+        }
+      }
+    }
+  }
+  return tellForeignCode(all, base::Severity::Error, scenarioPath);
+}
+
+}  // namespace
+
+base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario) {
+  const std::size_t runs = experiment_.runCount() / experiment_.scenarios.size();
+  const Bundle bundle = readBundle(experiment_.optionsOf(scenario * runs), RunSettings(), files_);
+  const Verdict verdict = app::check(bundle);
+  base::Diagnostics problems;
+  for (base::Diagnostic problem : verdict.wrongWords) {
+    problem.file = problem.file.empty() ? experiment_.path : problem.file;
+    problems.push_back(std::move(problem));
+  }
+  base::append(problems, errorsOf(verdict.problems));
+  if (!experiment_.allowCode) {
+    base::append(problems, codeOfRuns(experiment_, *bundle.scenario, bundle.path));
+  }
+  for (const std::string& input : inputsOf(bundle)) {
+    if (std::find(inputs_.begin(), inputs_.end(), input) == inputs_.end()) {
+      inputs_.push_back(input);
+    }
+  }
+  return problems;
+}
+
+base::Diagnostics ExperimentRunner::check() {
+  inputs_.clear();
+  base::Diagnostics problems;
+  for (std::size_t k = 0; k < experiment_.scenarios.size(); ++k) {
+    base::append(problems, checkScenario(k));
+  }
+  return problems;
+}
+
+std::string ExperimentRunner::folderOf(std::size_t run) const {
+  return (std::filesystem::path(runsFolder_) / std::to_string(run)).string();
+}
+
+base::Result<ResultRow> ExperimentRunner::run(std::size_t index) {
+  const bool hasFiles = experiment_.record != Record::Metrics;
+  removeRun(folderOf(index));  // of an earlier batch, or cut short
+  const Bundle bundle = readBundle(experiment_.optionsOf(index), settingsOf(experiment_), files_);
+  Verdict verdict = app::check(bundle);
+  if (!verdict.ok()) {
+    base::Diagnostics all = verdict.wrongWords;
+    base::append(all, verdict.problems);
+    return rowOf(all);
+  }
+  sim2d::World& world = *verdict.world;
+  wantNoMore(hasFiles, hasFiles, verdict.metrics.selection);
+  std::optional<RunWriter> writer;
+  writer.emplace(hasFiles ? folderOf(index) : std::string(), world, verdict.metrics.selection,
+                 verdict.metrics.parameters);
+  Session session(sim2d::stopRuleOf(*bundle.scenario));
+  FinishedRun run = simulate(session, world, verdict.scenarioMetrics, *writer,
+                             [](const sim2d::Frame&) { return false; });
+  const ResultRow row = rowOf(run);
+  const bool isKept =
+      experiment_.record == Record::All || (experiment_.record == Record::Failed && !row.ok);
+  base::Diagnostics problems;
+  if (isKept || writer->hasFailed()) {
+    problems = keep(index, run, *writer, bundle);
+  } else if (hasFiles) {
+    writer.reset();  // with what it has written
+    removeRun(folderOf(index));
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return row;
+}
+
+base::Diagnostics ExperimentRunner::keep(std::size_t index, FinishedRun& run, RunWriter& writer,
+                                         const Bundle& bundle) {
+  std::vector<std::string> words = {programPath()};
+  for (const std::string& word : experiment_.wordsOf(index)) {
+    words.push_back(word);
+  }
+  words.insert(words.end(), {"--quiet", "-o", folderOf(index)});
+  return writeRunFolder(folderOf(index), run, writer, bundle, words);
+}
+
+}  // namespace app

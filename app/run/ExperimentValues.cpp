@@ -1,0 +1,229 @@
+#include "app/run/ExperimentValues.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "sim2d/base/Math.h"
+#include "sim2d/base/Rng.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlTree.h"
+
+namespace app {
+
+namespace {
+
+using base::YamlNode;
+using Kind = ExperimentValue::Kind;
+
+constexpr double kMostSteps = 1e6;  // of a range
+
+/// FNV-1a: the same everywhere.
+std::uint64_t hashOf(std::string_view text) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const char each : text) {
+    hash = (hash ^ static_cast<unsigned char>(each)) * 1099511628211ULL;
+  }
+  return hash;
+}
+
+/// The draws of one value in one scenario with one seed, by their number.
+class Draws {
+ public:
+  Draws(const std::string& path, const std::string& scenario, long long seed)
+      : seed_(static_cast<std::uint64_t>(seed)),
+        scenario_(hashOf(std::filesystem::path(scenario).stem().string())),
+        path_(static_cast<std::uint32_t>(hashOf(path))) {}
+
+  double uniform(double from, double to, int number = 0) const {
+    return rng(number).uniform(from, to, base::Draw::Value, path_);
+  }
+  double normal(double mean, double deviation, int number) const {
+    return rng(number).normal(mean, deviation, base::Draw::Value, path_);
+  }
+
+ private:
+  base::AgentRng rng(int number) const { return {seed_, number, scenario_}; }
+
+  std::uint64_t seed_, scenario_;
+  std::uint32_t path_;
+};
+
+/// Normal between two ends, by rejection: of normal draws where most of them fit, else of uniform
+/// ones over the part that has any weight.
+double normalBetween(const std::array<double, 4>& numbers, const Draws& draws) {
+  constexpr int kMostTries = 100000;  // far beyond what ever happens
+  constexpr double kNoWeight = 40.0;  // exp(-40) of the weight of the best place
+  const double mean = numbers[0], deviation = numbers[1], least = numbers[2], most = numbers[3];
+  const double near = std::clamp(mean, least, most);
+  const double reach = deviation * kNoWeight / std::max(1.0, std::abs(near - mean) / deviation);
+  const double from = std::max(least, near - reach), to = std::min(most, near + reach);
+  const bool isWide = near == mean && most - least >= 2.0 * deviation;
+  const auto exponent = [&](double x) {
+    return 0.5 * ((x - mean) / deviation) * ((x - mean) / deviation);
+  };
+  for (int number = 0; number < kMostTries; number += 2) {
+    if (isWide) {
+      const double x = draws.normal(mean, deviation, number);
+      if (x >= least && x <= most) {
+        return x;
+      }
+    } else {
+      const double x = draws.uniform(from, to, number);
+      if (draws.uniform(0.0, 1.0, number + 1) < base::exp(exponent(near) - exponent(x))) {
+        return x;
+      }
+    }
+  }
+  return near;
+}
+
+base::Diagnostic at(const YamlNode& node, base::Diagnostic problem) {
+  problem.line = node.line;
+  problem.column = node.column;
+  return problem;
+}
+
+/// Exactly `count` finite numbers in a list.
+bool readNumbers(const YamlNode& list, std::size_t count, ExperimentValue& value) {
+  if (!list.isList() || list.items.size() != count) {
+    return false;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::optional<double> number = base::parseDouble(list.items[k].text);
+    if (!number || !std::isfinite(*number)) {
+      return false;
+    }
+    value.numbers[k] = *number;
+  }
+  return true;
+}
+
+void readTexts(const YamlNode& list, ExperimentValue& value) {
+  for (const YamlNode& item : list.items) {
+    value.texts.push_back(valueText(item));
+  }
+}
+
+/// Rounded to nine digits behind the first one of the step: 0.1 + 2 * 0.1 is 0.3.
+double withoutDust(double value, double step) {
+  double scale = 1e9;
+  for (double unit = 1.0; unit > step && scale < 1e22; unit /= 10.0) {
+    scale *= 10.0;
+  }
+  const double whole = std::round(value * scale);
+  return std::abs(whole) < 0x1p53 ? whole / scale : value;
+}
+
+/// from, from + step, … as far as `to`.
+bool readRange(const YamlNode& list, ExperimentValue& value) {
+  if (!readNumbers(list, 3, value)) {
+    return false;
+  }
+  const double from = value.numbers[0], to = value.numbers[1], step = value.numbers[2];
+  const double steps = step > 0.0 && from <= to ? std::floor((to - from) / step + 1e-9) : -1.0;
+  if (!(steps >= 0.0 && steps < kMostSteps)) {
+    return false;
+  }
+  value.texts.reserve(static_cast<std::size_t>(steps) + 1);
+  for (int k = 0; k <= static_cast<int>(steps); ++k) {
+    value.texts.push_back(base::formatDouble(withoutDust(from + k * step, step)));
+  }
+  return true;
+}
+
+bool readNormal(const YamlNode& list, ExperimentValue& value) {
+  value.kind = Kind::Normal;
+  return readNumbers(list, 4, value) && value.numbers[1] > 0.0 &&
+         value.numbers[2] < value.numbers[3];
+}
+
+bool readUniform(const YamlNode& list, ExperimentValue& value) {
+  value.kind = Kind::Uniform;
+  return readNumbers(list, 2, value) && value.numbers[0] < value.numbers[1];
+}
+
+bool readChoice(const YamlNode& list, ExperimentValue& value) {
+  value.kind = Kind::Choice;
+  if (list.isList()) {
+    readTexts(list, value);
+  }
+  return !value.texts.empty();
+}
+
+/// How values can be given beside a list.
+struct Way {
+  const char* name;
+  bool (*read)(const YamlNode& list, ExperimentValue& value);
+  const char* problem;
+};
+constexpr Way kWays[] = {{"range", readRange, "experiment.bad-range"},
+                         {"normal", readNormal, "experiment.bad-normal"},
+                         {"uniform", readUniform, "experiment.bad-uniform"},
+                         {"choice", readChoice, "experiment.bad-choice"}};
+
+/// A list or map in flow style.
+std::string inOneLine(const YamlNode& node) {
+  if (node.isNull()) {
+    return "~";
+  }
+  if (node.isScalar()) {
+    return base::emitYaml(node);
+  }
+  std::vector<std::string> parts;
+  parts.reserve(node.items.size());
+  for (const YamlNode& item : node.items) {
+    const std::string key = node.isMap() ? base::emitYaml(base::stringNode(item.key)) + ": " : "";
+    parts.push_back(key + inOneLine(item));
+  }
+  const std::string inside = base::join(parts, ", ");
+  return node.isMap() ? "{" + inside + "}" : "[" + inside + "]";
+}
+
+}  // namespace
+
+std::string drawnText(const ExperimentValue& value, const std::string& scenario, long long seed) {
+  const Draws draws(value.path, scenario, seed);
+  if (value.kind == Kind::Choice) {
+    const auto count = static_cast<double>(value.texts.size());
+    return value.texts[static_cast<std::size_t>(draws.uniform(0.0, count))];
+  }
+  return base::formatDouble(value.kind == Kind::Normal
+                                ? normalBetween(value.numbers, draws)
+                                : draws.uniform(value.numbers[0], value.numbers[1]));
+}
+
+base::Result<ExperimentValue> readExperimentValue(const YamlNode& node) {
+  ExperimentValue value;
+  value.path = node.key;
+  if (node.isList()) {
+    readTexts(node, value);
+  }
+  if (!value.texts.empty()) {
+    return value;
+  }
+  if (!node.isMap() || node.items.size() != 1) {
+    return at(node, base::error("experiment.values-no-list", {node.key}));
+  }
+  const YamlNode& list = node.items.front();
+  std::vector<std::string> known;
+  for (const Way& way : kWays) {
+    known.emplace_back(way.name);
+    if (list.key == way.name) {
+      return way.read(list, value) ? base::Result<ExperimentValue>(value)
+                                   : at(list, base::error(way.problem));
+    }
+  }
+  return at(base::keyNode(list),
+            base::error("experiment.unknown-draw",
+                        {list.key, base::join(known, ", "), base::nearestName(list.key, known)}));
+}
+
+std::string valueText(const YamlNode& node) {
+  return node.isScalar() ? node.text : inOneLine(node);
+}
+
+}  // namespace app

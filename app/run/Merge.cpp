@@ -1,0 +1,156 @@
+#include "app/run/Merge.h"
+
+#include <filesystem>
+#include <map>
+#include <system_error>
+
+#include "app/run/RunFolder.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Part {
+  std::string folder;
+  std::unique_ptr<FolderLock> lock;
+  std::unique_ptr<ResultStore> store;
+};
+
+/// The study in their folders; shards by number.
+class Parts {
+ public:
+  base::Diagnostics add(const std::string& folder) {
+    std::error_code ignored;
+    if (!fs::exists(fs::path(folder) / "results.sqlite", ignored)) {
+      return {base::error("batch.no-results", {}, folder)};
+    }
+    Part part;
+    part.folder = folder;
+    base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::take(folder);
+    base::Result<std::unique_ptr<ResultStore>> store =
+        lock ? readResults(folder) : base::Result<std::unique_ptr<ResultStore>>(lock.diagnostics());
+    if (!store) {
+      return store.diagnostics();
+    }
+    part.lock = *std::move(lock);
+    part.store = *std::move(store);
+    return place(std::move(part));
+  }
+
+  /// What is not there.
+  base::Diagnostics check() const {
+    base::Diagnostics problems;
+    if (parts_.empty()) {
+      return problems;
+    }
+    const std::size_t count = study().shard.count;
+    for (std::size_t number = 1; number <= count; ++number) {
+      if (parts_.count(number) == 0) {
+        problems.push_back(base::error("merge.not-given", {Shard{number, count}.text()}));
+      }
+    }
+    return problems;
+  }
+
+  const Study& study() const { return parts_.begin()->second.store->study(); }
+  const std::map<std::size_t, Part>& all() const { return parts_; }
+
+ private:
+  base::Diagnostics place(Part part) {
+    const Study& study = part.store->study();
+    base::Diagnostics problems;
+    if (!parts_.empty()) {
+      for (base::Diagnostic problem : differences(this->study(), study)) {
+        problem.file = part.folder + (problem.file.empty() ? "" : ": " + problem.file);
+        problems.push_back(std::move(problem));
+      }
+    }
+    if (!problems.empty()) {
+      return problems;
+    }
+    if (const auto found = parts_.find(study.shard.number); found != parts_.end()) {
+      return {base::error("merge.twice", {study.shard.text(), found->second.folder}, part.folder)};
+    }
+    if (!part.store->isComplete()) {
+      problems.push_back(
+          base::error("merge.incomplete",
+                      {study.shard.text(), part.store->finished(), study.shard.runsOf(study.runs)},
+                      part.folder));
+    }
+    parts_[study.shard.number] = std::move(part);
+    return problems;
+  }
+
+  std::map<std::size_t, Part> parts_;
+};
+
+/// Run folders that the shard kept.
+base::Diagnostics copyRuns(const std::string& from, const std::string& to) {
+  std::error_code error;
+  for (fs::directory_iterator at(fs::path(from) / "runs", error), end; !error && at != end;
+       at.increment(error)) {
+    std::error_code failed;
+    const fs::path place = fs::path(to) / at->path().filename();
+    fs::create_directories(to, failed);
+    fs::copy(at->path(), place, fs::copy_options::recursive | fs::copy_options::overwrite_existing,
+             failed);
+    if (failed) {
+      return {base::error("file.cannot-write", {failed.message()}, place.string())};
+    }
+  }
+  return {};
+}
+
+base::Diagnostics join(const Parts& parts, BatchFolder& output) {
+  base::Diagnostics problems;
+  for (const auto& [number, part] : parts.all()) {
+    const base::Diagnostics unreadable = part.store->forEach([&](const StoredRun& stored) {
+      if (problems.empty()) {
+        problems = output.add(stored);
+      }
+    });
+    base::append(problems, unreadable);
+    if (problems.empty()) {
+      problems = copyRuns(part.folder, output.runsFolder());
+    }
+    if (!problems.empty()) {
+      return problems;
+    }
+  }
+  return output.finish();
+}
+
+}  // namespace
+
+base::Result<std::unique_ptr<BatchFolder>> mergeShards(const std::string& output,
+                                                       const std::vector<std::string>& shards,
+                                                       Earlier earlier) {
+  Parts parts;
+  base::Diagnostics problems;
+  for (const std::string& shard : shards) {
+    std::error_code ignored;
+    if (fs::equivalent(shard, output, ignored)) {
+      problems.push_back(base::error("merge.own-shard", {}, output));
+    }
+    base::append(problems, parts.add(shard));
+  }
+  base::append(problems, parts.check());
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  Study study = parts.study();
+  study.shard = Shard();
+  base::Result<std::unique_ptr<BatchFolder>> folder = BatchFolder::open(output, study, earlier);
+  if (!folder) {
+    return folder.diagnostics();
+  }
+  problems = join(parts, **folder);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return folder;
+}
+
+}  // namespace app

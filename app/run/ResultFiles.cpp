@@ -1,0 +1,146 @@
+#include "app/run/ResultFiles.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "metrics/MetricRegistry.h"
+#include "sim2d/base/Files.h"
+#include "sim2d/base/JsonText.h"
+#include "sim2d/trace/Csv.h"
+
+namespace app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Columns of the rows: those of the registry in its order, then the others as they come.
+base::Diagnostics findColumns(const ResultStore& store, std::vector<std::string>& columns) {
+  std::set<std::string> found;
+  std::vector<std::string> inOrder;
+  base::Diagnostics problems = store.forEach([&](const StoredRun& stored) {
+    for (const auto& [column, field] : stored.row.fields) {
+      if (found.insert(column).second) {
+        inOrder.push_back(column);
+      }
+    }
+  });
+  for (const metrics::MetricEntry& entry : metrics::standardRegistry().entries()) {
+    if (found.erase(entry.info.key) != 0) {
+      columns.push_back(entry.info.key);
+    }
+  }
+  std::copy_if(inOrder.begin(), inOrder.end(), std::back_inserter(columns),
+               [&found](const std::string& column) { return found.count(column) != 0; });
+  return problems;
+}
+
+std::string rowLine(const StoredRun& stored, const std::vector<std::string>& columns) {
+  const ResultRow& row = stored.row;
+  std::string line = std::to_string(stored.run);
+  const auto add = [&line](const std::string& field) {
+    line += ',';
+    sim2d::appendCsvField(line, field);
+  };
+  add(stored.scenario);
+  add(std::to_string(stored.seed));
+  for (const std::string& value : stored.values) {
+    add(value);
+  }
+  add(row.ok ? "ok" : "failed");
+  add(row.reason);
+  add(row.simulated);
+  for (const std::string& column : columns) {
+    const auto found = std::find_if(row.fields.begin(), row.fields.end(),
+                                    [&column](const auto& field) { return field.first == column; });
+    add(found == row.fields.end() ? std::string() : found->second);
+  }
+  return line + '\n';
+}
+
+std::string headLineOf(const Study& study, const std::vector<std::string>& columns) {
+  std::string line = "run,scenario,seed";
+  for (const std::string& path : study.paths) {
+    line += ',';
+    sim2d::appendCsvField(line, path);
+  }
+  line += ",status,reason,simulated";
+  for (const std::string& column : columns) {
+    line += ',';
+    sim2d::appendCsvField(line, column);
+  }
+  return line + '\n';
+}
+
+Json manifestOf(const Study& study, std::size_t finished, std::size_t failed) {
+  Json inputs = Json::array();
+  for (const InputHash& input : study.inputs) {
+    inputs.push_back({{"path", input.path}, {"sha256", input.sha256}});
+  }
+  const bool isComplete = finished == study.shard.runsOf(study.runs);
+  Json json = {{"program", {{"version", study.version}, {"commit", study.commit}}},
+               {"inputs", inputs},
+               {"code", {{"allowed", study.allowsCode}}},
+               {"status", isComplete ? "finished" : "interrupted"},
+               {"runs", study.runs},
+               {"finished", finished},
+               {"failed", failed}};
+  if (study.shard.count > 1) {
+    json["shard"] = study.shard.text();
+  }
+  return json;
+}
+
+/// scenario -> seed -> path -> what was drawn: the same in every run of that scenario and seed.
+Json drawnJson(const ResultStore& store) {
+  const Study& study = store.study();
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < study.paths.size(); ++k) {
+    if (std::find(study.drawn.begin(), study.drawn.end(), study.paths[k]) != study.drawn.end()) {
+      places.push_back(k);
+    }
+  }
+  Json drawn = Json::object();
+  if (places.empty()) {
+    return drawn;
+  }
+  const base::Diagnostics unreadable = store.forEach([&](const StoredRun& stored) {
+    Json& values = drawn[stored.scenario][std::to_string(stored.seed)];
+    for (const std::size_t place : places) {
+      values[study.paths[place]] = stored.values[place];
+    }
+  });
+  return unreadable.empty() ? drawn : Json();  // writeResults() tells why
+}
+
+}  // namespace
+
+base::Diagnostics writeResults(const ResultStore& store, const std::string& path) {
+  std::vector<std::string> columns;
+  const base::Diagnostics unreadable = findColumns(store, columns);
+  if (!unreadable.empty()) {
+    return unreadable;
+  }
+  base::GrowingFile file(path);
+  file.append(headLineOf(store.study(), columns));
+  const base::Diagnostics cut =
+      store.forEach([&](const StoredRun& stored) { file.append(rowLine(stored, columns)); });
+  return cut.empty() ? file.finish() : cut;
+}
+
+std::string batchManifest(const ResultStore& store) {
+  Json json = manifestOf(store.study(), store.finished(), store.failed());
+  if (!store.study().drawn.empty()) {
+    json["drawn"] = drawnJson(store);
+  }
+  return base::jsonText(json) + "\n";
+}
+
+std::string emptyManifest(const Study& study) {
+  return base::jsonText(manifestOf(study, 0, 0)) + "\n";
+}
+
+}  // namespace app

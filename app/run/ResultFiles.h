@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "app/run/ResultStore.h"
+
+namespace app {
+
+/// results.csv of what is in the store: a row per run, by number. Columns beside those of every
+/// batch: the metrics in their order, then others as they first appear. Nothing of it depends on
+/// the number of processes, their order, interruptions, shards, or the clock.
+base::Diagnostics writeResults(const ResultStore& store, const std::string& path);
+
+/// manifest.json of a batch: the program, files that were read, how many runs there are, and what
+/// was drawn for each scenario and seed.
+std::string batchManifest(const ResultStore& store);
+/// The same of one in which nothing has run.
+std::string emptyManifest(const Study& study);
+
+}  // namespace app

@@ -1,0 +1,87 @@
+#include "app/run/ResultRow.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "metrics/ReportFiles.h"
+#include "sim2d/base/JsonText.h"
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string fieldOf(const Json& value) {
+  if (value.is_null()) {
+    return {};
+  }
+  if (value.is_boolean()) {
+    return value.get<bool>() ? "True" : "False";
+  }
+  if (value.is_number_float()) {
+    return base::formatDouble(value.get<double>());
+  }
+  return base::jsonText(value, -1);
+}
+
+void addFields(const Json& of, const std::string& prefix, ResultRow& to) {
+  for (const auto& [key, entry] : of.at("metrics").items()) {
+    to.fields.emplace_back(prefix + key, fieldOf(entry.value("value", Json())));
+  }
+}
+
+}  // namespace
+
+ResultRow rowOf(const FinishedRun& run) {
+  ResultRow row;
+  row.ok = run.result.status == sim2d::RunStatus::Finished;
+  row.reason = run.result.reason;
+  row.simulated = base::formatDouble(static_cast<double>(run.result.steps) * run.header.dt);
+  if (run.evaluation) {  // the numbers as metrics.json has them
+    const Json json = Json::parse(metrics::toJson(*run.evaluation));
+    addFields(json, "", row);
+    for (const auto& [robot, of] : json.value("robots", Json::object()).items()) {
+      addFields(of, robot + ".", row);
+    }
+  }
+  return row;
+}
+
+ResultRow rowOf(const base::Diagnostics& problems) {
+  ResultRow row;
+  const auto first = std::find_if(
+      problems.begin(), problems.end(),
+      [](const base::Diagnostic& said) { return said.severity == base::Severity::Error; });
+  row.reason = first != problems.end() ? first->message : "it could not begin";
+  return row;
+}
+
+std::string rowText(const ResultRow& row) {
+  Json json = {{"ok", row.ok}, {"reason", row.reason}, {"simulated", row.simulated}};
+  json["fields"] = Json::object();
+  for (const auto& [column, field] : row.fields) {
+    json["fields"][column] = field;
+  }
+  return base::jsonText(json, -1);
+}
+
+ResultRow rowOfText(const std::string& text) {
+  ResultRow row;
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("fields")) {
+    row.reason = "no row";
+    return row;
+  }
+  row.ok = json.value("ok", false);
+  row.reason = json.value("reason", "");
+  row.simulated = json.value("simulated", "");
+  for (const auto& [column, field] : json["fields"].items()) {
+    row.fields.emplace_back(column, field.get<std::string>());
+  }
+  return row;
+}
+
+}  // namespace app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/run/RunFolder.h"
+
+namespace app {
+
+/// What the results keep of one run of a batch.
+struct ResultRow {
+  bool ok = false;
+  std::string reason;     // why it ended, or failed
+  std::string simulated;  // [s]; empty when not known
+  /// Columns behind those that every row has, with their fields as CSV has them: metrics of the
+  /// first robot by their keys, then those of each other robot, `robot2.path_length`.
+  std::vector<std::pair<std::string, std::string>> fields;
+};
+
+/// The row of a run that was simulated. Nothing of it was measured by the wall clock.
+ResultRow rowOf(const FinishedRun& run);
+/// Of one that could not begin: the first error is the reason.
+ResultRow rowOf(const base::Diagnostics& problems);
+
+/// As one line of JSON, and back; what is no row gives a failed one.
+std::string rowText(const ResultRow& row);
+ResultRow rowOfText(const std::string& text);
+
+}  // namespace app

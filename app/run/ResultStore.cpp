@@ -1,0 +1,297 @@
+#include "app/run/ResultStore.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "app/run/SqlStatement.h"
+#include "sim2d/base/JsonText.h"
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kApplication = 0x484e4156;  // "HNAV", in the header of the file
+constexpr int kFormat = 1;
+
+const char* const kTables =
+    "CREATE TABLE experiment(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;"
+    "CREATE TABLE inputs(position INTEGER PRIMARY KEY, path TEXT NOT NULL, sha256 TEXT NOT NULL);"
+    "CREATE TABLE runs(run INTEGER PRIMARY KEY, scenario TEXT NOT NULL, seed INTEGER NOT NULL,"
+    " value_texts TEXT NOT NULL, status TEXT NOT NULL, reason TEXT NOT NULL,"
+    " simulated TEXT NOT NULL, metrics TEXT NOT NULL);";
+
+Json textsJson(const std::vector<std::string>& texts) {
+  Json json = Json::array();
+  for (const std::string& text : texts) {
+    json.push_back(text);
+  }
+  return json;
+}
+
+std::string textsText(const std::vector<std::string>& texts) {
+  return base::jsonText(textsJson(texts), -1);
+}
+
+std::vector<std::string> textsOf(const std::string& text) {
+  std::vector<std::string> texts;
+  const Json json = Json::parse(text, nullptr, false);
+  for (const Json& each : json.is_array() ? json : Json::array()) {
+    texts.push_back(each.is_string() ? each.get<std::string>() : std::string());
+  }
+  return texts;
+}
+
+std::string fieldsText(const ResultRow& row) {
+  Json json = Json::object();
+  for (const auto& [column, field] : row.fields) {
+    json[column] = field;
+  }
+  return base::jsonText(json, -1);
+}
+
+std::size_t countOf(const std::string& text) {
+  return static_cast<std::size_t>(std::max(0LL, base::parseInt(text).value_or(0)));
+}
+
+}  // namespace
+
+ResultStore::ResultStore(std::string path) : path_(std::move(path)) {}
+
+ResultStore::~ResultStore() {
+  insertion_.reset();
+  sqlite3_close(database_);
+}
+
+base::Diagnostics ResultStore::trouble(const char* code) const {
+  return {base::error(code, {sqlite3_errmsg(database_)}, path_)};
+}
+
+bool ResultStore::run(const char* sql) const {
+  return sqlite3_exec(database_, sql, nullptr, nullptr, nullptr) == SQLITE_OK;
+}
+
+bool ResultStore::isStore(const std::string& path) {
+  std::array<char, 72> head{};
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(head.data(), head.size()) ||
+      std::strncmp(head.data(), "SQLite format 3", 16) != 0) {
+    return false;
+  }
+  std::uint32_t application = 0;
+  for (std::size_t k = 68; k < head.size(); ++k) {  // most significant byte first
+    application = application << 8U | static_cast<unsigned char>(head[k]);
+  }
+  return application == static_cast<std::uint32_t>(kApplication);
+}
+
+/// No other process is there (FolderLock), so the log needs no shared memory: it does on the file
+/// systems of clusters as well.
+base::Diagnostics ResultStore::connect(bool isNew) {
+  const int flags = SQLITE_OPEN_READWRITE | (isNew ? SQLITE_OPEN_CREATE : 0) | SQLITE_OPEN_NOMUTEX;
+  if (sqlite3_open_v2(path_.c_str(), &database_, flags, nullptr) != SQLITE_OK) {
+    return trouble(isNew ? "batch.cannot-store" : "batch.damaged");
+  }
+  sqlite3_extended_result_codes(database_, 1);
+  sqlite3_busy_timeout(database_, 10000);
+  return {};
+}
+
+base::Diagnostics ResultStore::makeTables(const Study& study) {
+  const std::string marks = "PRAGMA application_id=" + std::to_string(kApplication) +
+                            ";PRAGMA user_version=" + std::to_string(kFormat) + ";";
+  if (!run("PRAGMA locking_mode=EXCLUSIVE;PRAGMA journal_mode=WAL;PRAGMA synchronous=NORMAL;"
+           "BEGIN IMMEDIATE;") ||
+      !run(marks.c_str()) || !run(kTables)) {
+    return trouble("batch.cannot-store");
+  }
+  const std::vector<std::pair<const char*, std::string>> entries = {
+      {"version", study.version},
+      {"commit", study.commit},
+      {"path", study.experimentPath},
+      {"text", study.experiment},
+      {"sha256", study.inputs.empty() ? std::string() : study.inputs.front().sha256},
+      {"columns", textsText(study.paths)},
+      {"drawn", textsText(study.drawn)},
+      {"runs", std::to_string(study.runs)},
+      {"shard", std::to_string(study.shard.number)},
+      {"shards", std::to_string(study.shard.count)},
+      {"code", study.allowsCode ? "allowed" : ""}};
+  for (const auto& [key, value] : entries) {
+    const SqlStatement statement(database_, "INSERT INTO experiment VALUES(?,?)");
+    statement.bind(1, std::string(key));
+    statement.bind(2, value);
+    statement.step();
+  }
+  for (std::size_t k = 0; k < study.inputs.size(); ++k) {
+    const SqlStatement statement(database_, "INSERT INTO inputs VALUES(?,?,?)");
+    statement.bind(1, static_cast<long long>(k));
+    statement.bind(2, study.inputs[k].path);
+    statement.bind(3, study.inputs[k].sha256);
+    statement.step();
+  }
+  return run("COMMIT") ? base::Diagnostics() : trouble("batch.cannot-store");
+}
+
+base::Result<std::unique_ptr<ResultStore>> ResultStore::create(const std::string& path,
+                                                               const Study& study) {
+  std::unique_ptr<ResultStore> store(new ResultStore(path));
+  base::Diagnostics problems = store->connect(true);
+  if (problems.empty()) {
+    problems = store->makeTables(study);
+  }
+  if (!problems.empty()) {
+    return problems;
+  }
+  store->study_ = study;
+  store->has_.resize(study.runs);
+  return store;
+}
+
+base::Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::string& path) {
+  std::unique_ptr<ResultStore> store(new ResultStore(path));
+  base::Diagnostics problems = store->connect(false);
+  for (const auto& step : {&ResultStore::check, &ResultStore::readStudy, &ResultStore::readRuns}) {
+    if (problems.empty()) {
+      problems = (store.get()->*step)();
+    }
+  }
+  if (!problems.empty()) {
+    return problems;
+  }
+  return store;
+}
+
+base::Diagnostics ResultStore::check() {
+  if (!run("PRAGMA locking_mode=EXCLUSIVE;PRAGMA synchronous=NORMAL")) {
+    return trouble("batch.damaged");
+  }
+  const SqlStatement version(database_, "PRAGMA user_version");
+  if (version.step() && version.number(0) > kFormat) {
+    return {base::error("batch.newer", {}, path_)};
+  }
+  const SqlStatement pages(database_, "PRAGMA quick_check(1)");
+  if (!pages.step()) {
+    return trouble("batch.damaged");
+  }
+  return pages.text(0) == "ok" ? base::Diagnostics()
+                               : base::Diagnostics{base::error(
+                                     "batch.damaged", {"some of its pages are damaged"}, path_)};
+}
+
+base::Diagnostics ResultStore::readStudy() {
+  std::map<std::string, std::string> entries;
+  {
+    const SqlStatement statement(database_, "SELECT key, value FROM experiment");
+    while (statement.step()) {
+      entries[statement.text(0)] = statement.text(1);
+    }
+    const SqlStatement inputs(database_, "SELECT path, sha256 FROM inputs ORDER BY position");
+    while (inputs.step()) {
+      study_.inputs.push_back({inputs.text(0), inputs.text(1)});
+    }
+  }
+  study_.version = entries["version"];
+  study_.commit = entries["commit"];
+  study_.experimentPath = entries["path"];
+  study_.experiment = entries["text"];
+  study_.paths = textsOf(entries["columns"]);
+  study_.drawn = textsOf(entries["drawn"]);
+  study_.runs = countOf(entries["runs"]);
+  study_.allowsCode = entries["code"] == "allowed";
+  study_.shard = {countOf(entries["shard"]), countOf(entries["shards"])};
+  const bool isWhole = study_.runs > 0 && study_.shard.number >= 1 &&
+                       study_.shard.number <= study_.shard.count && !study_.inputs.empty();
+  return isWhole ? base::Diagnostics()
+                 : base::Diagnostics{
+                       base::error("batch.damaged", {"its tables are not complete"}, path_)};
+}
+
+base::Diagnostics ResultStore::readRuns() {
+  has_.resize(study_.runs);
+  const SqlStatement statement(database_, "SELECT run, status FROM runs");
+  while (statement.step()) {
+    const long long index = statement.number(0);
+    if (index < 0 || static_cast<std::size_t>(index) >= study_.runs ||
+        !study_.shard.holds(static_cast<std::size_t>(index))) {
+      return {base::error("batch.damaged", {"a run that the experiment has not"}, path_)};
+    }
+    has_[static_cast<std::size_t>(index)] = true;
+    ++finished_;
+    failed_ += statement.text(1) == "ok" ? 0 : 1;
+  }
+  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics() : trouble("batch.damaged");
+}
+
+base::Diagnostics ResultStore::add(const StoredRun& run) {
+  if (!insertion_) {  // also after close() of a former process made one plain file of it
+    if (!this->run("PRAGMA journal_mode=WAL")) {
+      return trouble("batch.cannot-store");
+    }
+    insertion_ =
+        std::make_unique<SqlStatement>(database_, "INSERT INTO runs VALUES(?,?,?,?,?,?,?,?)");
+  }
+  const SqlStatement& to = *insertion_;
+  to.bind(1, static_cast<long long>(run.run));
+  to.bind(2, run.scenario);
+  to.bind(3, run.seed);
+  to.bind(4, textsText(run.values));
+  to.bind(5, std::string(run.row.ok ? "ok" : "failed"));
+  to.bind(6, run.row.reason);
+  to.bind(7, run.row.simulated);
+  to.bind(8, fieldsText(run.row));
+  const bool isIn = sqlite3_step(to.prepared) == SQLITE_DONE;  // its own transaction
+  const base::Diagnostics problems = isIn ? base::Diagnostics() : trouble("batch.cannot-store");
+  sqlite3_reset(to.prepared);
+  if (isIn) {
+    has_[run.run] = true;
+    ++finished_;
+    failed_ += run.row.ok ? 0 : 1;
+  }
+  return problems;
+}
+
+base::Diagnostics ResultStore::forEach(const std::function<void(const StoredRun&)>& visit) const {
+  const SqlStatement statement(
+      database_,
+      "SELECT run, scenario, seed, value_texts, status, reason, simulated, metrics "
+      "FROM runs ORDER BY run");
+  while (statement.step()) {
+    StoredRun stored;
+    stored.run = static_cast<std::size_t>(statement.number(0));
+    stored.scenario = statement.text(1);
+    stored.seed = statement.number(2);
+    stored.values = textsOf(statement.text(3));
+    stored.values.resize(study_.paths.size());
+    stored.row.ok = statement.text(4) == "ok";
+    stored.row.reason = statement.text(5);
+    stored.row.simulated = statement.text(6);
+    const Json fields = Json::parse(statement.text(7), nullptr, false);
+    for (const auto& [column, field] : fields.items()) {
+      stored.row.fields.emplace_back(column, field.is_string() ? field.get<std::string>() : "");
+    }
+    visit(stored);
+  }
+  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics() : trouble("batch.damaged");
+}
+
+base::Diagnostics ResultStore::close() {
+  insertion_.reset();
+  const bool isPlain = run("PRAGMA journal_mode=DELETE");
+  const base::Diagnostics problems = isPlain ? base::Diagnostics() : trouble("batch.cannot-store");
+  if (sqlite3_close(database_) == SQLITE_OK) {
+    database_ = nullptr;
+  }
+  return problems;
+}
+
+}  // namespace app

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+
+#include <sqlite3.h>
+
+namespace app {
+
+/// A statement of SQL while it is in use.
+struct SqlStatement {
+  SqlStatement(sqlite3* database, const char* sql) {
+    sqlite3_prepare_v2(database, sql, -1, &prepared, nullptr);
+  }
+  ~SqlStatement() { sqlite3_finalize(prepared); }
+  SqlStatement(const SqlStatement&) = delete;
+  SqlStatement& operator=(const SqlStatement&) = delete;
+  SqlStatement(SqlStatement&&) = delete;
+  SqlStatement& operator=(SqlStatement&&) = delete;
+
+  bool step() const { return sqlite3_step(prepared) == SQLITE_ROW; }
+  void bind(int place, const std::string& text) const {
+    sqlite3_bind_text(prepared, place, text.data(), static_cast<int>(text.size()),
+                      SQLITE_TRANSIENT);  // NOLINT: a macro of the library
+  }
+  void bind(int place, long long number) const { sqlite3_bind_int64(prepared, place, number); }
+  std::string text(int column) const {
+    const auto* const bytes =
+        static_cast<const char*>(static_cast<const void*>(sqlite3_column_text(prepared, column)));
+    const int size = sqlite3_column_bytes(prepared, column);
+    return bytes != nullptr ? std::string(bytes, static_cast<std::size_t>(size)) : std::string();
+  }
+  long long number(int column) const { return sqlite3_column_int64(prepared, column); }
+
+  sqlite3_stmt* prepared = nullptr;
+};
+
+}  // namespace app

@@ -1,0 +1,205 @@
+#include <QtTest>
+
+#include "tests/app/StudyFiles.h"
+
+using outside::bytesOf;
+using outside::Finished;
+using outside::Running;
+using outside::runProgram;
+using outside::StudyFolder;
+using outside::text;
+
+/// Studies that cannot go on, and what is said of it.
+class StudyTroublesTest : public QObject {
+  Q_OBJECT
+
+ private:
+  StudyFolder folder_;
+
+ private Q_SLOTS:
+  void merge_wrongShards_areToldAllAtOnce() {
+    const QString experiment = folder_.writeStudy("small.yaml", "seeds: 4\nduration: 0.5\n");
+    const QString other = folder_.writeStudy("others.yaml", "seeds: 4\nduration: 0.6\n");
+    const auto made = [this](const QString& file, const char* shard, const char* name) {
+      const QString out = folder_.path(text(name));
+      return runProgram(StudyFolder::words(file, out, {text("--shard"), text(shard)})).exitCode == 0
+                 ? out
+                 : QString();
+    };
+    const QString one = made(experiment, "1/4", "s1"), again = made(experiment, "1/4", "s1b");
+    const QString foreign = made(other, "2/4", "s2");
+    const QString out = folder_.path(text("wrong"));
+    const Finished found = runProgram({text("merge"), text("-o"), out, one, again, foreign});
+    QCOMPARE(found.exitCode, 2);
+    for (const char* said : {"shard 1/4 is given twice", "the experiment is another one",
+                             "shard 2/4 is not given", "shard 4/4 is not given"}) {
+      QVERIFY2(found.err.contains(text(said)), qPrintable(found.err));
+    }
+    QVERIFY(!QDir(out).exists());
+    QCOMPARE(runProgram({text("merge"), text("-o"), one, one}).exitCode, 2);
+    const Finished none =
+        runProgram({text("merge"), text("-o"), out, folder_.path(text("nowhere"))});
+    QVERIFY2(none.err.contains(text("there are no results of a batch")), qPrintable(none.err));
+    // One that is not complete.
+    const QString half = folder_.path(text("half"));
+    Running batch(StudyFolder::words(folder_.endless(), half,
+                                     {text("--shard"), text("1/1"), text("--jobs"), text("1")}));
+    QTRY_VERIFY_WITH_TIMEOUT(!batch.workers().empty(), 20000);
+    const Finished busy = runProgram({text("merge"), text("-o"), out, half});
+    QCOMPARE(busy.exitCode, 2);
+    QVERIFY2(busy.err.contains(text("process %1").arg(batch.pid())), qPrintable(busy.err));
+    ::kill(batch.pid(), SIGINT);
+    batch.wait();
+    const Finished partly = runProgram({text("merge"), text("-o"), out, half});
+    QCOMPARE(partly.exitCode, 2);
+    QVERIFY2(partly.err.contains(text("not complete: 0 of 2 runs")), qPrintable(partly.err));
+  }
+
+  void twoBatches_inOneFolder_theSecondIsRefused() {
+    const QString out = folder_.path(text("busy"));
+    Running first(StudyFolder::words(folder_.endless(), out, {text("--jobs"), text("1")}));
+    QTRY_VERIFY_WITH_TIMEOUT(!first.workers().empty(), 20000);
+    const Finished second =
+        runProgram(StudyFolder::words(folder_.endless(), out, {text("--resume")}));
+    QCOMPARE(second.exitCode, 2);
+    QVERIFY2(second.err.contains(text("process %1 writes its results here").arg(first.pid())),
+             qPrintable(second.err));
+    QVERIFY(first.isRunning());
+    ::kill(first.pid(), SIGKILL);  // the lock ends with it
+    first.wait();
+    const Finished third = runProgram(StudyFolder::words(folder_.endless(), out));
+    QVERIFY2(third.err.contains(text("a batch was interrupted here after 0 of 2 runs")),
+             qPrintable(third.err));
+  }
+
+  /// A worker that is killed costs nothing; one whose run kills it each time is a failed row.
+  void worker_killedTwice_isAFailedRow() {
+    const QString out = folder_.path(text("crashes"));
+    Running batch(StudyFolder::words(folder_.endless(1), out, {text("--jobs"), text("1")}));
+    for (int k = 0; k < 2; ++k) {
+      QTRY_VERIFY_WITH_TIMEOUT(batch.workers().size() == 1, 20000);
+      const qint64 worker = batch.workers().front();
+      ::kill(static_cast<pid_t>(worker), SIGKILL);
+      QTRY_VERIFY_WITH_TIMEOUT(!outside::isAlive(worker), 20000);
+    }
+    const Finished found = batch.wait();
+    QVERIFY2(found.exitCode == 1, qPrintable(found.err));
+    const auto rows = outside::readCsv(out + text("/results.csv"));
+    QCOMPARE(rows.size(), std::size_t{1});
+    QCOMPARE(rows[0].at(text("status")), text("failed"));
+    QVERIFY2(rows[0].at(text("reason")).startsWith(text("the process crashed (signal 9)")),
+             qPrintable(rows[0].at(text("reason"))));
+  }
+
+  void timeLimit_passed_isAFailedRow() {
+    const QString out = folder_.path(text("late"));
+    const Finished found =
+        runProgram(StudyFolder::words(folder_.endless(), out, {text("--time-limit"), text("0.2")}));
+    QCOMPARE(found.exitCode, 1);
+    const auto rows = outside::readCsv(out + text("/results.csv"));
+    QCOMPARE(rows.size(), std::size_t{2});
+    QCOMPARE(rows[1].at(text("reason")), text("not finished within 0.2 s"));
+  }
+
+  void damagedDatabase_isToldAndKept() {
+    const QString experiment = folder_.writeStudy("tiny.yaml", "seeds: 2\nduration: 0.5\n");
+    const QString out = folder_.path(text("damaged"));
+    QCOMPARE(runProgram(StudyFolder::words(experiment, out)).exitCode, 0);
+    const QString file = out + text("/results.sqlite");
+    const QByteArray whole = bytesOf(file);
+    QVERIFY(whole.size() > 8192);
+    const QByteArray cut = whole.left(5000);
+    QByteArray broken = whole;
+    broken.replace(4096, 4000, QByteArray(4000, 'x'));
+    for (const QByteArray& bytes : {cut, broken, QByteArray("no database at all, by no means")}) {
+      outside::writeText(file, bytes);
+      for (const char* option : {"--resume", "--quiet"}) {
+        const Finished found = runProgram(StudyFolder::words(experiment, out, {text(option)}));
+        QCOMPARE(found.exitCode, 2);
+        QVERIFY2(found.err.contains(text("results.sqlite: error: the results cannot be read")),
+                 qPrintable(found.err));
+        QCOMPARE(bytesOf(file), bytes);
+      }
+    }
+    outside::writeText(file, whole);  // as the message advises
+    QCOMPARE(runProgram(StudyFolder::words(experiment, out, {text("--resume")})).exitCode, 0);
+  }
+
+  /// What does not fit on the disk ends the batch with the reason; what fitted is kept.
+  void fullDisk_isToldAndResumed() {
+    const QString out = folder_.path(text("full"));
+    const QString experiment = folder_.writeStudy("full.yaml", "seeds: 60\nduration: 0.5\n");
+    QProcess program;
+    program.start(text("bash"),
+                  {text("-c"), text("ulimit -f 60; exec \"$0\" \"$@\""), text(HUNAVSIM_PROGRAM),
+                   text("batch"), experiment, text("-o"), out});
+    QVERIFY(program.waitForFinished(50000));
+    const QString said = QString::fromUtf8(program.readAllStandardError());
+    QVERIFY2(program.exitCode() == 2, qPrintable(said));
+    QVERIFY2(said.contains(text("results.sqlite: error: the results cannot be written")),
+             qPrintable(said));
+    const QString free = folder_.path(text("free"));
+    QCOMPARE(runProgram(StudyFolder::words(experiment, free)).exitCode, 0);
+    const Finished resumed = runProgram(StudyFolder::words(experiment, out, {text("--resume")}));
+    QVERIFY2(resumed.exitCode == 0, qPrintable(resumed.err));
+    QCOMPARE(StudyFolder::results(out), StudyFolder::results(free));
+  }
+
+  void readOnlyFolder_isAnError() {
+    const QString out = folder_.path(text("read-only"));
+    QVERIFY(QDir().mkpath(out));
+    QVERIFY(QFile::setPermissions(out, QFile::ReadOwner | QFile::ExeOwner));
+    if (::access(qPrintable(out), W_OK) == 0) {
+      QSKIP("this user may write everywhere");
+    }
+    const Finished found = runProgram(StudyFolder::words(folder_.study(), out));
+    QCOMPARE(found.exitCode, 2);
+    QVERIFY2(found.err.contains(text("no permission")), qPrintable(found.err));
+    QFile::setPermissions(out, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+  }
+
+  void wrongValues_areToldWithTheirPlaces() {
+    const QString experiment = folder_.writeStudy("wrong.yaml",
+                                                  "values:\n"
+                                                  "  anna.max_vell: {uniform: [1, 2]}\n"
+                                                  "  anna.max_vel: {norml: [1, 2, 0, 3]}\n"
+                                                  "  ben.max_vel: {normal: [1, 0.2, -3, 3]}\n"
+                                                  "  ben.id: {uniform: [2, 4]}\n"
+                                                  "  robot1.planner: {choice: [pursuit, dva]}\n"
+                                                  "  anna.radius: {range: [0.2, 0.4]}\n");
+    const Finished found = runProgram(StudyFolder::words(experiment, folder_.path(text("none"))));
+    QCOMPARE(found.exitCode, 2);
+    for (const char* said :
+         {"wrong.yaml:4:29: error:", "did you mean 'anna.max_vel'",
+          "wrong.yaml:5:18: error:", "did you mean 'normal'", "wrong.yaml:6:34: error:",
+          "wrong.yaml:7:21: error:", "wrong.yaml:9:24: error: range takes"}) {
+      QVERIFY2(found.err.contains(text(said)), qPrintable(text(said) + text("\n") + found.err));
+    }
+  }
+
+  void wrongShard_isAWrongCommandLine() {
+    for (const char* shard : {"0/2", "3/2", "1", "a/b", "1/2/3", "-1/2"}) {
+      QCOMPARE(runProgram(StudyFolder::words(folder_.study(), folder_.path(text("none")),
+                                             {text("--shard"), text(shard)}))
+                   .exitCode,
+               64);
+    }
+    QVERIFY(!QDir(folder_.path(text("none"))).exists());
+  }
+
+  void script_isBash() {
+    for (const char* kind : {"slurm", "parallel"}) {
+      const Finished script = runProgram(StudyFolder::words(
+          folder_.study(), folder_.path(text("it's")), {text("--script"), text(kind)}));
+      QCOMPARE(script.exitCode, 0);
+      outside::writeText(folder_.path(text("check.sh")), script.out.toUtf8());
+      QProcess bash;
+      bash.start(text("bash"), {text("-n"), folder_.path(text("check.sh"))});
+      QVERIFY(bash.waitForFinished(10000));
+      QVERIFY2(bash.exitCode() == 0, bash.readAllStandardError().constData());
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(StudyTroublesTest)
+#include "tst_StudyTroubles.moc"

@@ -1,0 +1,272 @@
+#include <algorithm>
+#include <csignal>
+#include <map>
+#include <set>
+#include <unistd.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/run/Batch.h"
+#include "app/run/ExperimentRunner.h"
+#include "sim2d/base/Text.h"
+
+namespace {
+
+using Rows = std::map<std::size_t, app::ResultRow>;
+
+/// Runs 0 … count - 1 that say who made them.
+app::BatchJob jobOf(std::size_t count, Rows& rows) {
+  app::BatchJob job;
+  for (std::size_t run = 0; run < count; ++run) {
+    job.runs.push_back(run);
+  }
+  job.make = [](std::size_t run) -> base::Result<app::ResultRow> {
+    app::ResultRow row;
+    row.ok = true;
+    row.simulated = std::to_string(run);
+    row.fields = {{"worker", std::to_string(::getpid())}};
+    return row;
+  };
+  job.take = [&rows](std::size_t run, const app::ResultRow& row) {
+    rows[run] = row;
+    return base::Diagnostics();
+  };
+  job.wantsStop = [] { return false; };
+  return job;
+}
+
+std::set<std::string> workersOf(const Rows& rows) {
+  std::set<std::string> workers;
+  for (const auto& [run, row] : rows) {
+    for (const auto& [column, field] : row.fields) {
+      workers.insert(field);
+    }
+  }
+  return workers;
+}
+
+}  // namespace
+
+/// Many runs in worker processes; here mostly runs that are none.
+class BatchTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir folder_;
+  std::string path(const char* name) const {
+    return folder_.filePath(QString::fromLatin1(name)).toStdString();
+  }
+
+  /// With a robot, people who react, and draws in the run; 3 s.
+  app::Experiment experiment() {
+    const std::string file = path("e.yaml");
+    const base::Diagnostics problems =
+        base::writeFileAtomically(file,
+                                  "hunavsim_experiment: 1\n"
+                                  "scenarios: [corner_cafe_agents, reaction_scared_agents]\n"
+                                  "seeds: 4\n"
+                                  "duration: 3.0\n"
+                                  "values:\n"
+                                  "  \"*.max_vel\": {normal: [1.2, 0.2, 0.6, 1.8]}\n"
+                                  "  \"*.behavior.configuration\": [0, 2]\n");
+    return problems.empty() ? *app::readExperiment(file) : app::Experiment();
+  }
+
+ private Q_SLOTS:
+  void jobs_anyNumber_everyRunOnce_data() {
+    QTest::addColumn<int>("jobs");
+    for (const int jobs : {1, 2, 5}) {
+      QTest::newRow(std::to_string(jobs).c_str()) << jobs;
+    }
+  }
+  void jobs_anyNumber_everyRunOnce() {
+    QFETCH(int, jobs);
+    Rows rows;
+    app::BatchJob job = jobOf(40, rows);
+    job.jobs = jobs;
+    QVERIFY(app::runBatch(job).empty());
+    QCOMPARE(rows.size(), std::size_t{40});
+    for (const auto& [run, row] : rows) {
+      QVERIFY(row.ok);
+      QCOMPARE(row.simulated, std::to_string(run));
+    }
+    QVERIFY(workersOf(rows).size() <= static_cast<std::size_t>(jobs));
+    QVERIFY(workersOf(rows).count(std::to_string(::getpid())) == 0);
+  }
+
+  void worker_usedUp_isReplaced() {
+    Rows rows;
+    app::BatchJob job = jobOf(10, rows);
+    job.runsPerWorker = 4;
+    QVERIFY(app::runBatch(job).empty());
+    QCOMPARE(rows.size(), std::size_t{10});
+    QCOMPARE(workersOf(rows).size(), std::size_t{3});  // 4 + 4 + 2
+  }
+
+  void worker_grown_isReplaced() {
+    Rows rows;
+    app::BatchJob job = jobOf(6, rows);
+    job.mostGrowth = std::size_t{32} << 20U;
+    job.make = [inner = job.make](std::size_t run) {
+      static std::string kept;  // grows by 64 MB a run
+      kept.resize(kept.size() + (run > 0 ? std::size_t{64} << 20U : 0), 'x');
+      return inner(run);
+    };
+    QVERIFY(app::runBatch(job).empty());
+    QCOMPARE(rows.size(), std::size_t{6});
+    QVERIFY(workersOf(rows).size() >= 2);
+  }
+
+  /// Twice, then its run has failed; nothing else has.
+  void crash_always_isAFailedRow() {
+    Rows rows;
+    app::BatchJob job = jobOf(8, rows);
+    job.jobs = 2;
+    job.make = [inner = job.make](std::size_t run) {
+      if (run == 3) {
+        ::signal(SIGSEGV, SIG_DFL);  // a sanitizer would tell much
+        ::raise(SIGSEGV);
+      }
+      return inner(run);
+    };
+    QVERIFY(app::runBatch(job).empty());
+    QCOMPARE(rows.size(), std::size_t{8});
+    for (const auto& [run, row] : rows) {
+      QCOMPARE(row.ok, run != 3);
+    }
+    QCOMPARE(rows[3].reason, std::string("the process crashed (signal 11)"));
+  }
+
+  void crash_once_costsNothing() {
+    Rows rows;
+    app::BatchJob job = jobOf(5, rows);
+    const std::string mark = path("mark");
+    job.make = [inner = job.make, mark](std::size_t run) {
+      if (run == 2 && !QFile::exists(QString::fromStdString(mark))) {
+        if (base::writeFileAtomically(mark, "x").empty()) {
+          ::kill(::getpid(), SIGKILL);
+        }
+      }
+      return inner(run);
+    };
+    QVERIFY(app::runBatch(job).empty());
+    QCOMPARE(rows.size(), std::size_t{5});
+    QVERIFY(std::all_of(rows.begin(), rows.end(), [](const auto& each) { return each.second.ok; }));
+  }
+
+  void exception_isTheReason() {
+    Rows rows;
+    app::BatchJob job = jobOf(3, rows);
+    job.make = [inner = job.make](std::size_t run) {
+      if (run == 1) {
+        throw std::runtime_error("no memory for this");
+      }
+      return inner(run);
+    };
+    QVERIFY(app::runBatch(job).empty());
+    QVERIFY(!rows[1].ok);
+    QCOMPARE(rows[1].reason, std::string("no memory for this"));
+    QVERIFY(rows[0].ok && rows[2].ok);
+  }
+
+  void timeLimit_passed_isAFailedRow() {
+    Rows rows;
+    app::BatchJob job = jobOf(4, rows);
+    job.timeLimit = 0.3;
+    job.make = [inner = job.make](std::size_t run) {
+      while (run == 1) {
+        ::pause();
+      }
+      return inner(run);
+    };
+    QVERIFY(app::runBatch(job).empty());
+    QCOMPARE(rows.size(), std::size_t{4});
+    QCOMPARE(rows[1].reason, std::string("not finished within 0.3 s"));
+    QVERIFY(rows[0].ok && !rows[1].ok && rows[2].ok && rows[3].ok);
+  }
+
+  void filesThatCannotBeWritten_endTheBatch() {
+    Rows rows;
+    app::BatchJob job = jobOf(5, rows);
+    job.make = [inner = job.make](std::size_t run) -> base::Result<app::ResultRow> {
+      return run == 2 ? base::error("file.no-permission", {}, "x/2") : inner(run);
+    };
+    const base::Diagnostics said = app::runBatch(job);
+    QCOMPARE(said.size(), std::size_t{1});
+    QCOMPARE(said[0].file, std::string("x/2"));
+    QVERIFY(said[0].message.find("no permission") != std::string::npos);
+    QCOMPARE(rows.size(), std::size_t{2});
+  }
+
+  void resultsThatCannotBeKept_endTheBatch() {
+    Rows rows;
+    app::BatchJob job = jobOf(5, rows);
+    job.take = [](std::size_t, const app::ResultRow&) {
+      return base::Diagnostics{base::error("file.no-permission", {}, "y")};
+    };
+    QCOMPARE(app::runBatch(job).size(), std::size_t{1});
+  }
+
+  void stop_endsAtOnce() {
+    Rows rows;
+    app::BatchJob job = jobOf(3, rows);
+    job.make = [](std::size_t) -> base::Result<app::ResultRow> {
+      while (true) {
+        ::pause();
+      }
+    };
+    job.wantsStop = [] { return true; };
+    QVERIFY(app::runBatch(job).empty());
+    QVERIFY(rows.empty());
+  }
+
+  void answer_ofMegabytes_arrives() {
+    Rows rows;
+    app::BatchJob job = jobOf(2, rows);
+    job.make = [](std::size_t run) -> base::Result<app::ResultRow> {
+      app::ResultRow row;
+      row.ok = true;
+      row.fields = {{"text", std::string(3'000'000, run == 0 ? 'a' : 'b')}};
+      return row;
+    };
+    QVERIFY(app::runBatch(job).empty());
+    QCOMPARE(rows[1].fields[0].second, std::string(3'000'000, 'b'));
+  }
+
+  /// What a worker did before leaves no trace: the same rows in any order, in one process or many.
+  void rows_orderOfRuns_makesNoDifference() {
+    const app::Experiment study = experiment();
+    app::ExperimentRunner runner(study, path("runs"), {});
+    QVERIFY(runner.check().empty());
+    std::map<std::size_t, std::string> texts[4];
+    for (std::size_t way = 0; way < std::size(texts); ++way) {
+      Rows rows;
+      app::BatchJob job = jobOf(study.runCount(), rows);
+      job.make = [&runner](std::size_t run) { return runner.run(run); };
+      if (way == 1) {
+        std::reverse(job.runs.begin(), job.runs.end());
+      } else if (way == 2) {  // 5 and 16 have no common divisor: every run once
+        for (std::size_t k = 0; k < job.runs.size(); ++k) {
+          job.runs[k] = (5 * k + 3) % job.runs.size();
+        }
+      }
+      job.jobs = way == 3 ? 3 : 1;
+      job.runsPerWorker = way == 3 ? 2 : job.runsPerWorker;
+      QVERIFY(app::runBatch(job).empty());
+      for (const auto& [run, row] : rows) {
+        QVERIFY2(row.ok, row.reason.c_str());
+        texts[way][run] = app::rowText(row);
+      }
+    }
+    QCOMPARE(texts[0].size(), std::size_t{16});
+    QVERIFY(texts[1] == texts[0]);
+    QVERIFY(texts[2] == texts[0]);
+    QVERIFY(texts[3] == texts[0]);
+    QVERIFY(texts[0][0] != texts[0][1]);  // seeds make one
+  }
+};
+
+QTEST_APPLESS_MAIN(BatchTest)
+#include "tst_Batch.moc"
