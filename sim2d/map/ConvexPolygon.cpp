@@ -53,6 +53,9 @@ std::vector<Vec2> convexHull(std::vector<Vec2> points) {
 }
 
 std::optional<Entry> entryInto(const std::vector<Vec2>& polygon, const Vec2& from, const Vec2& to) {
+  if (polygon.empty()) {
+    return std::nullopt;
+  }
   const Vec2 along = to - from;
   const double length = along.norm();
   Entry entry;

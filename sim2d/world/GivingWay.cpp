@@ -10,23 +10,21 @@
 namespace sim2d {
 namespace {
 
-constexpr double kSight = 6.0;                           // [m]
-constexpr double kHalfView = 100.0 / 180.0 * base::kPi;  // [rad] to each side of the heading
-constexpr double kRobotStands = 0.1;                     // [m/s]; slower robots stand
-constexpr double kForesight = 4.0;                       // [s]
-constexpr double kLookAhead = 6.0;                       // [m] along the way
+constexpr double kSight = 6.0;        // [m]
+constexpr double kRobotStands = 0.1;  // [m/s]; slower robots stand
+constexpr double kLookAhead = 6.0;    // [m] along the way
 
 // Room between the bodies [m]:
 constexpr double kLikedRoom = 0.3;   // that people like to leave
 constexpr double kLeastRoom = 0.15;  // with which they still pass
-constexpr double kKept = 0.08;       // into which they do not walk
 constexpr double kWaiting = 1.2;     // to a robot that stands in the way
 constexpr double kOffered = 0.8;     // to one that may want to go where the person stands
 constexpr double kComingNear = 2.5;  // to one that comes, from which on people step aside
 constexpr double kAside = 0.25;      // beside the strip that such a robot drives along
 
-constexpr double kOfGoal = 0.8;  // so much of its radius may a goal be missed by
-constexpr double kFront = 0.3;   // cosine of the bearing from which a robot has a person before it
+constexpr double kOfGoal = 0.8;   // so much of its radius may a goal be missed by
+constexpr double kFront = 0.3;    // cosine of the bearing from which a robot has a person before it
+constexpr double kGrazed = 0.01;  // [m]; so much nearer to walls may a way round lead
 constexpr double kOutside = 0.001;     // [m]
 constexpr double kShortestLeg = 0.02;  // [m]; shorter ones have no direction
 constexpr double kJustStopped = 5.0;   // [s]; a robot that stands for less may go on
@@ -34,27 +32,6 @@ constexpr double kRemembered = 2.0;    // [s]; the side on which somebody passes
 constexpr double kLoyalty = 1.5;       // [m]; the other side must be shorter by so much …
 constexpr double kLoyaltyToMoving = 0.5;
 constexpr double kToTheRight = 0.1;  // [m]; … or this one longer, in the first place
-
-constexpr double kBraking = 1.5;          // [m/s²]
-constexpr double kHardest = 5.0;          // [m/s²], of who is surprised
-constexpr double kReaction = 0.3;         // [s]
-constexpr double kPartingTime = 0.5;      // [s]
-constexpr double kParting = 0.3;          // [m/s], at most
-constexpr double kNearby = 5.0;           // [m]; farther off nobody has to brake
-constexpr double kSteppingAside = 0.8;    // [m/s]; so fast also who wanted to be slower
-constexpr double kWallTime = 0.2;         // [s]; nobody gives way into a wall
-constexpr double kBoundTolerance = 1e-6;  // [m/s]
-constexpr int kBoundRounds = 4;
-
-bool isSeen(const FrozenWorld& world, const Vec2& eye, const Vec2& point) {
-  return world.navigation.isOpenBetween(eye, point) || world.obstacles.isVisible(eye, point);
-}
-
-bool isInFront(const FrozenWorld& world, std::size_t human, const Vec2& point) {
-  const double bearing =
-      base::headingOf(point - world.state.position(human)) - world.state.heading[human];
-  return std::fabs(base::wrapToPi(bearing)) <= kHalfView;
-}
 
 /// The place and the points of the way, up to where nobody looks any more.
 std::vector<Vec2> lineOf(const GivingWay::Walking& who) {
@@ -83,12 +60,7 @@ std::optional<double> meetingTime(const Vec2& apart, const Vec2& relative) {
     return std::nullopt;
   }
   const double time = closing / relative.squaredNorm();
-  return time <= kForesight ? std::optional(time) : std::nullopt;
-}
-
-Vec2 outwardsOf(const std::vector<Vec2>& polygon, std::size_t edge) {
-  const Vec2 along = polygon[edge + 1 < polygon.size() ? edge + 1 : 0] - polygon[edge];
-  return Vec2(along.y(), -along.x()) / along.norm();
+  return time <= GivingWay::kForesight ? std::optional(time) : std::nullopt;
 }
 
 double lengthOrNone(const std::vector<Vec2>* way) {
@@ -96,13 +68,6 @@ double lengthOrNone(const std::vector<Vec2>* way) {
 }
 
 }  // namespace
-
-double closingSpeedFor(double room) {
-  if (room <= 0.0) {
-    return std::max(room / kPartingTime, -kParting);
-  }
-  return kBraking * (std::sqrt(kReaction * kReaction + 2.0 * room / kBraking) - kReaction);
-}
 
 void GivingWay::update(const FrozenWorld& world) {
   near_.clear();
@@ -185,6 +150,21 @@ void GivingWay::draw(std::vector<Met>& met, const Walking& who, double room) con
   }
 }
 
+/// Of the first leg that meets somebody, where it does so first.
+std::optional<GivingWay::Conflict> GivingWay::firstConflict(const std::vector<Met>& met,
+                                                            const std::vector<Vec2>& line) {
+  std::optional<Conflict> first;
+  for (std::size_t leg = 0; leg + 1 < line.size() && !first; ++leg) {
+    for (std::size_t i = 0; i < met.size(); ++i) {
+      const std::optional<Entry> entry = entryInto(met[i].outline, line[leg], line[leg + 1]);
+      if (entry && (!first || entry->share < first->share)) {
+        first = Conflict{i, leg, entry->share};
+      }
+    }
+  }
+  return first;
+}
+
 GivingWay::Lead GivingWay::lead(const FrozenWorld& world, const Walking& who) {
   Lead lead;
   lead.direction = who.direction;
@@ -193,30 +173,19 @@ GivingWay::Lead GivingWay::lead(const FrozenWorld& world, const Walking& who) {
     return lead;
   }
   const std::vector<Vec2> line = lineOf(who);
-  Conflict conflict;
+  std::optional<Conflict> conflict;
   for (const double room : {kLikedRoom, kLeastRoom}) {
     draw(met, who, room);
-    bool isFree = true;
-    for (std::size_t leg = 0; leg + 1 < line.size() && isFree; ++leg) {
-      for (std::size_t i = 0; i < met.size(); ++i) {
-        const std::optional<Entry> entry =
-            met[i].outline.empty() ? std::nullopt
-                                   : entryInto(met[i].outline, line[leg], line[leg + 1]);
-        if (entry && (isFree || entry->share < conflict.share)) {
-          conflict = {i, leg, entry->share};
-          isFree = false;
-        }
-      }
-    }
-    if (isFree) {
+    conflict = firstConflict(met, line);
+    if (!conflict) {
       return lead;
     }
-    if (const std::optional<Vec2> direction = wayPast(world, who, met, line, conflict)) {
+    if (const std::optional<Vec2> direction = wayPast(world, who, met, line, *conflict)) {
       lead.direction = *direction;
       return lead;
     }
   }
-  return waiting(world, who, met, conflict.met);
+  return waiting(world, who, met, conflict->met);
 }
 
 /// Beside the robot, as near to `place` as its outline allows.
@@ -230,6 +199,24 @@ Vec2 GivingWay::besideOf(const FrozenWorld& world, const Met& met, const Vec2& p
   const double own = footprint.isDisc() ? footprint.radius : 0.0;
   const double distance = (radius + kLeastRoom + own) * kOutlineExcess - own + kOutside;
   return foot.position + distance * outwards;
+}
+
+/// Of walls, as far as the person is now, and of the other robots.
+bool GivingWay::isWayFree(const FrozenWorld& world, const Walking& who, const std::vector<Met>& met,
+                          std::size_t around, const std::vector<Vec2>& way) {
+  const double clear =
+      std::min(who.radius, world.obstacles.clearance(who.position, who.radius)) - kGrazed;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    if (!isWayClear(way[i - 1], way[i], world.obstacles, clear)) {
+      return false;
+    }
+    for (std::size_t other = 0; other < met.size(); ++other) {
+      if (other != around && entryInto(met[other].outline, way[i - 1], way[i])) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 /// Where to head, round the robot on the better side; nothing: there is no room on either.
@@ -256,19 +243,8 @@ std::optional<Vec2> GivingWay::wayPast(const FrozenWorld& world, const Walking& 
   if (ways.left.empty()) {
     ways.left = ways.right = {line[begin], aim};
   }
-  const double clear =
-      std::min(who.radius, world.obstacles.clearance(who.position, who.radius)) - 0.01;
-  const auto ifFree = [&](const std::vector<Vec2>& way) -> const std::vector<Vec2>* {
-    for (std::size_t i = 1; i < way.size(); ++i) {
-      if (!isWayClear(way[i - 1], way[i], world.obstacles, clear) ||
-          std::any_of(met.begin(), met.end(), [&](const Met& other) {
-            return &other != &around && !other.outline.empty() &&
-                   entryInto(other.outline, way[i - 1], way[i]);
-          })) {
-        return nullptr;
-      }
-    }
-    return &way;
+  const auto ifFree = [&](const std::vector<Vec2>& way) {
+    return isWayFree(world, who, met, conflict.met, way) ? &way : nullptr;
   };
   const std::vector<Vec2>* const way =
       choose(ifFree(ways.left), ifFree(ways.right), who.human, around, world.state.time);
@@ -338,76 +314,6 @@ GivingWay::Lead GivingWay::waiting(const FrozenWorld& world, const Walking& who,
     }
   }
   return lead;
-}
-
-/// The edge of the robot's outline that the person would walk into, as a bound of the speed towards
-/// it; nothing: it holds.
-std::optional<HalfPlane> GivingWay::boundBy(const FrozenWorld& world, std::size_t human,
-                                            std::size_t robot, const Vec2& velocity) const {
-  const RobotState& now = world.state.robots[robot];
-  const Vec2 place = world.state.position(human);
-  const double radius = world.model.people[human].constants.radius;
-  const Vec2 apart = now.pose.position - place;
-  if (apart.norm() > kNearby + reachOf(footprints_[robot])) {
-    return std::nullopt;
-  }
-  const std::vector<Vec2> outline = outlineAround(footprints_[robot], now.pose, radius + kKept);
-  const Obstacles::Point nearest = nearestPointOf(world.model.robots[robot], now.pose, place);
-  const Vec2 arm = nearest.position - now.pose.position;
-  Vec2 drives = now.velocity + now.omega * Vec2(-arm.y(), arm.x());
-  if (drives.dot(apart) < 0.0 && !isInFront(world, human, nearest.position)) {
-    drives = Vec2::Zero();  // nobody looks back
-  }
-  const std::optional<Entry> entry =
-      entryInto(outline, place, place + kForesight * (velocity - drives));
-  if (!entry) {
-    return std::nullopt;
-  }
-  const Vec2 inwards = -outwardsOf(outline, entry->edge);
-  const double room = (outline[entry->edge] - place).dot(inwards);
-  const double most = closingSpeedFor(room) + drives.dot(inwards);
-  if (velocity.dot(inwards) <= most + kBoundTolerance ||
-      !(isSeen(world, place, nearest.position) || isSeen(world, place, now.pose.position))) {
-    return std::nullopt;
-  }
-  return HalfPlane{most * inwards, Vec2(-inwards.y(), inwards.x())};
-}
-
-Vec2 GivingWay::limited(const FrozenWorld& world, std::size_t human, const Vec2& wanted,
-                        const std::vector<Obstacles::Point>* walls) const {
-  std::vector<HalfPlane> planes;
-  std::size_t fixed = 0;
-  Vec2 velocity = wanted;
-  const auto [first, last] = nearOf(human);
-  for (int round = 0; round < kBoundRounds; ++round) {
-    const std::size_t before = planes.size();
-    for (std::size_t i = first; i < last; ++i) {
-      const std::optional<HalfPlane> plane = boundBy(world, human, near_[i].second, velocity);
-      if (!plane) {
-        continue;
-      }
-      if (planes.empty() && walls != nullptr) {
-        const Walker self{0, world.state.position(human), velocity,
-                          world.model.people[human].constants.radius};
-        for (const Obstacles::Point& point : *walls) {
-          planes.push_back(avoidPoint(self, point, kWallTime, world.model.dt));
-        }
-        fixed = planes.size();
-      }
-      planes.push_back(*plane);
-    }
-    if (planes.size() == before) {
-      break;
-    }
-    velocity = nearestAllowed(planes, fixed, wanted, std::max(wanted.norm(), kSteppingAside));
-  }
-  if (planes.empty()) {
-    return wanted;
-  }
-  const Vec2 now = world.state.velocity(human);
-  const double most = std::max(kHardest * world.model.dt, (wanted - now).norm());
-  const Vec2 change = velocity - now;
-  return now + std::min(1.0, most / std::max(change.norm(), kBoundTolerance)) * change;
 }
 
 }  // namespace sim2d

@@ -23,6 +23,7 @@ double closingSpeedFor(double room);
 /// the original. Thread: one at a time.
 class GivingWay {
  public:
+  static constexpr double kForesight = 4.0;  // [s]; robots are met no later
   /// Somebody on the way.
   struct Walking {
     std::size_t human = 0;
@@ -71,9 +72,17 @@ class GivingWay {
     double at = -1e9;  // [s]
   };
 
+  /// Nothing solid is between.
+  static bool isSeen(const FrozenWorld& world, const Vec2& eye, const Vec2& point);
+  /// Where the person looks.
+  static bool isInFront(const FrozenWorld& world, std::size_t human, const Vec2& point);
   std::pair<std::size_t, std::size_t> nearOf(std::size_t human) const;
   std::vector<Met> metBy(const FrozenWorld& world, const Walking& who) const;
   void draw(std::vector<Met>& met, const Walking& who, double room) const;
+  static std::optional<Conflict> firstConflict(const std::vector<Met>& met,
+                                               const std::vector<Vec2>& line);
+  static bool isWayFree(const FrozenWorld& world, const Walking& who, const std::vector<Met>& met,
+                        std::size_t around, const std::vector<Vec2>& way);
   std::optional<Vec2> wayPast(const FrozenWorld& world, const Walking& who,
                               const std::vector<Met>& met, const std::vector<Vec2>& line,
                               const Conflict& conflict);
