@@ -46,8 +46,10 @@ class WayEnds {
   }
 
   std::vector<RobotResult> results(const RunResult& run) const {
+    const std::vector<RobotOnWay> robots = world_.robotsOnWay();
     std::vector<RobotResult> results;
-    for (const RobotOnWay& robot : world_.robotsOnWay()) {
+    results.reserve(robots.size());
+    for (const RobotOnWay& robot : robots) {
       results.push_back({robot.id, robot.name, {}, world_.time()});
       RobotResult& result = results.back();
       if (isCollided(robot.id)) {
