@@ -3,6 +3,7 @@
 #include <QLineEdit>
 
 #include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/Overlays.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/ScenarioPanel.h"
@@ -218,6 +219,47 @@ class HandDriveTest : public QObject, protected quiet::InFolder {
       QVERIFY((*made)->frame().robots == shown->robots);
       QVERIFY((*made)->frame().humans == shown->humans);
     }
+  }
+
+  /// With HUNAV_PICTURES, for people to look at: light and dark, editing and driven.
+  void pictures_ofTheRobot_areTaken() {
+    editor::pushChange<sim2d::Robot>(document(), robot(), QStringLiteral("Robot"),
+                                     [](sim2d::Robot& each) {
+                                       each.type = "nova_carter";
+                                       each.planner = "dwa";
+                                       each.plannerParameters = {{"horizon", "2.5"}};
+                                     });
+    document().setSelection({robot()});
+    quiet::shoot(*window_, "robot-light");
+    window_->setTheme(editor::Theme::dark());
+    quiet::shoot(*window_, "robot-dark");
+    for (QAction* layer : {window_->actions().detections, window_->actions().candidates}) {
+      layer->setChecked(true);
+    }
+    step(20);
+    toggle().setChecked(true);
+    step(1);
+    auto frame = std::make_shared<sim2d::Frame>(*runner().newestFrame());
+    sim2d::RobotSenses senses = (*runner().newestFrame()->senses)[0];
+    sim2d::RobotSenses::Scan scan;  // of a made up room, as no sensor is asked here
+    scan.sensor = {{frame->robots.x[0], frame->robots.y[0]}, frame->robots.heading[0]};
+    scan.angleMin = -base::kPi;
+    scan.perBeam = base::kPi / 180.0;
+    scan.range = 6.0;
+    for (int i = 0; i < 360; ++i) {
+      scan.distances.push_back(i % 90 < 50 ? 2.0 + 0.02 * (i % 90) : 6.0);
+    }
+    senses.scan = scan;
+    senses.believed = {{frame->robots.x[0] - 0.6, frame->robots.y[0] + 0.5}, 2.6};
+    frame->senses = std::make_shared<const std::vector<sim2d::RobotSenses>>(1, senses);
+    workspace().scene().showFrame(frame);
+    quiet::shoot(*window_, "driven-dark");
+    window_->setTheme(editor::Theme::light());
+    quiet::shoot(*window_, "driven-light");
+    QVERIFY(toggle().isChecked());
+    QVERIFY(
+        !editor::senseLegendBox({workspace().scene(), QRectF(0.0, 0.0, 700.0, 500.0), {}, 50.0, 0})
+             .isEmpty());
   }
 
   void recordedRun_isNotDriven() {
