@@ -209,6 +209,7 @@ class RobotPageTest : public QObject {
           choice("planner"),
           QString::fromStdString(planner.name == "pursuit" ? "pursuit (default)" : planner.name));
       QCOMPARE(help->text(), QString::fromStdString(planner.help));
+      QCoreApplication::processEvents();
       QVERIFY(help->height() >= help->heightForWidth(help->width()));  // nothing is cut
     }
   }
