@@ -207,7 +207,7 @@ void RobotPage::addTypeRows(FormSection* section, const sim2d::Registries& regis
   addField<Robot>(
       section, "type",
       namesLook(registries.robotTypes.names(), sim2d::ResolvedRobot{}.type, title, publishedOf));
-  source_ = linkButton(tr("Where its figures are from"), {}, this, [this] {
+  source_ = linkButton(tr("Where its figures are from"), tr("What was published"), this, [this] {
     const QPoint below(0, source_->height());
     QToolTip::showText(source_->mapToGlobal(below), source_->toolTip(), source_);
   });
@@ -216,7 +216,9 @@ void RobotPage::addTypeRows(FormSection* section, const sim2d::Registries& regis
   addRefresh([this, section](const std::vector<Entity>& shown) {
     const auto type = commonValue(shown, typeOf);
     section->setRowVisible(source_, type && *type != nullptr);
-    source_->setToolTip(type && *type != nullptr ? publishedOf((*type)->name) : QString());
+    if (type && *type != nullptr) {
+      source_->setToolTip(publishedOf((*type)->name));
+    }
   });
 }
 
