@@ -233,10 +233,16 @@ class PageMaker {
   }
 
   void writeCases() {
-    if (study_.cases.size() < 2 || study_.shown.empty()) {
+    if (study_.cases.size() < 2) {
       return;
     }
-    const std::optional<Figure> figure = difficultyFigure(study_, study_.shown.front());
+    const auto judged = std::find_if(study_.shown.begin(), study_.shown.end(), [this](auto metric) {
+      return study_.metrics[metric].sense != 0;
+    });
+    if (judged == study_.shown.end()) {
+      return;
+    }
+    const std::optional<Figure> figure = difficultyFigure(study_, *judged);
     if (figure) {
       section("difficulty", "Difficulty");
       add(figure);

@@ -213,7 +213,7 @@ class ReportProgramTest : public QObject {
     row("width", "results.csv", head + "0,hall,1,ok,,5,1\n1,hall,2,ok,,5\n", {}, 2,
         "results.csv:3:1: error: the line has 6 fields instead of 7");
     row("no number", "results.csv", head + "0,hall,1,ok,,5,fast\n", {}, 2,
-        "results.csv:2:15: error: path_length is not a finite number: 'fast'");
+        "results.csv:2:16: error: path_length is not a finite number: 'fast'");
     row("status", "results.csv", head + "0,hall,1,good,,5,1\n", {}, 2,
         "results.csv:2:10: error: status must be ok or failed, not 'good'");
     row("twice", "results.csv", head + "0,hall,1,ok,,5,1\n0,hall,2,ok,,5,1\n", {}, 2,
