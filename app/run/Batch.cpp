@@ -43,6 +43,7 @@ base::Result<ResultRow> readAnswer(const std::string& text) {
     return rowOfText(text);
   }
   base::Diagnostics problems;
+  problems.reserve(json.size());
   for (const Json& each : json) {
     problems.push_back(
         base::error("batch.no-files", {each.value("message", "")}, each.value("file", "")));

@@ -95,6 +95,7 @@ Study studyOf(const Experiment& experiment, const std::vector<std::string>& inpu
   study.commit = programCommit();
   study.experimentPath = experiment.path;
   study.experiment = experiment.text;
+  study.inputs.reserve(inputs.size() + 1);
   study.inputs.push_back({experiment.path, sha256Of(experiment.text)});
   for (const std::string& input : inputs) {
     study.inputs.push_back({input, sha256OfFile(input).value_or("")});

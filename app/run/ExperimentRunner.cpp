@@ -114,10 +114,8 @@ base::Result<ResultRow> ExperimentRunner::run(std::size_t index) {
 
 base::Diagnostics ExperimentRunner::keep(std::size_t index, FinishedRun& run, RunWriter& writer,
                                          const Bundle& bundle) {
-  std::vector<std::string> words = {programPath()};
-  for (const std::string& word : experiment_.wordsOf(index)) {
-    words.push_back(word);
-  }
+  std::vector<std::string> words = experiment_.wordsOf(index);
+  words.insert(words.begin(), programPath());
   words.insert(words.end(), {"--quiet", "-o", folderOf(index)});
   return writeRunFolder(folderOf(index), run, writer, bundle, words);
 }

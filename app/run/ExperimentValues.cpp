@@ -103,6 +103,7 @@ bool readNumbers(const YamlNode& list, std::size_t count, ExperimentValue& value
 }
 
 void readTexts(const YamlNode& list, ExperimentValue& value) {
+  value.texts.reserve(list.items.size());
   for (const YamlNode& item : list.items) {
     value.texts.push_back(valueText(item));
   }

@@ -28,7 +28,7 @@ base::Diagnostic lockProblem(const std::string& path) {
 }
 
 /// Who has it, as the file says: "4711", or with the host where that is another one.
-base::Diagnostic taken(const std::string& folder, int file) {
+base::Diagnostic heldByOther(const std::string& folder, int file) {
   std::array<char, 300> text{};
   const ssize_t count = ::pread(file, text.data(), text.size() - 1, 0);
   const std::vector<std::string> words =
@@ -56,7 +56,7 @@ base::Result<std::unique_ptr<FolderLock>> FolderLock::take(const std::string& fo
     std::unique_ptr<FolderLock> lock(new FolderLock(path, file));
     if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
       lock->path_.clear();  // not ours to remove
-      return errno == EWOULDBLOCK ? taken(folder, file) : lockProblem(path);
+      return errno == EWOULDBLOCK ? heldByOther(folder, file) : lockProblem(path);
     }
     if (isSame(file, path)) {  // else its owner has just removed it
       const std::string who = std::to_string(::getpid()) + " " + hostName() + "\n";

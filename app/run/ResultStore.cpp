@@ -45,7 +45,11 @@ std::string textsText(const std::vector<std::string>& texts) {
 std::vector<std::string> textsOf(const std::string& text) {
   std::vector<std::string> texts;
   const Json json = Json::parse(text, nullptr, false);
-  for (const Json& each : json.is_array() ? json : Json::array()) {
+  if (!json.is_array()) {
+    return texts;
+  }
+  texts.reserve(json.size());
+  for (const Json& each : json) {
     texts.push_back(each.is_string() ? each.get<std::string>() : std::string());
   }
   return texts;
