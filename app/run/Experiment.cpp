@@ -9,6 +9,7 @@
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/ScenarioFile.h"
+#include "sim2d/scenario/Variation.h"
 #include "sim2d/world/World.h"
 
 namespace app {
@@ -81,6 +82,7 @@ class Reader {
       experiment_.options["--metrics-profile"] = profile->text;
     }
     readValues(root.find("values"));
+    warnOfSeeds(root.find("seeds"));
     readRecord(root.find("record"));
   }
 
@@ -155,6 +157,24 @@ class Reader {
     }
     if (experiment_.seeds.empty() && errors_.size() == before) {
       error(*node, "experiment.bad-seeds");
+    }
+  }
+
+  /// Seeds that make no difference: many runs that are one.
+  void warnOfSeeds(const YamlNode* node) {
+    const auto makesDifferent = [](const ExperimentValue& value) {
+      return value.isDrawn() || value.path.rfind("variation", 0) == 0;
+    };
+    if (node == nullptr || experiment_.seeds.size() < 2 ||
+        std::any_of(experiment_.values.begin(), experiment_.values.end(), makesDifferent)) {
+      return;
+    }
+    for (const sim2d::Scenario& scenario : readable_) {
+      if (!sim2d::dependsOnSeed(scenario)) {
+        errors_.push_back(base::warning("experiment.seeds-alike",
+                                        {scenario.yamlBaseName.value_or("")}, experiment_.path,
+                                        node->line, node->column));
+      }
     }
   }
 

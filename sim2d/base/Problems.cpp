@@ -612,6 +612,8 @@ constexpr ProblemText kTexts[] = {
     {"experiment.unknown-scenario",
      "there is no scenario '{found}' (looked for {path} and among the shipped scenarios)"},
     {"experiment.bad-seeds", "seeds is a number of seeds >= 1 or a list of seeds"},
+    {"experiment.seeds-alike",
+     "people of '{scenario}' are the same in every seed (its key variation makes them differ)"},
     {"experiment.bad-seed", "a seed is a whole number >= 0"},
     {"experiment.out-of-range", "{key} is not a number in its range"},
     {"experiment.no-word", "{key} is a word"},
