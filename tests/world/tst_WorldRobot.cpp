@@ -144,7 +144,7 @@ void WorldRobotTest::stand_withoutGoal_neverArrives() {
 
 void WorldRobotTest::stand_pushedByPeople_holdsItsPlace() {
   Scenario scenario;
-  scenario.desktop.model = "sfm-hunav2";
+  scenario.desktop.model.emplace("sfm-hunav2");
   addGoal(scenario, 1, 3.0, 0.0);
   addPerson(scenario, 1, Vec2(-2.0, 0.0), {1}).ours.route = Route::Direct;
   addPerson(scenario, 2, Vec2(-3.0, 0.0), {1}).ours.route = Route::Direct;
@@ -162,7 +162,7 @@ void WorldRobotTest::stand_pushedByPeople_holdsItsPlace() {
 
 void WorldRobotTest::drive_pushedFromBehind_keepsToItsSpeed() {
   Scenario scenario;
-  scenario.desktop.model = "sfm-hunav2";  // who walks by another does not push
+  scenario.desktop.model.emplace("sfm-hunav2");  // who walks by another does not push
   addGoal(scenario, 1, 20.0, 0.0);
   addPerson(scenario, 1, Vec2(-1.0, 0.0), {1}).ours.route = Route::Direct;
   addPerson(scenario, 2, Vec2(-2.0, 0.0), {1}).ours.route = Route::Direct;
