@@ -137,7 +137,8 @@ void CodeQuestionTest::play_allowed_isRemembered() {
   runner().play();
   answer(0);
   QVERIFY(!isAsked());
-  QTRY_VERIFY(runner().newestFrame() != nullptr && runner().newestFrame()->step > 3);
+  QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() != nullptr && runner().newestFrame()->step > 3,
+                           30000);
   QVERIFY(runner().newestFrame()->robots.x.front() > 0.0);
   runner().reset();
   runner().play();
@@ -152,7 +153,7 @@ void CodeQuestionTest::play_otherCommand_asksAgain() {
   open(kDrives);
   runner().play();
   answer(0);
-  QTRY_VERIFY(runner().newestFrame() != nullptr);
+  QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() != nullptr, 30000);
   runner().reset();
   editor::Draft draft(space().document());
   sim2d::Robot robot = space().document().scenario().robots.front();
@@ -170,7 +171,8 @@ void CodeQuestionTest::step_allowed_makesOneStep() {
   QVERIFY(isAsked());
   QCOMPARE(runner().state(), SimulationRunner::State::Editing);
   answer(0);
-  QTRY_VERIFY(runner().newestFrame() != nullptr && runner().newestFrame()->step == 1);
+  QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() != nullptr && runner().newestFrame()->step == 1,
+                           30000);
   QCOMPARE(runner().state(), SimulationRunner::State::Paused);
 }
 
@@ -178,7 +180,8 @@ void CodeQuestionTest::play_optionGiven_doesNotAsk() {
   open(kDrives, true);
   runner().play();
   QVERIFY(!isAsked());
-  QTRY_VERIFY(runner().newestFrame() != nullptr && runner().newestFrame()->step > 3);
+  QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() != nullptr && runner().newestFrame()->step > 3,
+                           30000);
 }
 
 /// Like the other options, it is for the file that was named beside it.
