@@ -13,7 +13,7 @@ namespace editor {
 namespace {
 
 constexpr double kSenseRowPx = 20.0;
-constexpr double kSenseWidthPx = 172.0;
+constexpr double kSenseWidthPx = 220.0;
 constexpr double kSenseMarginPx = 12.0;
 constexpr double kSenseSamplePx = 20.0;
 

@@ -157,14 +157,8 @@ RobotPage::RobotPage(ScenarioDocument& document, const sim2d::FieldTables& table
   addField<Robot>(start, "start_time");
   addGoalSection();
   FormSection* parameters = addFold(tr("Parameters"));
-  const ParameterOwner planners = plannersOf(registries);
-  addParameterRows(parameters, planners,
+  addParameterRows(parameters, plannersOf(registries),
                    tr("Parameters that the planner does not have or that are no numbers"));
-  addRefresh([parameters, planners](const std::vector<Entity>& shown) {
-    const auto name = commonValue(shown, planners.name);
-    parameters->setTitle(name ? tr("Parameters of %1").arg(QString::fromStdString(*name))
-                              : tr("Parameters"));
-  });
   FormSection* body = addFold(tr("Body and limits"));
   for (const char* key : {"radius", "mass", "max_vel", "max_acc", "max_omega", "max_alpha"}) {
     addField<Robot>(body, key);

@@ -14,6 +14,7 @@ namespace {
 constexpr double kPictureEdgePx = 12.0;  // from the sides of the dock
 constexpr double kBodyShare = 0.5;       // of the width
 constexpr double kMeasurePx = 20.0;      // for a line of size and its number
+constexpr double kBesidePx = 52.0;       // and where that stands beside the body
 constexpr double kFigureRowPx = 20.0;    // as rows of the section "Now"
 constexpr double kTickPx = 3.0;
 
@@ -118,7 +119,7 @@ void RobotPicture::paintBody(QPainter& painter, const QRectF& room) const {
   const QRectF box = boxOf(*robot_);
   constexpr double kWithWheels = 1.16;
   const bool isDisc = robot_->footprint.empty();
-  const QRectF place = room.adjusted(isDisc ? 0.0 : 2.0 * kMeasurePx, 0.0, 0.0, -kMeasurePx);
+  const QRectF place = room.adjusted(isDisc ? 0.0 : kBesidePx, 0.0, 0.0, -kMeasurePx);
   const double scale =
       std::min(place.width() / box.width(), place.height() / (kWithWheels * box.height()));
   const QPointF origin = place.center() - scale * box.center();
@@ -136,7 +137,7 @@ void RobotPicture::paintBody(QPainter& painter, const QRectF& room) const {
   paintMeasure(painter, {drawn.left(), below, drawn.right(), below},
                isDisc ? QString::fromUtf8("⌀ ") + length : length, ground);
   if (!isDisc) {
-    const double beside = room.left() + kMeasurePx;
+    const double beside = room.left() + 0.46 * kBesidePx;
     paintMeasure(painter, {beside, drawn.top(), beside, drawn.bottom()}, lengthWords(box.height()),
                  ground);
   }

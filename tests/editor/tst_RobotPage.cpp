@@ -115,7 +115,7 @@ class RobotPageTest : public QObject {
 
   void parameters_ofThePlanner_areAFoldBelowStartAndGoal() {
     show(twoRobots());
-    FormSection* fold = section(QStringLiteral("Parameters of social_mppi"));
+    FormSection* fold = section(QStringLiteral("Parameters"));
     QVERIFY(fold != nullptr && !fold->isOpen());
     const sim2d::Registries registries = sim2d::programRegistries();
     const std::string first = registries.planners.find("social_mppi")->parameters.front().key;
@@ -140,7 +140,7 @@ class RobotPageTest : public QObject {
       each.planner.reset();
     }
     show(scenario);
-    FormSection* fold = section(QStringLiteral("Parameters of pursuit"));
+    FormSection* fold = section(QStringLiteral("Parameters"));
     QVERIFY(fold != nullptr);
     QVERIFY(fold->note().isEmpty() && resetOf(fold)->isHidden());
     clickHeading(fold);
@@ -227,7 +227,7 @@ class RobotPageTest : public QObject {
     sim2d::Scenario scenario = twoRobots();
     scenario.robots[0].planner = "replay";
     show(scenario);
-    clickHeading(section(QStringLiteral("Parameters of replay")));
+    clickHeading(section(QStringLiteral("Parameters")));
     auto* file = page_->findChild<editor::TextField*>(QStringLiteral("replay.file"));
     QVERIFY(file != nullptr && file->isVisible());
     file->setFocus();
