@@ -203,7 +203,8 @@ class RobotPageTest : public QObject {
     show(twoRobots());
     const auto* help = page_->findChild<QLabel*>(QStringLiteral("planner_help"));
     QVERIFY(help->isVisible());
-    for (const auto& planner : sim2d::programRegistries().planners.entries()) {
+    const sim2d::Registries registries = sim2d::programRegistries();
+    for (const auto& planner : registries.planners.entries()) {
       QVERIFY2(!planner.help.empty(), planner.name.c_str());
       choose(
           choice("planner"),

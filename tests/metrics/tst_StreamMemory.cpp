@@ -143,9 +143,9 @@ void StreamMemoryTest::series_onDisk_areThoseInMemory() {
       evaluation.append(frame);
     }
     std::map<std::string, std::vector<double>> taken;
-    const auto onDisk = evaluation.finish([&taken](const MetricInfo& info, const Series& series) {
-      taken[info.key] = series.values;
-    });
+    const auto onDisk =
+        evaluation.finish([&taken](const std::string& /*robot*/, const MetricInfo& info,
+                                   const Series& series) { taken[info.key] = series.values; });
     QVERIFY(inMemory && onDisk);
     std::size_t columns = 0;
     for (const MetricResult& result : inMemory->results) {
