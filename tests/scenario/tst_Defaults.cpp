@@ -20,10 +20,11 @@ struct Spread {
 template <class Value>
 Spread spreadOf(Human human, Value value) {
   Spread spread;
+  const Scenario plain = Scenario();
   const int count = 4000;
   for (int id = 0; id < count; ++id) {
     human.id = id;
-    const double drawn = value(resolveHuman(Scenario{}, human, 1));
+    const double drawn = value(resolveHuman(plain, human, 1));
     spread.least = std::min(spread.least, drawn);
     spread.most = std::max(spread.most, drawn);
     spread.mean += drawn / count;
