@@ -160,6 +160,12 @@ editor::EntityId idOfKind(EntityKind kind) {
   }
 }
 
+void openFolds(const QWidget& form) {
+  for (editor::FormSection* section : form.findChildren<editor::FormSection*>()) {
+    section->setOpen(true);
+  }
+}
+
 }  // namespace
 
 /// Forms made from the tables of keys.
@@ -191,6 +197,7 @@ class FieldFormsTest : public QObject {
   void initTestCase() {
     document_.load(oneOfEach());
     panel_ = std::make_unique<editor::PropertyPanel>(document_, editor::Theme::light());
+    openFolds(*panel_);
     panel_->show();
   }
   void cleanupTestCase() { panel_.reset(); }
@@ -263,6 +270,7 @@ class FieldFormsTest : public QObject {
     document_.load(scenario);
     editor::RobotPage page(document_, tables);
     page.setTargets({scenario.robots[0].key});
+    openFolds(page);
     page.resize(320, 900);
     page.show();
     QVERIFY(QTest::qWaitForWindowExposed(&page));
