@@ -39,9 +39,9 @@ void BatchBench::episode() {
   constexpr std::size_t kRuns = 40;
   QTemporaryDir folder;
   const std::string file = folder.filePath(QStringLiteral("e.yaml")).toStdString();
-  const std::string text =
-      "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nduration: 60.0\nseeds: " +
-      std::to_string(kRuns) + "\n" + values.toStdString();
+  const std::string text = "hunavsim_experiment: 1\nscenarios: [" SOURCE_DIR
+                           "/maps/corner_cafe/corner_cafe_agents.yaml]\nduration: 60.0\nseeds: " +
+                           std::to_string(kRuns) + "\n" + values.toStdString();
   QVERIFY(base::writeFileAtomically(file, text).empty());
   const app::Experiment experiment = *app::readExperiment(file);
   app::ExperimentRunner runner(experiment, folder.path().toStdString() + "/runs", {});

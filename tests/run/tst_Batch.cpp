@@ -62,15 +62,16 @@ class BatchTest : public QObject {
   /// With a robot, people who react, and draws in the run; 3 s.
   app::Experiment experiment() {
     const std::string file = path("e.yaml");
-    const base::Diagnostics problems =
-        base::writeFileAtomically(file,
-                                  "hunavsim_experiment: 1\n"
-                                  "scenarios: [corner_cafe_agents, reaction_scared_agents]\n"
-                                  "seeds: 4\n"
-                                  "duration: 3.0\n"
-                                  "values:\n"
-                                  "  \"*.max_vel\": {normal: [1.2, 0.2, 0.6, 1.8]}\n"
-                                  "  \"*.behavior.configuration\": [0, 2]\n");
+    const base::Diagnostics problems = base::writeFileAtomically(
+        file,
+        "hunavsim_experiment: 1\n"
+        "scenarios: [" SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml, " SOURCE_DIR
+        "/maps/reactions/reaction_scared_agents.yaml]\n"
+        "seeds: 4\n"
+        "duration: 3.0\n"
+        "values:\n"
+        "  \"*.max_vel\": {normal: [1.2, 0.2, 0.6, 1.8]}\n"
+        "  \"*.behavior.configuration\": [0, 2]\n");
     return problems.empty() ? *app::readExperiment(file) : app::Experiment();
   }
 
