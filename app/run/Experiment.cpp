@@ -220,7 +220,8 @@ class Reader {
       sim2d::Scenario changed = scenario;
       const base::Diagnostics problems = sim2d::setValue(changed, path, text);
       if (base::hasErrors(problems)) {
-        const bool isTold = !errors_.empty() && errors_.back().message == problems.front().message;
+        const bool isTold = !errors_.empty() && errors_.back().code == problems.front().code &&
+                            errors_.back().values == problems.front().values;
         if (!isTold) {  // an unknown path once, whatever its values
           error(item, problems.front());
         }

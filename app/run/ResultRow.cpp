@@ -43,7 +43,8 @@ ResultRow rowOf(const FinishedRun& run) {
   if (run.evaluation) {  // the numbers as metrics.json has them
     const Json json = Json::parse(metrics::toJson(*run.evaluation));
     addFields(json, "", row);
-    for (const auto& [robot, of] : json.value("robots", Json::object()).items()) {
+    const Json robots = json.value("robots", Json::object());
+    for (const auto& [robot, of] : robots.items()) {
       addFields(of, robot + ".", row);
     }
   }

@@ -150,8 +150,8 @@ std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
     return loadWritten(human, source, diagnostics);
   }
   const sim2d::DesktopSettings& settings = scenario_.desktop;
-  const sim2d::Human drawn =
-      sim2d::withFirstGoal(settings.variation, human, settings.seed.value_or(1));
+  sim2d::Human drawn = human;
+  drawn.goals = sim2d::firstGoalOf(settings.variation, human, settings.seed.value_or(1)).goals;
   const TreeTable table = makeTable(scenario_, drawn, quirks_);
   std::shared_ptr<const PersonProgram>& program =
       generated_[contentOf(table, library_.catalogue())];

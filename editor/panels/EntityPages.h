@@ -76,7 +76,7 @@ class SettingsPage : public PropertyPage {
  private:
   void addRunSection();
   void addPeopleSection(const sim2d::Registries& registries);
-  void addVariation(FormSection* people);
+  void addVariationSection();
   void addModelSection(const sim2d::Registries& registries);
   void addFileSection();
   void addMeasureSection();

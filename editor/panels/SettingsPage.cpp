@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "editor/panels/EntityPages.h"
 #include "editor/run/SimulationRunner.h"
 #include "metrics/Samples.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/Variation.h"
 #include "sim2d/world/Runner.h"
 #include "sim2d/world/World.h"
 
@@ -95,10 +97,12 @@ SettingsPage::SettingsPage(ScenarioDocument& document, const sim2d::Registries& 
     : PropertyPage(document) {
   addRunSection();
   addPeopleSection(registries);
+  addVariationSection();
   addModelSection(registries);
   addMeasureSection();
   addFileSection();
   addNewFields<Desktop>();
+  addNewFields<Variation>();
   addNewFields<Metrics>();
   addNewFields<ScenarioSettings>({"yaml_base_name"});
 }
@@ -148,18 +152,39 @@ void SettingsPage::addPeopleSection(const sim2d::Registries& registries) {
                                   : tr("Two values of x in metres, ascending, with a comma "
                                        "between them");
                     }));
-  addVariation(section);
 }
 
-/// The preset stands with the people; its quantities are folded: few change them.
-void SettingsPage::addVariation(FormSection* people) {
-  addField<Variation>(people, "preset",
-                      inWords({tr("Not, all seeds are alike"), tr("A little"), tr("Much")}));
-  FormSection* section = addFold(tr("How people differ"));
-  for (const auto& field : sim2d::fieldsOf<Variation>()) {
-    if (field.spec.key != "preset") {
-      addField<Variation>(section, field.spec.key);
-    }
+/// What is drawn of a quantity, and the numbers of the drawing that counts.
+void SettingsPage::addVariationSection() {
+  addField<Variation>(addSection(tr("Differences from seed to seed")), "preset",
+                      inWords({tr("Not at all (default)"), tr("A little"), tr("Much")}));
+  FormSection* section = addFold(tr("What differs"));
+  const QStringList kinds = {tr("not drawn"), tr("normal"), tr("uniform")};
+  for (std::size_t i = 0; i < sim2d::kVariedCount; ++i) {
+    const auto quantity = static_cast<sim2d::Varied>(i);
+    const std::string key = sim2d::variedQuantity(quantity).key;
+    addField<Variation>(section, key + ".kind", inWords(kinds, tr("as above")));
+    const auto row = [&](const char* name, double sim2d::Spread::*member,
+                         std::vector<sim2d::SpreadKind> of) {
+      const auto spread = [quantity](const Entity& entity) {
+        return sim2d::spreadOf(desktop(entity).variation, quantity);
+      };
+      FieldLook look;
+      look.fallback = [spread, member](const Entity& entity) {
+        return base::ParameterValue(spread(entity).*member);
+      };
+      look.visible = [spread, member, of = std::move(of)](const std::vector<Entity>& shown) {
+        const sim2d::Spread counts = spread(shown.front());  // without a limit there is no number
+        return std::isfinite(counts.*member) &&
+               std::find(of.begin(), of.end(), counts.kind) != of.end();
+      };
+      addField<Variation>(section, key + "." + name, look);
+    };
+    using Kind = sim2d::SpreadKind;
+    row("sd", &sim2d::Spread::sd, {Kind::Normal});
+    row("half_width", &sim2d::Spread::halfWidth, {Kind::Uniform});
+    row("min", &sim2d::Spread::least, {Kind::Normal, Kind::Uniform});
+    row("max", &sim2d::Spread::most, {Kind::Normal, Kind::Uniform});
   }
 }
 

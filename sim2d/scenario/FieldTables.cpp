@@ -35,6 +35,9 @@ std::string rangeText(const Range& range) {
   if (range.high >= kLargestInteger) {  // says nothing to people
     return std::isinf(range.low) ? "" : (range.above ? "> " : "≥ ") + low;
   }
+  if (std::isinf(range.low)) {
+    return "≤ " + high;
+  }
   return (range.above ? "above " : "") + low + " to " + high;
 }
 

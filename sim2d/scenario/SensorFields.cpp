@@ -139,7 +139,7 @@ Fields<DetectorSettings> detectorFields() {
                      "Whose centre is farther away is not seen", "m", kPositive),
       detectorNumber("field", &Keys::field, &Parameters::field,
                      "The angle that it sees, half of it to either side", "rad",
-                     {0.0, 2.0 * base::kPi, true}),
+                     {0.0, 6.2832, true}),  // a whole turn, as forms show it
       detectorNumber("rate", &Keys::rate, &Parameters::rate, "How often it looks; 0: at each step",
                      "Hz", {0.0, kMostPerSecond}),
       detectorNumber("latency", &Keys::latency, &Parameters::latency, "From sight to the planner",

@@ -183,17 +183,16 @@ Vec2 PersonVariation::startOffset(std::uint32_t trial) const {
   return {x, draw(Varied::Start, 2 * trial + 1)};
 }
 
-Human withFirstGoal(const VariationSettings& settings, const Human& human, long long seed) {
-  Human turned = human;
+FirstGoal firstGoalOf(const VariationSettings& settings, const Human& human, long long seed) {
+  FirstGoal first{0, human.goals, human.ours.wait};
   const bool isCyclic = human.cyclicGoals.value_or(ResolvedHuman().cyclicGoals);
   const PersonVariation draws(settings, seed, human.id, human.groupId.value_or(-1));
-  const auto first =
-      static_cast<std::ptrdiff_t>(isCyclic ? draws.firstGoal(human.goals.size()) : 0);
-  std::rotate(turned.goals.begin(), turned.goals.begin() + first, turned.goals.end());
-  if (turned.ours.wait.size() == turned.goals.size()) {
-    std::rotate(turned.ours.wait.begin(), turned.ours.wait.begin() + first, turned.ours.wait.end());
+  first.index = isCyclic ? static_cast<int>(draws.firstGoal(human.goals.size())) : 0;
+  std::rotate(first.goals.begin(), first.goals.begin() + first.index, first.goals.end());
+  if (first.wait.size() == first.goals.size()) {
+    std::rotate(first.wait.begin(), first.wait.begin() + first.index, first.wait.end());
   }
-  return turned;
+  return first;
 }
 
 bool dependsOnSeed(const Scenario& scenario) {
@@ -206,9 +205,8 @@ bool dependsOnSeed(const Scenario& scenario) {
   const auto hasNoise = [&scenario](const Robot& robot) {
     const ResolvedRobot resolved = resolveRobot(scenario, robot, -1);
     const DetectorParameters& detector = resolved.detector;
-    return robot.listed &&
-           (resolved.lidar.noise > 0.0 || detector.noise > 0.0 || detector.misses > 0.0 ||
-            detector.swaps > 0.0 || !resolved.odometry.isExact());
+    return robot.listed && (detector.noise > 0.0 || detector.misses > 0.0 || detector.swaps > 0.0 ||
+                            !resolved.odometry.isExact());
   };
   return isVaried(scenario.desktop.variation) ||
          std::any_of(scenario.humans.begin(), scenario.humans.end(), isDrawnPerson) ||

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <limits>
-#include <string>
+#include <vector>
 
 #include "sim2d/base/Rng.h"
 #include "sim2d/scenario/Defaults.h"
@@ -67,10 +67,17 @@ class PersonVariation {
   std::uint32_t sharedIndex_;
 };
 
-/// A copy that begins at the goal drawn for the person: goals and waits are turned alike.
-Human withFirstGoal(const VariationSettings& settings, const Human& human, long long seed);
+/// The goals of a person, and the waits at them, from the drawn one on.
+struct FirstGoal {
+  int index = 0;  // in the written list
+  std::vector<int> goals;
+  std::vector<double> wait;
+};
+/// Routes that do not repeat stay as they are.
+FirstGoal firstGoalOf(const VariationSettings& settings, const Human& human, long long seed);
 
-/// Whether people or what robots sense differ from seed to seed; else many seeds are one run.
+/// Whether people, or where robots take them to be, differ from seed to seed; else many seeds are
+/// one run, but for the noise of lidars and of planners that draw.
 bool dependsOnSeed(const Scenario& scenario);
 
 }  // namespace sim2d

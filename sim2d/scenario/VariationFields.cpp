@@ -11,6 +11,7 @@ namespace sim2d {
 namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr double kLowest = -1e6;
 
 /// "speed.sd": the map, and the key in it; no map: empty.
 std::pair<std::string, std::string> partsOf(const std::string& key) {
@@ -31,8 +32,9 @@ FieldOf<VariationSettings> spreadField(Varied quantity, const char* key, M Sprea
                                        std::string help, base::FormHints form, Range range) {
   const VariedQuantity& facts = variedQuantity(quantity);
   form.label = std::string(facts.label) + ": " + form.label;
+  constexpr bool kIsNumber = std::is_same_v<M, std::optional<double>>;
   return FieldOf<VariationSettings>(std::string(facts.key) + "." + key, std::move(help),
-                                    std::move(form), facts.unit, range)
+                                    std::move(form), kIsNumber ? facts.unit : "", range)
       .keptAt([ quantity, member ](auto& of) -> auto& { return of.of(quantity).*member; });
 }
 
@@ -49,7 +51,7 @@ void addSpread(Varied quantity, const std::string& help, Fields<VariationSetting
   to.push_back(spreadField(quantity, "half_width", &S::halfWidth, "Uniform: so much either way",
                            {"half width", 2, 0.05}, kNotNegative));
   to.push_back(spreadField(quantity, "min", &S::min, "Never below", {"least", 2, 0.1},
-                           {facts.isFactor ? facts.least : -kNoLimit, centre}));
+                           {facts.isFactor ? facts.least : kLowest, centre}));
   to.push_back(spreadField(quantity, "max", &S::max, "Never above", {"most", 2, 0.1},
                            {centre, facts.isFactor ? facts.most : kNoLimit}));
 }
@@ -82,7 +84,7 @@ Fields<VariationSettings> variationFields() {
   addSpread(Varied::Start, "Added to x and to y of the start", all);
   addSpread(Varied::Heading, "Added to the heading at the start", all);
   addSpread(Varied::Speed, "Factor of max_vel", all);
-  addSpread(Varied::ReactionTime, "Factor of the relaxation time of `sfm` and `das`", all);
+  addSpread(Varied::ReactionTime, "Factor of how slowly a person reacts to others", all);
   addSpread(Varied::FirstGoal, "Goals of a repeated route that are left out at first", all);
   return all;
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <map>
 
 #include "sim2d/scenario/Variation.h"
 
@@ -41,15 +41,14 @@ std::vector<RobotDisc> robotsOf(const Scenario& scenario, const NavigationMap& n
 class Starts {
  public:
   Starts(const Scenario& scenario, const NavigationMap& navigation, const WorldModel& model)
-      : navigation_(navigation),
-        model_(model),
-        robots_(robotsOf(scenario, navigation, model)),
-        peopleOf_(scenario) {
+      : navigation_(navigation), model_(model), robots_(robotsOf(scenario, navigation, model)) {
+    forEachListed(scenario.humans,
+                  [this](const Human& human) { people_.emplace(human.id, &human); });
     for (const Person& person : model.people) {
       written_.push_back(person.constants.start.position);
       radii_.push_back(radiusOf(person));
       largest_ = std::max(largest_, radii_.back());
-      comesLater_.push_back(writtenStartTime(person) > 0.0 ? 1 : 0);
+      comesLater_.push_back(writtenOf(person).ours.startTime.value_or(0.0) > 0.0 ? 1 : 0);
     }
     drawn_ = written_;
     grid_.rebuild(written_, std::vector<char>(written_.size(), 1));
@@ -72,18 +71,11 @@ class Starts {
   const Vec2& placeOf(std::size_t human) const { return drawn_[human]; }
 
  private:
-  const Human* writtenOf(const Person& person) const {
-    return peopleOf_.humanById(person.constants.id);
-  }
-  /// Also of the body that the model has instead: places do not depend on the model.
+  const Human& writtenOf(const Person& person) const { return *people_.at(person.constants.id); }
+  /// The written one, also where the model has a smaller body: places do not depend on the model.
   double radiusOf(const Person& person) const {
-    const Human* const human = writtenOf(person);
-    const double written = human != nullptr ? human->radius.value_or(ResolvedHuman().radius) : 0.0;
-    return std::max(written, person.constants.radius);
-  }
-  double writtenStartTime(const Person& person) const {
-    const Human* const human = writtenOf(person);
-    return human != nullptr ? human->ours.startTime.value_or(0.0) : 0.0;
+    return std::max(writtenOf(person).radius.value_or(ResolvedHuman().radius),
+                    person.constants.radius);
   }
 
   bool isInRing(const Vec2& place) const { return model_.ring.inside(place) == place; }
@@ -141,7 +133,7 @@ class Starts {
   const NavigationMap& navigation_;
   const WorldModel& model_;
   const std::vector<RobotDisc> robots_;
-  const Scenario& peopleOf_;
+  std::map<int, const Human*> people_;  // by id
   std::vector<Vec2> written_, drawn_;
   std::vector<double> radii_;  // [m]
   std::vector<char> comesLater_;

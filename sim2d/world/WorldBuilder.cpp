@@ -72,12 +72,13 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
   for (const Human* human : listed) {
     Person person;
     person.key = human->key;
-    const Human drawn = withFirstGoal(setup.scenario->desktop.variation, *human,
-                                      static_cast<long long>(model.seed));
-    person.constants = resolvePerson(model, drawn);
-    std::shared_ptr<GoalPlan>& plan = plans[{drawn.goals, person.constants.goalRadius}];
+    const FirstGoal first =
+        firstGoalOf(setup.scenario->desktop.variation, *human, static_cast<long long>(model.seed));
+    person.constants = resolvePerson(model, *human);
+    person.constants.wait = first.wait;
+    std::shared_ptr<GoalPlan>& plan = plans[{first.goals, person.constants.goalRadius}];
     if (plan == nullptr) {
-      plan = std::make_shared<GoalPlan>(GoalPlan{drawn.goals, {}});
+      plan = std::make_shared<GoalPlan>(GoalPlan{first.goals, {}});
     }
     person.plan = plan;
     checkPerson(model, person.constants, human->key, problems);

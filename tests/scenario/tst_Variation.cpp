@@ -1,215 +1,371 @@
 #include <cmath>
 #include <set>
 
-#include <QtTest>
-
 #include "ScenarioTest.h"
-#include "sim2d/base/Math.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/base/Types.h"
 #include "sim2d/scenario/Variation.h"
 
 using namespace sim2d;
+using namespace scenariotest;
+
+/// The key `variation`: what is drawn, and how it is read and written.
+class VariationTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void dependsOnSeed_tellsWhatMakesSeedsDiffer();
+  void draws_manyPeople_meanAndDeviationAreThoseOfTheDistribution_data();
+  void draws_manyPeople_meanAndDeviationAreThoseOfTheDistribution();
+  void apply_sameSeedAndPerson_sameDraws();
+  void apply_widthsOfZero_nothingMoves();
+  void firstGoal_uniform_everyGoalAlike();
+  void firstGoal_group_beginsTogether();
+  void firstGoal_oneWayRoute_staysWhole();
+  void spreadOf_ownKeys_comeBeforeThePreset();
+  void read_everyKey_isThere();
+  void read_badInput_errorWithLine_data();
+  void read_badInput_errorWithLine();
+  void read_widthOfAnotherKind_isToldToHaveNoEffect();
+  void read_unknownKeys_areKept();
+  void setValue_presetAndQuantity();
+  void write_presetNone_isLeftOut();
+};
 
 namespace {
 
 constexpr int kDraws = 10000;
 
+double density(double x) {
+  return std::isfinite(x) ? std::exp(-x * x / 2.0) / std::sqrt(2.0 * base::kPi) : 0.0;
+}
+double timesDensity(double x) {
+  return std::isfinite(x) ? x * density(x) : 0.0;
+}
+double below(double x) {
+  return 0.5 * std::erfc(-x / std::sqrt(2.0));
+}
+
+std::vector<double> drawsOf(const Spread& spread, Varied quantity) {
+  std::vector<double> values;
+  values.reserve(kDraws);
+  for (int person = 0; person < kDraws; ++person) {
+    values.push_back(drawFrom(spread, quantity, base::AgentRng(5, person)));
+  }
+  return values;
+}
+
 struct Moments {
-  double mean = 0.0, sd = 0.0, least = 0.0, most = 0.0;
+  double mean = 0.0, deviation = 0.0, errorOfDeviation = 0.0;
 };
 
-/// Of one draw for each of so many people.
-Moments momentsOf(const Spread& spread, Varied quantity, std::uint64_t seed = 7) {
-  std::vector<double> all;
-  all.reserve(kDraws);
-  for (int id = 0; id < kDraws; ++id) {
-    all.push_back(drawFrom(spread, quantity, base::AgentRng(seed, id)));
-  }
+Moments momentsOf(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
   Moments moments;
-  moments.least = *std::min_element(all.begin(), all.end());
-  moments.most = *std::max_element(all.begin(), all.end());
-  for (const double value : all) {
-    moments.mean += value / kDraws;
+  for (const double value : values) {
+    moments.mean += value / count;
   }
-  double squares = 0.0;
-  for (const double value : all) {
-    squares += (value - moments.mean) * (value - moments.mean);
+  double second = 0.0;
+  double fourth = 0.0;
+  for (const double value : values) {
+    const double square = (value - moments.mean) * (value - moments.mean);
+    second += square / count;
+    fourth += square * square / count;
   }
-  moments.sd = std::sqrt(squares / (kDraws - 1));
+  moments.deviation = std::sqrt(second);
+  moments.errorOfDeviation = std::sqrt((fourth - second * second) / (4.0 * second * count));
   return moments;
 }
 
-double density(double z) {
-  return std::exp(-z * z / 2.0) / std::sqrt(2.0 * base::kPi);
-}
-double distribution(double z) {
-  return 0.5 * std::erfc(-z / std::sqrt(2.0));
-}
-
-/// Mean and deviation of the standard normal distribution between two limits: Johnson, Kotz and
-/// Balakrishnan, Continuous Univariate Distributions 1 (1994), 13.10.1.
-Moments truncatedMoments(double from, double to) {
-  const double mass = distribution(to) - distribution(from);
-  const double mean = (density(from) - density(to)) / mass;
-  const double variance = 1.0 + (from * density(from) - to * density(to)) / mass - mean * mean;
-  return {mean, std::sqrt(variance), from, to};
+std::string fileWith(const std::string& lines) {
+  return "hunav_loader:\n  ros__parameters:\n    agents: []\nhunavsim_desktop:\n"
+         "  ros__parameters:\n    format: 1\n" +
+         lines;
 }
 
-Scenario withVariation(const std::string& lines) {
-  const std::string text =
-      "hunav_loader:\n  ros__parameters:\n    agents: []\nhunavsim_desktop:\n"
-      "  ros__parameters:\n    format: 1\n    variation:\n" +
-      lines;
-  ScenarioReading reading = readScenarioText(text, "test.yaml");
-  return reading.ok() ? reading.scenario : Scenario();
+ScenarioReading read(const std::string& lines) {
+  return readScenarioText(fileWith(lines), "file.yaml");
+}
+
+Human walker(int id, int group = -1) {
+  Human human;
+  human.id = id;
+  human.groupId = group;
+  human.goals = {4, 5, 6, 7, 8};
+  human.ours.wait = {0.4, 0.5, 0.6, 0.7, 0.8};
+  return human;
+}
+
+VariationSettings strong() {
+  VariationSettings settings;
+  settings.preset = VariationPreset::Strong;
+  return settings;
 }
 
 }  // namespace
 
-class VariationTest : public QObject {
-  Q_OBJECT
+void VariationTest::draws_manyPeople_meanAndDeviationAreThoseOfTheDistribution_data() {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  QTest::addColumn<bool>("isNormal");
+  QTest::addColumn<double>("centre");
+  QTest::addColumn<double>("width");
+  QTest::addColumn<double>("low");
+  QTest::addColumn<double>("high");
+  QTest::newRow("normal") << true << 0.0 << 0.3 << -kFar << kFar;
+  QTest::newRow("normal, cut on both sides") << true << 1.0 << 0.2 << 0.8 << 1.3;
+  QTest::newRow("normal, a narrow range") << true << 1.0 << 2.0 << 0.9 << 1.2;
+  QTest::newRow("normal, one side alone") << true << 0.0 << 2.0 << 0.0 << kFar;
+  QTest::newRow("uniform") << false << 0.0 << 5.0 << -kFar << kFar;
+  QTest::newRow("uniform, cut") << false << 1.0 << 0.5 << 0.75 << 10.0;
+}
 
- private Q_SLOTS:
-  void normalDraws_haveTheMomentsOfTheTruncatedDistribution_data() {
-    QTest::addColumn<double>("sd");
-    QTest::addColumn<double>("low");
-    QTest::addColumn<double>("high");
-    QTest::newRow("two deviations either way") << 0.1 << -0.2 << 0.2;
-    QTest::newRow("one side") << 0.5 << -0.1 << 3.0;
-    QTest::newRow("narrow, taken from the range") << 1.0 << -0.3 << 0.4;
-    QTest::newRow("from the middle on") << 2.0 << 0.0 << 20.0;
-    QTest::newRow("wide") << 0.3 << -3.0 << 3.0;
+/// Closed forms: of the normal distribution truncated to [a, b] standard deviations the mean is
+/// (phi(a) - phi(b)) / Z, the variance 1 + (a phi(a) - b phi(b)) / Z - mean².
+void VariationTest::draws_manyPeople_meanAndDeviationAreThoseOfTheDistribution() {
+  QFETCH(bool, isNormal);
+  QFETCH(double, centre);
+  QFETCH(double, width);
+  QFETCH(double, low);
+  QFETCH(double, high);
+  const Spread spread{
+      isNormal ? SpreadKind::Normal : SpreadKind::Uniform, centre, width, width, low, high};
+  double mean = 0.0;
+  double deviation = 0.0;
+  if (isNormal) {
+    const double from = (low - centre) / width;
+    const double to = (high - centre) / width;
+    const double all = below(to) - below(from);
+    const double shift = (density(from) - density(to)) / all;
+    mean = centre + width * shift;
+    deviation =
+        width * std::sqrt(1.0 + (timesDensity(from) - timesDensity(to)) / all - shift * shift);
+  } else {
+    const double from = std::max(low, centre - width);
+    const double to = std::min(high, centre + width);
+    mean = (from + to) / 2.0;
+    deviation = (to - from) / std::sqrt(12.0);
   }
-  void normalDraws_haveTheMomentsOfTheTruncatedDistribution() {
-    QFETCH(double, sd);
-    QFETCH(double, low);
-    QFETCH(double, high);
-    Spread spread;
+  const std::vector<double> values = drawsOf(spread, Varied::Speed);
+  for (const double value : values) {
+    QVERIFY2(value >= low && value <= high, qPrintable(QString::number(value)));
+  }
+  const Moments found = momentsOf(values);
+  const QString text = QStringLiteral("%1 ± %2, wanted %3 ± %4")
+                           .arg(found.mean)
+                           .arg(found.deviation)
+                           .arg(mean)
+                           .arg(deviation);
+  QVERIFY2(std::fabs(found.mean - mean) < 4.0 * deviation / std::sqrt(1.0 * kDraws),
+           qPrintable(text));
+  QVERIFY2(std::fabs(found.deviation - deviation) < 4.0 * found.errorOfDeviation, qPrintable(text));
+}
+
+void VariationTest::apply_sameSeedAndPerson_sameDraws() {
+  const VariationSettings settings = strong();
+  const auto drawn = [&](long long seed, int id) {
+    ResolvedHuman person;
+    person.desiredSpeed = 2.0;
+    PersonVariation(settings, seed, id, -1).apply(person);
+    return std::vector<double>{person.startTime, person.start.heading, person.desiredSpeed,
+                               person.reactionTime};
+  };
+  const std::vector<double> first = drawn(3, 7);
+  QVERIFY(drawn(3, 7) == first);
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    QVERIFY(drawn(4, 7)[i] != first[i]);
+    QVERIFY(drawn(3, 8)[i] != first[i]);
+  }
+  QVERIFY(first[0] >= 0.0 && first[0] <= 5.0);
+  QVERIFY(first[2] >= 1.0 && first[2] <= 3.0);
+}
+
+void VariationTest::apply_widthsOfZero_nothingMoves() {
+  VariationSettings settings;
+  for (SpreadSettings& spread : settings.spreads) {
     spread.kind = SpreadKind::Normal;
-    spread.centre = 1.0;
-    spread.sd = sd;
-    spread.least = 1.0 + low;
-    spread.most = 1.0 + high;
-    const Moments drawn = momentsOf(spread, Varied::Speed);
-    const Moments wanted = truncatedMoments(low / sd, high / sd);
-    const double wantedSd = sd * wanted.sd;
-    QVERIFY(drawn.least >= spread.least);
-    QVERIFY(drawn.most <= spread.most);
-    QVERIFY(std::abs(drawn.mean - 1.0 - sd * wanted.mean) < 4.0 * wantedSd / std::sqrt(kDraws));
-    // the standard error of a deviation is at most sd / sqrt(2 n) for tails no heavier than normal
-    QVERIFY(std::abs(drawn.sd - wantedSd) < 4.0 * wantedSd / std::sqrt(2.0 * kDraws));
+    spread.sd = 0.0;
   }
+  ResolvedHuman person;
+  person.startTime = 2.0;
+  person.start.heading = 0.5;
+  PersonVariation draws(settings, 1, 1, -1);
+  draws.apply(person);
+  QCOMPARE(person.startTime, 2.0);
+  QCOMPARE(person.start.heading, 0.5);
+  QCOMPARE(person.desiredSpeed, ResolvedHuman().desiredSpeed);
+  QCOMPARE(person.reactionTime, 1.0);
+  QVERIFY(draws.startOffset(0) == Vec2(0.0, 0.0));
+  QCOMPARE(draws.firstGoal(5), std::size_t{0});
+}
 
-  void uniformDraws_fillTheirRange() {
-    Spread spread;
-    spread.kind = SpreadKind::Uniform;
-    spread.halfWidth = 2.0;
-    spread.least = -1.0;
-    const Moments drawn = momentsOf(spread, Varied::Start);  // from -1 to 2
-    const double wantedSd = 3.0 / std::sqrt(12.0);
-    QVERIFY(drawn.least >= -1.0 && drawn.least < -0.99);
-    QVERIFY(drawn.most <= 2.0 && drawn.most > 1.99);
-    QVERIFY(std::abs(drawn.mean - 0.5) < 4.0 * wantedSd / std::sqrt(kDraws));
-    QVERIFY(std::abs(drawn.sd - wantedSd) < 4.0 * wantedSd / std::sqrt(2.0 * kDraws));
+void VariationTest::firstGoal_uniform_everyGoalAlike() {
+  const VariationSettings settings = strong();
+  std::vector<int> counts(5, 0);
+  for (int id = 0; id < kDraws; ++id) {
+    const FirstGoal first = firstGoalOf(settings, walker(id), 1);
+    ++counts[static_cast<std::size_t>(first.index)];
+    QCOMPARE(first.goals.front(), 4 + first.index);
+    QCOMPARE(first.wait.front(), 0.4 + 0.1 * first.index);
+    QCOMPARE(std::set<int>(first.goals.begin(), first.goals.end()).size(), std::size_t{5});
   }
-
-  void draws_ofAnotherSeedPersonOrQuantity_differ() {
-    Spread spread;
-    spread.kind = SpreadKind::Uniform;
-    spread.halfWidth = 1.0;
-    std::set<double> all;
-    for (const std::uint64_t seed : {1, 2}) {
-      for (const int id : {1, 2}) {
-        for (const Varied quantity : {Varied::Start, Varied::Speed}) {
-          all.insert(drawFrom(spread, quantity, base::AgentRng(seed, id)));
-        }
-      }
-    }
-    QCOMPARE(all.size(), std::size_t{8});
-    QCOMPARE(drawFrom(spread, Varied::Start, base::AgentRng(1, 1)),
-             drawFrom(spread, Varied::Start, base::AgentRng(1, 1)));
+  const double error = std::sqrt(kDraws * 0.2 * 0.8);  // binomial
+  for (const int count : counts) {
+    QVERIFY2(std::fabs(count - kDraws * 0.2) < 4.0 * error, qPrintable(QString::number(count)));
   }
+}
 
-  void spread_keysOfAQuantity_comeBeforeThePreset() {
-    const Scenario scenario = withVariation(
-        "      preset: strong\n      speed:\n        sd: 0.05\n      start:\n        kind: none\n");
-    const VariationSettings& settings = scenario.desktop.variation;
-    const Spread speed = spreadOf(settings, Varied::Speed);
-    QCOMPARE(speed.kind, SpreadKind::Normal);
-    QCOMPARE(speed.sd, 0.05);
-    QCOMPARE(spreadOf(settings, Varied::Start).kind, SpreadKind::None);
-    QCOMPARE(spreadOf(settings, Varied::FirstGoal).kind, SpreadKind::Uniform);
-    QVERIFY(isVaried(settings));
-    QVERIFY(!isVaried(VariationSettings()));
+void VariationTest::firstGoal_group_beginsTogether() {
+  const VariationSettings settings = strong();
+  std::set<int> indices;
+  for (int seed = 1; seed <= 20; ++seed) {
+    const int index = firstGoalOf(settings, walker(1, 3), seed).index;
+    QCOMPARE(firstGoalOf(settings, walker(2, 3), seed).index, index);
+    indices.insert(index);
   }
+  QVERIFY(indices.size() > 2);
+}
 
-  void firstGoal_ofACyclicList_isEachAsOften() {
-    const Scenario scenario = withVariation("      preset: strong\n");
-    std::vector<int> count(4);
-    for (int id = 0; id < kDraws; ++id) {
-      const PersonVariation draws(scenario.desktop.variation, 3, id, -1);
-      ++count[draws.firstGoal(count.size())];
-    }
-    const double error = std::sqrt(kDraws * 0.25 * 0.75);  // binomial
-    for (const int each : count) {
-      QVERIFY(std::abs(each - kDraws * 0.25) < 4.0 * error);
-    }
-  }
-
-  void withFirstGoal_turnsGoalsAndWaitsAlike() {
-    const Scenario scenario = withVariation("      preset: strong\n");
-    Human human;
-    human.goals = {5, 6, 7};
-    human.ours.wait = {0.5, 0.6, 0.7};
-    std::set<int> first;
-    for (human.id = 0; human.id < 40; ++human.id) {
-      const Human turned = withFirstGoal(scenario.desktop.variation, human, 1);
-      first.insert(turned.goals.front());
-      for (std::size_t i = 0; i < 3; ++i) {
-        QCOMPARE(turned.ours.wait[i], turned.goals[i] / 10.0);
-        QCOMPARE(turned.goals[(i + 1) % 3], 5 + (turned.goals[i] - 4) % 3);
-      }
-    }
-    QCOMPARE(first.size(), std::size_t{3});
+void VariationTest::firstGoal_oneWayRoute_staysWhole() {
+  for (int id = 0; id < 20; ++id) {
+    Human human = walker(id);
     human.cyclicGoals = false;
-    QCOMPARE(withFirstGoal(scenario.desktop.variation, human, 1).goals, human.goals);
+    QVERIFY(firstGoalOf(strong(), human, 1).goals == human.goals);
   }
+}
 
-  void group_comesTogether() {
-    const Scenario scenario = withVariation("      preset: strong\n");
-    std::set<double> times;
-    std::set<double> speeds;
-    for (const int id : {1, 2, 3}) {
-      ResolvedHuman person;
-      PersonVariation(scenario.desktop.variation, 4, id, 2).apply(person);
-      times.insert(person.startTime);
-      speeds.insert(person.desiredSpeed);
+void VariationTest::spreadOf_ownKeys_comeBeforeThePreset() {
+  VariationSettings settings;
+  QVERIFY(!isVaried(settings));
+  settings.of(Varied::Speed).sd = 0.3;  // of no kind yet
+  QVERIFY(!isVaried(settings));
+  settings.preset = VariationPreset::Light;
+  QVERIFY(isVaried(settings));
+  QVERIFY(spreadOf(settings, Varied::Speed).kind == SpreadKind::Normal);
+  QCOMPARE(spreadOf(settings, Varied::Speed).sd, 0.3);
+  QCOMPARE(spreadOf(settings, Varied::Speed).least, 0.1);  // not the preset's
+  QCOMPARE(spreadOf(settings, Varied::ReactionTime).least, 0.8);
+  settings.of(Varied::Start).kind = SpreadKind::None;
+  QVERIFY(spreadOf(settings, Varied::Start).kind == SpreadKind::None);
+  QVERIFY(spreadOf(settings, Varied::Heading).kind == SpreadKind::Normal);
+}
+
+void VariationTest::read_everyKey_isThere() {
+  const ScenarioReading reading = read(
+      "    variation:\n      preset: strong\n      start:\n        kind: uniform\n"
+      "        half_width: 0.5\n        min: -0.25\n        max: 0.75\n      speed:\n"
+      "        sd: 0.2\n");
+  QVERIFY2(reading.diagnostics.empty() || reading.ok(), qPrintable(shown(reading.diagnostics)));
+  const VariationSettings& variation = reading.scenario.desktop.variation;
+  QVERIFY(variation.preset == VariationPreset::Strong);
+  const SpreadSettings& start = variation.of(Varied::Start);
+  QVERIFY(start.kind == SpreadKind::Uniform && start.halfWidth == 0.5);
+  QVERIFY(start.min == -0.25 && start.max == 0.75 && !start.sd);
+  QVERIFY(variation.of(Varied::Speed).sd == 0.2);
+}
+
+void VariationTest::read_badInput_errorWithLine_data() {
+  QTest::addColumn<QString>("lines");
+  QTest::addColumn<int>("line");
+  QTest::newRow("preset") << "    variation:\n      preset: much\n" << 8;
+  QTest::newRow("no map") << "    variation: light\n" << 7;
+  QTest::newRow("kind") << "    variation:\n      speed:\n        kind: gauss\n" << 9;
+  QTest::newRow("sd") << "    variation:\n      speed:\n        kind: normal\n        sd: -0.1\n"
+                      << 10;
+  QTest::newRow("no number") << "    variation:\n      start:\n        kind: uniform\n"
+                                "        half_width: wide\n"
+                             << 10;
+  QTest::newRow("not finite") << "    variation:\n      start:\n        kind: normal\n"
+                                 "        sd: .nan\n"
+                              << 10;
+  QTest::newRow("least above") << "    variation:\n      speed:\n        kind: normal\n"
+                                  "        min: 1.2\n"
+                               << 10;
+  QTest::newRow("most below") << "    variation:\n      start_time:\n        kind: uniform\n"
+                                 "        max: -1.0\n"
+                              << 10;
+  QTest::newRow("quantity") << "    variation:\n      speed: 0.2\n" << 8;
+}
+
+void VariationTest::read_badInput_errorWithLine() {
+  QFETCH(QString, lines);
+  QFETCH(int, line);
+  const ScenarioReading reading = read(lines.toStdString());
+  QVERIFY(!reading.ok());
+  std::set<int> told;
+  for (const base::Diagnostic& each : reading.diagnostics) {
+    if (each.severity == base::Severity::Error) {
+      told.insert(each.line);
     }
-    QCOMPARE(times.size(), std::size_t{1});
-    QCOMPARE(speeds.size(), std::size_t{3});
   }
+  QVERIFY2(told.count(line) == 1, qPrintable(shown(reading.diagnostics)));
+}
 
-  void dependsOnSeed_tellsWhatMakesSeedsDiffer() {
-    Scenario scenario;
-    QVERIFY(!dependsOnSeed(scenario));
-    scenario.robots.emplace_back();
-    scenario.humans.emplace_back();
-    QVERIFY(!dependsOnSeed(scenario));
-    Scenario drawn = scenario;
-    drawn.humans[0].behavior.configuration = Configuration::Normal;
-    QVERIFY(dependsOnSeed(drawn));
-    Scenario noisy = scenario;
-    noisy.robots[0].detector.noise = 0.1;
-    QVERIFY(dependsOnSeed(noisy));
-    Scenario varied = scenario;
-    varied.desktop.variation.preset = VariationPreset::Light;
-    QVERIFY(dependsOnSeed(varied));
-    Scenario visited = scenario;
-    visited.areas.emplace_back();
-    visited.areas[0].kind = AreaKind::Source;
-    visited.areas[0].rate = 0.5;
-    QVERIFY(dependsOnSeed(visited));
+void VariationTest::read_widthOfAnotherKind_isToldToHaveNoEffect() {
+  const ScenarioReading reading = read(
+      "    variation:\n      speed:\n        sd: 0.2\n      start:\n        kind: uniform\n"
+      "        sd: 0.5\n");
+  QVERIFY(reading.ok());
+  std::vector<int> lines;
+  for (const base::Diagnostic& each : reading.diagnostics) {
+    if (each.code == "scenario.spread-unused") {
+      lines.push_back(each.line);
+    }
   }
-};
+  QVERIFY(lines == (std::vector<int>{9, 12}) || lines == (std::vector<int>{12, 9}));
+}
+
+void VariationTest::read_unknownKeys_areKept() {
+  const std::string lines =
+      "    variation:\n      preset: light\n      speed:\n        kind: normal\n"
+      "        colour: red\n      strange: 1\n";
+  const ScenarioReading reading = read(lines);
+  QVERIFY(reading.ok());
+  const std::string text = writeScenario(reading.scenario);
+  QVERIFY2(text.find(lines) != std::string::npos, text.c_str());
+}
+
+void VariationTest::setValue_presetAndQuantity() {
+  Scenario scenario = read("    seed: 2\n").scenario;
+  QVERIFY(!base::hasErrors(setValue(scenario, "variation.preset", "strong")));
+  QVERIFY(!base::hasErrors(setValue(scenario, "variation.speed.sd", "0.05")));
+  QVERIFY(!base::hasErrors(setValue(scenario, "variation.first_goal.kind", "none")));
+  QVERIFY(scenario.desktop.variation.preset == VariationPreset::Strong);
+  QVERIFY(scenario.desktop.variation.of(Varied::Speed).sd == 0.05);
+  QVERIFY(scenario.desktop.variation.of(Varied::FirstGoal).kind == SpreadKind::None);
+  const Scenario before = scenario;
+  QVERIFY(base::hasErrors(setValue(scenario, "variation.preset", "much")));
+  QVERIFY(base::hasErrors(setValue(scenario, "variation.speed.width", "1.0")));
+  QVERIFY(scenario == before);
+}
+
+void VariationTest::write_presetNone_isLeftOut() {
+  Scenario scenario = read("    seed: 2\n").scenario;
+  const std::string plain = writeScenario(scenario);
+  scenario.desktop.variation.preset = VariationPreset::None;
+  QCOMPARE(QString::fromStdString(writeScenario(scenario)), QString::fromStdString(plain));
+}
+
+void VariationTest::dependsOnSeed_tellsWhatMakesSeedsDiffer() {
+  Scenario scenario;
+  QVERIFY(!dependsOnSeed(scenario));
+  scenario.robots.emplace_back();
+  scenario.humans.emplace_back();
+  QVERIFY(!dependsOnSeed(scenario));
+  Scenario drawn = scenario;
+  drawn.humans[0].behavior.configuration = Configuration::Normal;
+  QVERIFY(dependsOnSeed(drawn));
+  Scenario noisy = scenario;
+  noisy.robots[0].detector.noise = 0.1;
+  QVERIFY(dependsOnSeed(noisy));
+  Scenario varied = scenario;
+  varied.desktop.variation.preset = VariationPreset::Light;
+  QVERIFY(dependsOnSeed(varied));
+  Scenario visited = scenario;
+  visited.areas.emplace_back();
+  visited.areas[0].kind = AreaKind::Source;
+  visited.areas[0].rate = 0.5;
+  QVERIFY(dependsOnSeed(visited));
+}
 
 QTEST_APPLESS_MAIN(VariationTest)
 #include "tst_Variation.moc"

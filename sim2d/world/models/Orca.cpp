@@ -43,6 +43,9 @@ class Orca : public PedestrianModel {
   explicit Orca(const ResolvedHuman& person) {
     static const base::ParameterTable<OrcaParameters> kTable = orcaTable();
     kTable.set(parameters_, person.modelParameters);
+    parameters_.horizon /= person.reactionTime;  // who is slow gives way late
+    parameters_.obstacleHorizon /= person.reactionTime;
+    parameters_.brakingTime *= person.reactionTime;
   }
 
   /// Accelerations that lead to the chosen velocity: `social` is what avoiding changes.
