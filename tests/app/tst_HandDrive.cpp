@@ -33,11 +33,11 @@ class HandDriveTest : public QObject, protected quiet::InFolder {
       QCoreApplication::processEvents();
     }
   }
-  /// A run that stands at its beginning, with the robot selected.
+  /// A run after its first step, with the robot selected.
   void begin() {
     document().setSelection({robot()});
     step(1);
-    QCOMPARE(runner().newestFrame()->step, std::int64_t{0});
+    QCOMPARE(runner().newestFrame()->step, std::int64_t{1});
   }
   double speed() {
     const sim2d::RobotColumns& robots = runner().newestFrame()->robots;
@@ -100,22 +100,23 @@ class HandDriveTest : public QObject, protected quiet::InFolder {
     hands_->press(Qt::Key_J);
     QVERIFY(toggle().isChecked());
     QTest::keyPress(handle(), Qt::Key_Up);
+    const double before = speed();
     step(10);
-    QVERIFY2(std::abs(speed() - 0.5) < 1e-6, qPrintable(QString::number(speed())));
-    const sim2d::StepInputs held = inputsOf(10);
+    QVERIFY2(std::abs(speed() - before - 0.5) < 1e-6, qPrintable(QString::number(speed())));
+    const sim2d::StepInputs held = inputsOf(11);
     QCOMPARE(held.size(), std::size_t{1});
     QCOMPARE(held[0].kind, sim2d::InputKind::Robot);
     QCOMPARE(held[0].id, -1);
     QCOMPARE(held[0].velocity.x(), 1.0);
     QCOMPARE(held[0].omega, 0.0);
     QTest::keyRelease(handle(), Qt::Key_Up);
-    step(10);
+    step(12);
     QVERIFY(speed() < 1e-9);
-    QCOMPARE(inputsOf(20).at(0).velocity.x(), 0.0);
+    QCOMPARE(inputsOf(23).at(0).velocity.x(), 0.0);
     hands_->press(Qt::Key_Escape);
     QVERIFY(!toggle().isChecked());
     step(4);
-    QVERIFY(inputsOf(24).empty());
+    QVERIFY(inputsOf(27).empty());
     QVERIFY(speed() > 0.1);  // its planner goes on
   }
 
@@ -127,8 +128,8 @@ class HandDriveTest : public QObject, protected quiet::InFolder {
     QTest::keyPress(handle(), Qt::Key_A);
     step(1);
     QCOMPARE(workspace().scene().options().snapToPoints, snaps);
-    QCOMPARE(inputsOf(1).at(0).velocity.x(), -1.0);
-    QCOMPARE(inputsOf(1).at(0).omega, 1.5);
+    QCOMPARE(inputsOf(2).at(0).velocity.x(), -1.0);
+    QCOMPARE(inputsOf(2).at(0).omega, 1.5);
     QTest::keyRelease(handle(), Qt::Key_S);
     QTest::keyRelease(handle(), Qt::Key_A);
     hands_->press(Qt::Key_J);
@@ -146,7 +147,7 @@ class HandDriveTest : public QObject, protected quiet::InFolder {
     QTest::keyClicks(filter, QStringLiteral("wasd"));
     QCOMPARE(filter->text(), QStringLiteral("wasd"));
     step(1);
-    QCOMPARE(inputsOf(1).at(0).velocity.x(), 0.0);  // who looks elsewhere brakes
+    QCOMPARE(inputsOf(2).at(0).velocity.x(), 0.0);  // who looks elsewhere brakes
   }
 
   void drag_ofTheRobot_pullsItToThePointer() {
@@ -161,13 +162,13 @@ class HandDriveTest : public QObject, protected quiet::InFolder {
     const auto& pull = workspace().scene().pull();
     QVERIFY(pull && pull->robot == -1 && (pull->to - to).norm() < 0.05);
     step(10);
-    QCOMPARE(inputsOf(10).size(), std::size_t{1});
+    QCOMPARE(inputsOf(11).size(), std::size_t{1});
     QVERIFY(place().x() < from.x() - 0.1);
     QVERIFY(std::abs(place().y() - from.y()) < 0.05);
     QTest::mouseRelease(handle(), Qt::LeftButton, {}, inWindow(to));
     QVERIFY(!workspace().scene().pull());
     step(1);
-    QVERIFY(inputsOf(11).empty());
+    QVERIFY(inputsOf(12).empty());
   }
 
   void drag_ofAPerson_pullsNobody() {
@@ -212,7 +213,7 @@ class HandDriveTest : public QObject, protected quiet::InFolder {
     step(5);
     const auto made = editor::runRequestOf(document()).makeWorld();
     QVERIFY(bool(made));
-    for (std::int64_t k = 1; k <= 20; ++k) {
+    for (std::int64_t k = 1; k <= 21; ++k) {
       QVERIFY((*made)->step(inputsOf(k)));
       const sim2d::FramePtr shown = runner().recording()->frame(static_cast<std::size_t>(k));
       QCOMPARE(shown->step, k);

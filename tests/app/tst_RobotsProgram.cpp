@@ -240,7 +240,7 @@ class RobotsProgramTest : public QObject {
             rows[0].at(text("path_length")).toDouble() + 0.5);
     QCOMPARE(rows[0].at(text("block.path_length")), QString());
     QCOMPARE(rows[1].at(text("far.path_length")), QString());
-    QCOMPARE(rows[1].at(text("block.path_length")).toDouble(), 0.0);
+    QVERIFY(rows[1].at(text("block.path_length")).toDouble() < 1e-3);  // by the push
     const QString head =
         QString::fromUtf8(bytesOf(out + text("/results.csv"))).section(QLatin1Char('\n'), 0, 0);
     QVERIFY(head.indexOf(text(",path_length,")) < head.indexOf(text("far.")));

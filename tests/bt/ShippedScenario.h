@@ -65,6 +65,15 @@ inline Loaded load(const std::string& place, const std::string& name) {
   return load(mapsFolder() + "/" + place + "/" + name + ".yaml");
 }
 
+/// With people as they are written, the same in every seed.
+inline Loaded loadAsWritten(const std::string& place, const std::string& name) {
+  Loaded loaded = load(place, name);
+  auto scenario = std::make_shared<sim2d::Scenario>(*loaded.scenario);
+  scenario->desktop.variation = sim2d::VariationSettings();
+  loaded.scenario = std::move(scenario);
+  return loaded;
+}
+
 /// nullptr when the run is impossible; what was said is added to `loaded.diagnostics`.
 inline std::unique_ptr<sim2d::World> makeWorld(Loaded& loaded, int threads = 1) {
   sim2d::WorldSetup setup;

@@ -81,7 +81,7 @@ void CafeWithParkedRobotTest::people_doNotTouchTheRobot_data() {
 void CafeWithParkedRobotTest::people_doNotTouchTheRobot() {
   QFETCH(QString, model);
   QFETCH(int, seed);
-  Loaded cafe = load("corner_cafe", "corner_cafe_agents");
+  Loaded cafe = loadAsWritten("corner_cafe", "corner_cafe_agents");
   cafe.scenario = withSeed(*cafe.scenario, seed, model.toStdString());
   const std::unique_ptr<sim2d::World> world = makeWorld(cafe);
   QVERIFY(world != nullptr);
@@ -118,7 +118,7 @@ void CafeWithParkedRobotTest::original_walksAsItDid_data() {
 void CafeWithParkedRobotTest::original_walksAsItDid() {
   QFETCH(QString, compatibility);
   QFETCH(qulonglong, hash);
-  Loaded cafe = load("corner_cafe", "corner_cafe_agents");
+  Loaded cafe = loadAsWritten("corner_cafe", "corner_cafe_agents");
   auto scenario = std::make_shared<sim2d::Scenario>(*cafe.scenario);
   scenario->desktop.model = "sfm-hunav2";
   sim2d::Compatibility quirks;

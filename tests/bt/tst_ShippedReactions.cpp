@@ -29,7 +29,7 @@ constexpr double kStep = 0.05;      // [s]
 constexpr double kRounding = 1e-9;  // [m], [s]
 
 std::vector<Frame> framesOf(const std::string& kind) {
-  Loaded loaded = load("reactions", "reaction_" + kind + "_agents");
+  Loaded loaded = loadAsWritten("reactions", "reaction_" + kind + "_agents");
   const std::unique_ptr<sim2d::World> world = makeWorld(loaded);
   const std::string said = troubles(loaded.diagnostics);
   if (!world || !said.empty()) {

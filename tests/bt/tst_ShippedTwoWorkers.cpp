@@ -124,7 +124,7 @@ bool ShippedTwoWorkersTest::standsStill(std::size_t row, double from, double unt
 }
 
 void ShippedTwoWorkersTest::initTestCase() {
-  Loaded loaded = load("two_workers", "two_workers_agents");
+  Loaded loaded = loadAsWritten("two_workers", "two_workers_agents");
   const std::unique_ptr<sim2d::World> world = makeWorld(loaded);
   const std::string said = troubles(loaded.diagnostics);
   QVERIFY2(said.empty(), said.c_str());
@@ -272,7 +272,7 @@ void ShippedTwoWorkersTest::worker2_atTheExit_stands() {
 }
 
 void ShippedTwoWorkersTest::worker2_atTheExit_startsAnewWhenTreesLoop() {
-  Loaded loaded = load("two_workers", "two_workers_agents");
+  Loaded loaded = loadAsWritten("two_workers", "two_workers_agents");
   sim2d::Scenario scenario = *loaded.scenario;
   scenario.desktop.loopTrees = true;
   loaded.scenario = std::make_shared<const sim2d::Scenario>(scenario);

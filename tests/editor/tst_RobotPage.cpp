@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include <QImage>
 #include <QPainter>
 #include <QtTest>
@@ -32,19 +36,34 @@ sim2d::Scenario twoRobots() {
   return scenario;
 }
 
-/// The box of all pixels of about this colour [px].
+/// The box of the rows and columns that are mostly of about this colour [px]: a few pixels of words
+/// may have it as well.
 QRect boxOfColor(const QImage& image, const QColor& color) {
-  QRect box;
+  std::vector<int> rows(static_cast<std::size_t>(image.height()));
+  std::vector<int> columns(static_cast<std::size_t>(image.width()));
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
       const QColor pixel = image.pixelColor(x, y);
       const int off = std::abs(pixel.red() - color.red()) +
                       std::abs(pixel.green() - color.green()) +
                       std::abs(pixel.blue() - color.blue());
-      box = off < 12 ? box.united(QRect(x, y, 1, 1)) : box;
+      if (off < 12) {
+        ++rows[static_cast<std::size_t>(y)];
+        ++columns[static_cast<std::size_t>(x)];
+      }
     }
   }
-  return box;
+  const auto extent = [](const std::vector<int>& counts) {
+    const int most = *std::max_element(counts.begin(), counts.end());
+    const auto isOf = [most](int count) { return count > 0 && 4 * count >= most; };
+    const auto first = std::find_if(counts.begin(), counts.end(), isOf);
+    const auto last = std::find_if(counts.rbegin(), counts.rend(), isOf);
+    return std::pair(static_cast<int>(first - counts.begin()),
+                     static_cast<int>(counts.rend() - last));  // behind it
+  };
+  const auto [top, bottom] = extent(rows);
+  const auto [left, right] = extent(columns);
+  return {left, top, right - left, bottom - top};
 }
 
 }  // namespace
@@ -106,6 +125,7 @@ class RobotPageTest : public QObject {
       QTest::keyClick(box, Qt::Key_Down);
       page_->refresh();
     }
+    page_->refresh();
     QCOMPARE(box->currentText(), word);
   }
 

@@ -129,6 +129,7 @@ void WorldWaysTest::walk_behindAMovingTarget_isNotStuck() {
 
 void WorldWaysTest::walk_blockedWhileTheTargetMoves_isStuck() {
   Scenario scenario = withShape("corridor");
+  scenario.desktop.model.emplace("sfm-hunav2");  // others wait before robots
   scenario.humans[0].goals.clear();
   Robot& robot = addRobot(scenario, Vec2(3.0, 0.0), Vec2::Zero());
   robot.goal.point.reset();
