@@ -156,7 +156,10 @@ void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, 
                                          spreadOf(world, human)};
     RouteFollower::Leg leg = person.route == Route::Direct ? RouteFollower::straight(request)
                                                            : plannedLeg(human, request, world);
-    if (givingWay_.concerns(human) && !leg.direction.isZero(0.0) && request.speed > 0.0) {
+    // A reaction to the robot has its own place: in its way, behind it, far from it.
+    const bool isReaction = intent.active && reactsToRobot(person.behavior);
+    const bool walks = !leg.direction.isZero(0.0) && request.speed > 0.0;
+    if (givingWay_.concerns(human) && walks && !isReaction) {
       giveWay(human, request, world, leg);
     }
     plans_.directions[human] = leg.direction;

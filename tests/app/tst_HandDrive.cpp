@@ -28,8 +28,12 @@ class HandDriveTest : public QObject, protected quiet::InFolder {
   void step(int count) {
     for (int i = 0; i < count; ++i) {
       const auto before = runner().newestFrame();
+      const std::int64_t wanted = before != nullptr ? before->step + 1 : 1;
+      const auto isThere = [this, wanted] {
+        return runner().newestFrame() != nullptr && runner().newestFrame()->step == wanted;
+      };
       runner().stepOnce();
-      QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() != before, 60000);
+      QTRY_VERIFY_WITH_TIMEOUT(isThere(), 60000);
       QCoreApplication::processEvents();
     }
   }
@@ -147,7 +151,8 @@ class HandDriveTest : public QObject, protected quiet::InFolder {
     QTest::keyClicks(filter, QStringLiteral("wasd"));
     QCOMPARE(filter->text(), QStringLiteral("wasd"));
     step(1);
-    QCOMPARE(inputsOf(2).at(0).velocity.x(), 0.0);  // who looks elsewhere brakes
+    const sim2d::StepInputs inputs = inputsOf(2);  // who looks elsewhere does not drive on
+    QVERIFY(inputs.empty() || inputs[0].velocity.x() == 0.0);
   }
 
   void drag_ofTheRobot_pullsItToThePointer() {

@@ -121,6 +121,7 @@ void CafeWithParkedRobotTest::original_walksAsItDid() {
   Loaded cafe = loadAsWritten("corner_cafe", "corner_cafe_agents");
   auto scenario = std::make_shared<sim2d::Scenario>(*cafe.scenario);
   scenario->desktop.model = "sfm-hunav2";
+  scenario->robots.front().detector.kind = sim2d::DetectorKind::GroundTruth;  // as it was
   sim2d::Compatibility quirks;
   if (!compatibility.isEmpty()) {  // as `run --compat` does
     quirks = *sim2d::Compatibility::parse(compatibility.toStdString());

@@ -144,7 +144,7 @@ void ShippedReactionsTest::scared_keepsTheSafeDistance() {
   double startX = 0.0;
   double robotStartX = 0.0;
   for (const Frame& frame : frames) {
-    QVERIFY2(distanceOf(frame) > 4.0 - 0.3 - 0.05, std::to_string(distanceOf(frame)).c_str());
+    QVERIFY2(distanceOf(frame) > 4.0 - 0.3 - 0.06, std::to_string(distanceOf(frame)).c_str());
     if (std::fabs(frame.time - seen) < kRounding) {
       QVERIFY(distanceOf(frame) <= 5.0);
       startX = poseOf(frame).position.x();

@@ -231,7 +231,7 @@ class RobotPageTest : public QObject {
           QString::fromStdString(planner.name == "pursuit" ? "pursuit (default)" : planner.name));
       QCOMPARE(help->text(), QString::fromStdString(planner.help));
       QCoreApplication::processEvents();
-      QVERIFY(help->height() >= help->heightForWidth(help->width()));  // nothing is cut
+      QTRY_VERIFY(help->height() >= help->heightForWidth(help->width()));  // nothing is cut
     }
   }
 
