@@ -31,7 +31,8 @@ class Group {
   bool isRunning() const { return process_.state() == QProcess::Running; }
   Finished wait() {
     Finished finished;
-    if (process_.waitForFinished(50000) && process_.exitStatus() == QProcess::NormalExit) {
+    process_.waitForFinished(50000);  // false as well when it has ended before
+    if (process_.state() == QProcess::NotRunning && process_.exitStatus() == QProcess::NormalExit) {
       finished.exitCode = process_.exitCode();
     }
     finished.out = QString::fromUtf8(process_.readAllStandardOutput());

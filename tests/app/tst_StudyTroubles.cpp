@@ -83,7 +83,7 @@ class StudyTroublesTest : public QObject {
       QTRY_VERIFY_WITH_TIMEOUT(!outside::isAlive(worker), 20000);
     }
     const Finished found = batch.wait();
-    QVERIFY2(found.exitCode == 1, qPrintable(found.err));
+    QVERIFY2(found.exitCode == 1, qPrintable(text("%1 ").arg(found.exitCode) + found.err));
     const auto rows = outside::readCsv(out + text("/results.csv"));
     QCOMPARE(rows.size(), std::size_t{1});
     QCOMPARE(rows[0].at(text("status")), text("failed"));
