@@ -1,15 +1,11 @@
 #!/usr/bin/env bash
 # Checks the format, builds (dev) and runs every test. Usage: scripts/test.sh [--all]
-# --all adds the sanitizers, a long play with the window, clang-tidy and the benchmarks.
+# --all adds fuzzing, the sanitizers, a long play with the window, clang-tidy and the benchmarks.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 
-# The same inputs at every run, as many as fit into the time; --all draws new ones, without end but
-# for the time.
 fuzz_seconds=60
-fuzz_seed=1
-fuzz_runs=120000
 
 usage() {
   say "usage: scripts/test.sh [--all]"
@@ -33,7 +29,8 @@ run_tests() {
   (cd "$root" && "${launcher[@]}" ctest --preset "$preset" --parallel "$jobs" --no-tests=error "$@")
 }
 
-# Every program of tests/fuzz, together for fuzz_seconds, from its corpus when there is one.
+# Every program of tests/fuzz, together for fuzz_seconds, with new inputs at every run, from its seeds
+# and what it found before.
 fuzz() {
   local programs=() program corpus
   need_packages "${packages_to_fuzz[@]}"
@@ -43,9 +40,6 @@ fuzz() {
   [ "${#programs[@]}" -gt 0 ] || fail "tests/fuzz holds no fuzz_*.cpp"
   for program in "${programs[@]}"; do
     corpus=$build/fuzz/corpus/${program##*/}
-    if [ "$fuzz_runs" -gt 0 ]; then
-      rm -rf "$corpus"
-    fi
     mkdir -p "$corpus"
     local seeds=$root/tests/fuzz/corpus/${program##*/}
     local folders=("$corpus")
@@ -54,8 +48,7 @@ fuzz() {
     fi
     say "fuzzing with ${program##*/}"
     logged "$logs/${program##*/}.log" "${launcher[@]}" "$program" -rss_limit_mb=4096 -timeout=10 \
-      -seed="$fuzz_seed" -runs="$fuzz_runs" -reload=0 \
-      -max_total_time=$((fuzz_seconds / ${#programs[@]} + 1)) \
+      -reload=0 -max_total_time=$((fuzz_seconds / ${#programs[@]} + 1)) \
       -artifact_prefix="$build/fuzz/" "${folders[@]}"
   done
   launcher=()
@@ -129,7 +122,7 @@ check_everything_else() {
 all=no
 for argument in "$@"; do
   case $argument in
-    --all) all=yes fuzz_seed=0 fuzz_runs=-1 && export HUNAV_ALL_TESTS=1 ;;
+    --all) all=yes && export HUNAV_ALL_TESTS=1 ;;
     *) usage ;;
   esac
 done
@@ -141,16 +134,9 @@ build_preset dev
 keep_home_clean
 run_tests dev | tee "$logs/tests-dev.log"
 
-more=no
-if [ -d "$root/tests/fuzz" ]; then
-  more=yes
-  fuzz
-fi
 if [ "$all" = yes ]; then
-  more=yes
+  fuzz
   check_everything_else
-fi
-if [ "$more" = yes ]; then
   # The last word is that of the tests.
   sed -n '/tests passed,/,$p' "$logs/tests-dev.log"
 fi
