@@ -71,8 +71,7 @@ endfunction()
 
 # hunav_collect(<target> <namespace> <argument type> <header of that type> <files…>): each file
 # Foo.cpp defines void <namespace>::addFoo(<argument type>&); writes the function addAll<Suffix>
-# that calls them all, in order of the file names. So one new file is all that a new entry needs;
-# each is a unit of its own, so that no two can meet in a name.
+# that calls them all, in order of the file names. So one new file is all that a new entry needs.
 function(hunav_collect target namespace function type header)
   if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${header})
     return()
@@ -84,8 +83,6 @@ function(hunav_collect target namespace function type header)
     string(APPEND declarations "void add${name}(${type}& to);\n")
     string(APPEND calls "  add${name}(to);\n")
   endforeach()
-  set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target}
-                              PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set(output ${CMAKE_CURRENT_BINARY_DIR}/${target}_${function}.cpp)
   file(CONFIGURE OUTPUT ${output} @ONLY CONTENT
 "// Written by CMake (scripts/Targets.cmake).
@@ -97,4 +94,10 @@ ${calls}}
 }  // namespace ${namespace}
 ")
   target_sources(${target} PRIVATE ${output})
+endfunction()
+
+# hunav_apart(<target> <files…>): units of their own, as they use the same names, each for its own.
+function(hunav_apart target)
+  set_source_files_properties(${ARGN} TARGET_DIRECTORY ${target}
+                              PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

@@ -20,7 +20,7 @@ MetricValue timeTooClose(const Times& times, const Instant& last) {
   return last.context.hasObstacles ? times.percentOfTime(last) : undefinedValue(kNoObstacles);
 }
 
-constexpr char kMetrics[] = R"(
+constexpr char kClearanceMetrics[] = R"(
 = Safety & Collisions|higher|robot, obstacles|Francis et al. 2025; SocNavGym; bench-mr
 clearing_distance_min|Smallest clearance|m|(-inf, inf)|min over samples with an obstacle in reach of (its distance - r_r)
 clearing_distance_avg|Mean clearance|m|(-inf, inf)|mean over samples with an obstacle in reach of (its distance - r_r)
@@ -31,9 +31,10 @@ obstacle_safety|Time too close to obstacles|%|[0, 100]|share of time with cleara
 }  // namespace
 
 void addClearance(MetricRegistry& to) {
-  to.add(kMetrics, {{"clearing_distance_min", figuresOf<clearance>(&Figures::least, kNoObstacle)},
-                    {"clearing_distance_avg", figuresOf<clearance>(&Figures::mean, kNoObstacle)},
-                    {"obstacle_safety", timesOf<isTooClose>(timeTooClose)}});
+  to.add(kClearanceMetrics,
+         {{"clearing_distance_min", figuresOf<clearance>(&Figures::least, kNoObstacle)},
+          {"clearing_distance_avg", figuresOf<clearance>(&Figures::mean, kNoObstacle)},
+          {"obstacle_safety", timesOf<isTooClose>(timeTooClose)}});
 }
 
 }  // namespace metrics

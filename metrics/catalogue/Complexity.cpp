@@ -154,7 +154,7 @@ class StoppedDistance : public Accumulator {
   double sum_ = 0.0, count_ = 0.0;
 };
 
-constexpr char kMetrics[] = R"(
+constexpr char kComplexityMetrics[] = R"(
 = Social Behavior|neutral|robot, people|Mavrogiannis and Knepper 2019
 topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi,
   but for steps over the seam of wrap_x
@@ -171,7 +171,7 @@ mean_dist_to_target_not_moving|Mean distance to the goal while stopped|m|[0, inf
 }  // namespace
 
 void addComplexity(MetricRegistry& to) {
-  to.add(kMetrics,
+  to.add(kComplexityMetrics,
          {{"topological_complexity", streamOf<Winding>(&Winding::turns)},
           {"replanning_count", streamOf<Replans>(&Replans::count)},
           {"aggregated_time", streamOf<Arrivals>(&Arrivals::sum)},

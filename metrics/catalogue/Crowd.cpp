@@ -202,7 +202,7 @@ Stream meanOf(std::size_t measure) {
                               kNobody);
 }
 
-constexpr char kMetrics[] = R"(
+constexpr char kCrowdMetrics[] = R"(
 = Social Behavior|neutral|people|Steffen and Seyfried 2010
 crowd_density|Density around people|1/m²|[0, inf)|mean over looks (crowd_interval apart) and people of the number within crowd_radius, themselves
   included, / (pi crowd_radius^2)
@@ -221,13 +221,13 @@ crowd_lane_order|Lanes of the crowd||[0, 1]|mean over looks and walking people o
 }  // namespace
 
 void addCrowd(MetricRegistry& to) {
-  to.add(kMetrics, {{"crowd_density", meanOf(kDensity)},
-                    {"crowd_voronoi_density", meanOf(kVoronoiDensity)},
-                    {"crowd_voronoi_density_max",
-                     streamOf<CrowdLooks>(&CrowdLooks::largestVoronoiDensity, kNobody)},
-                    {"crowd_specific_flow", meanOf(kSpecificFlow)},
-                    {"crowd_polarisation", meanOf(kPolarisation)},
-                    {"crowd_lane_order", meanOf(kLaneOrder)}});
+  to.add(kCrowdMetrics, {{"crowd_density", meanOf(kDensity)},
+                         {"crowd_voronoi_density", meanOf(kVoronoiDensity)},
+                         {"crowd_voronoi_density_max",
+                          streamOf<CrowdLooks>(&CrowdLooks::largestVoronoiDensity, kNobody)},
+                         {"crowd_specific_flow", meanOf(kSpecificFlow)},
+                         {"crowd_polarisation", meanOf(kPolarisation)},
+                         {"crowd_lane_order", meanOf(kLaneOrder)}});
 }
 
 }  // namespace metrics

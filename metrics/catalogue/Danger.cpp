@@ -56,7 +56,7 @@ class DangerSum : public PersonCosts {
   }
 };
 
-constexpr char kMetrics[] = R"(
+constexpr char kDangerMetrics[] = R"(
 = Danger & Surprise Metrics|lower|robot, people|Singamaneni, Favier, Alami, RO-MAN 2023
 30 danger_fear_cost|Danger: fear|1/s|[0, inf)|sum over i, a of min(1/ttc, fear_cap), 0 without a collision course
 31 danger_panic_cost|Danger: panic|1/s|[0, inf)|sum over i, a of near misses: (|V|/d) * m/(m - R), m = miss distance of the centres
@@ -65,8 +65,8 @@ constexpr char kMetrics[] = R"(
 }  // namespace
 
 void addDanger(MetricRegistry& to) {
-  to.addSums(kMetrics, {{"danger_fear_cost", streamOfPart<DangerSum>(0)},
-                        {"danger_panic_cost", streamOfPart<DangerSum>(1)}});
+  to.addSums(kDangerMetrics, {{"danger_fear_cost", streamOfPart<DangerSum>(0)},
+                              {"danger_panic_cost", streamOfPart<DangerSum>(1)}});
 }
 
 }  // namespace metrics

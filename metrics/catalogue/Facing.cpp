@@ -52,7 +52,7 @@ bool isWide(const Instant& at) {
 }
 
 /// Times begin and end on samples: the rate bound is 0.05.
-constexpr char kMetrics[] = R"(
+constexpr char kFacingMetrics[] = R"(
 = Social Behavior|lower|robot, people|Arena|0.05
 time_facing_people|Time heading at people|s|[0, T]|sum of dt_i with a person within facing_half_angle of the robot's heading
 = Social Behavior|neutral|robot, people|Arena|0.05
@@ -66,10 +66,10 @@ time_seen_by_people_60|Time in somebody's view|s|[0, T]|the same within 60 degre
 }  // namespace
 
 void addFacing(MetricRegistry& to) {
-  to.add(kMetrics, {{"time_facing_people", timesOf<isNarrow<robotFaces>>(&Times::time)},
-                    {"time_seen_by_people", timesOf<isNarrow<personSees>>(&Times::time)},
-                    {"time_facing_people_60", timesOf<isWide<robotFaces>>(&Times::time)},
-                    {"time_seen_by_people_60", timesOf<isWide<personSees>>(&Times::time)}});
+  to.add(kFacingMetrics, {{"time_facing_people", timesOf<isNarrow<robotFaces>>(&Times::time)},
+                          {"time_seen_by_people", timesOf<isNarrow<personSees>>(&Times::time)},
+                          {"time_facing_people_60", timesOf<isWide<robotFaces>>(&Times::time)},
+                          {"time_seen_by_people_60", timesOf<isWide<personSees>>(&Times::time)}});
 }
 
 }  // namespace metrics

@@ -67,7 +67,7 @@ class LineCrossings : public Accumulator {
   double count_ = 0.0;
 };
 
-constexpr char kMetrics[] = R"(
+constexpr char kFlowLineMetrics[] = R"(
 = Social Behavior|neutral|people|Seyfried et al. 2005
 line_crossings|People through the line||0, 1, ...|number of steps of people that cross the line (flow_line_x1 ...), both ways
 line_flow|Flow through the line|1/(m s)|[0, inf)|line_crossings / T / length of the line
@@ -76,8 +76,8 @@ line_flow|Flow through the line|1/(m s)|[0, inf)|line_crossings / T / length of 
 }  // namespace
 
 void addFlowLine(MetricRegistry& to) {
-  to.add(kMetrics, {{"line_crossings", streamOf<LineCrossings>(&LineCrossings::count)},
-                    {"line_flow", streamOf<LineCrossings>(&LineCrossings::flow)}});
+  to.add(kFlowLineMetrics, {{"line_crossings", streamOf<LineCrossings>(&LineCrossings::count)},
+                            {"line_flow", streamOf<LineCrossings>(&LineCrossings::flow)}});
 }
 
 }  // namespace metrics

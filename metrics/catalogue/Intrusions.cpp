@@ -277,7 +277,7 @@ double worst(const Instant& at) {
   return value;
 }
 
-constexpr char kMetrics[] = R"(
+constexpr char kIntrusionsMetrics[] = R"(
 = Social Behavior|lower|robot, people|SRPB (Kirby's model)
 personal_space_intrusion_gaussian|Intrusion into the Gaussian personal space|%|[0, 100]|time-weighted mean of max over a of exp(-(x^2/2Vx +
   y^2/2Vs)); Vf = max(2 |u|, 0.5), Vs = 2/3 Vf, Vx = Vf ahead and Vf/2 behind
@@ -300,7 +300,7 @@ heading_direction_disturbance_max|Disturbance by the robot's heading, largest|%|
 }  // namespace
 
 void addIntrusions(MetricRegistry& to) {
-  to.add(kMetrics,
+  to.add(kIntrusionsMetrics,
          {{"personal_space_intrusion_gaussian", seriesFiguresOf<deepestInPerson>(averageInPerson)},
           {"personal_space_intrusion_gaussian_min", figuresOf<deepestInPerson>(smallest, kNobody)},
           {"personal_space_intrusion_gaussian_max", figuresOf<deepestInPerson>(largest, kNobody)},

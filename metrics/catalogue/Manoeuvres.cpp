@@ -30,7 +30,7 @@ bool turnsInPlace(const Instant& at) {
          std::fabs(at.now.robot.omega) >= at.parameters.inplaceAngularSpeed;
 }
 
-constexpr char kMetrics[] = R"(
+constexpr char kManoeuvresMetrics[] = R"(
 = Motion Analysis|lower|robot|SRPB
 oscillations|Hardly moving|%|[0, 100]|share of time with |vx|, |vy|, |v| < oscillation_speed and |w| < oscillation_angular_speed (robot frame)
 backward_movements|Driving backwards|%|[0, 100]|share of time with vx < -backward_speed (robot frame)
@@ -40,9 +40,9 @@ inplace_rotations|Turning in place|%|[0, 100]|share of time with |vx|, |vy| < in
 }  // namespace
 
 void addManoeuvres(MetricRegistry& to) {
-  to.add(kMetrics, {{"oscillations", timesOf<oscillates>(&Times::percentOfTime)},
-                    {"backward_movements", timesOf<backsUp>(&Times::percentOfTime)},
-                    {"inplace_rotations", timesOf<turnsInPlace>(&Times::percentOfTime)}});
+  to.add(kManoeuvresMetrics, {{"oscillations", timesOf<oscillates>(&Times::percentOfTime)},
+                              {"backward_movements", timesOf<backsUp>(&Times::percentOfTime)},
+                              {"inplace_rotations", timesOf<turnsInPlace>(&Times::percentOfTime)}});
 }
 
 }  // namespace metrics

@@ -90,7 +90,7 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
   bool touches_ = false;  // an obstacle at the newest sample
 };
 
-constexpr char kMetrics[] = R"(
+constexpr char kOutcomeMetrics[] = R"(
 = Safety & Collisions|lower|robot, people|Tsoi et al., SEAN 2.0, RA-L 2022
 16 robot_on_person_collision|Robot runs into a person||0, 1, ...|contacts (gap < contact_distance begins) in which the robot closes in faster along the line of centres, as events tell; both when equally fast
 17 person_on_robot_collision|Person runs into the robot||0, 1, ...|contacts (gap < contact_distance begins) in which the person closes in faster along the line of centres, as events tell; both when equally fast
@@ -107,7 +107,7 @@ obstacle_collisions|Robot runs into an obstacle||0, 1, ...|number of times the c
 }  // namespace
 
 void addOutcome(MetricRegistry& to) {
-  to.add(kMetrics,
+  to.add(kOutcomeMetrics,
          {{"robot_on_person_collision", streamOf<Collisions>(&Collisions::ofRobot)},
           {"person_on_robot_collision", streamOf<Collisions>(&Collisions::ofPerson)},
           {"success", streamOf<Collisions>(&Collisions::success, kNoGoal)},

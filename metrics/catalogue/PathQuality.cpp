@@ -126,7 +126,7 @@ double roughness(const Instant& at) {
   return longest > 0.0 ? bend.twiceArea() / (longest * longest) : 0.0;
 }
 
-constexpr char kMetrics[] = R"(
+constexpr char kPathQualityMetrics[] = R"(
 = Navigation Performance|lower|robot|Perez-Higueras, Caballero, Merino, IJSR 2018
 2 path_length|Path length|m|[0, inf)|sum of |p_(i+1) - p_i|
 = Motion Analysis|lower|robot|Perez-Higueras, Caballero, Merino, IJSR 2018
@@ -150,16 +150,17 @@ roughness_avg|Mean roughness||[0, 0.87]|mean over the same triples of 2A/max(d01
 }  // namespace
 
 void addPathQuality(MetricRegistry& to) {
-  to.add(kMetrics, {{"path_length", streamOf<RobotWay>(&RobotWay::length)},
-                    {"cumulative_heading_changes", streamOf<RobotWay>(&RobotWay::headingChanges)},
-                    {"spl", streamOf<RobotWay>(successByLength, kNoGoal)},
-                    {"stl", streamOf<RobotWay>(successByTime)},
-                    {"path_efficiency", streamOf<RobotWay>(pathEfficiency, kNoWay)},
-                    {"path_irregularity", streamOf<RobotWay>(pathIrregularity, kNoWay)},
-                    {"angle_over_length", streamOf<RobotWay>(angleOverLength, kNoWay)},
-                    {"curvature_avg", figuresOf<curvature>(bend<&Figures::mean>, kNoTriple)},
-                    {"curvature_max", figuresOf<curvature>(bend<&Figures::largest>, kNoTriple)},
-                    {"roughness_avg", figuresOf<roughness>(bend<&Figures::mean>, kNoTriple)}});
+  to.add(kPathQualityMetrics,
+         {{"path_length", streamOf<RobotWay>(&RobotWay::length)},
+          {"cumulative_heading_changes", streamOf<RobotWay>(&RobotWay::headingChanges)},
+          {"spl", streamOf<RobotWay>(successByLength, kNoGoal)},
+          {"stl", streamOf<RobotWay>(successByTime)},
+          {"path_efficiency", streamOf<RobotWay>(pathEfficiency, kNoWay)},
+          {"path_irregularity", streamOf<RobotWay>(pathIrregularity, kNoWay)},
+          {"angle_over_length", streamOf<RobotWay>(angleOverLength, kNoWay)},
+          {"curvature_avg", figuresOf<curvature>(bend<&Figures::mean>, kNoTriple)},
+          {"curvature_max", figuresOf<curvature>(bend<&Figures::largest>, kNoTriple)},
+          {"roughness_avg", figuresOf<roughness>(bend<&Figures::mean>, kNoTriple)}});
 }
 
 }  // namespace metrics

@@ -83,7 +83,7 @@ double largestOrZero(const Figures& speeds) {
   return std::fmax(speeds.largest(), 0.0);
 }
 
-constexpr char kMetrics[] = R"(
+constexpr char kPersonalSpaceMetrics[] = R"(
 = Social Behavior|higher|robot, people|Perez-Higueras, Caballero, Merino, IJSR 2018
 4 avg_distance_to_closest_person|Mean distance to the closest person|m|[0, inf)|mean of c_i over the samples with people; c_i = min over a of
   max(gap(i,a), 0)
@@ -107,7 +107,7 @@ max_speed_in_intimate_space|Largest speed in intimate space|m/s|[0, inf)|max of 
 }  // namespace
 
 void addPersonalSpace(MetricRegistry& to) {
-  to.add(kMetrics,
+  to.add(kPersonalSpaceMetrics,
          {{"avg_distance_to_closest_person",
            seriesFiguresOf<closestGapTerm>(averageDistance, kNobody)},
           {"minimum_distance_to_people", figuresOf<closestGapTerm>(minimumDistance)},

@@ -90,7 +90,7 @@ MetricValue finalDistanceOverLength(const RobotWay& way, const Instant& last) {
 }
 
 /// failure_to_progress counts samples: twice as many, twice the value.
-constexpr char kMetrics[] = R"(
+constexpr char kProgressMetrics[] = R"(
 = Navigation Performance|lower|robot, goal|Perez-Higueras, Caballero, Merino, IJSR 2018
 1 time_to_reach_goal|Time to reach the goal|s|[0, inf)|t_k - t_0, k = first sample of the last stay inside the goal region
 = Navigation Performance|higher|robot, goal|Tsoi et al., SEAN 2.0, RA-L 2022
@@ -111,7 +111,7 @@ targ_dist_norm|Final distance per path length||[0, inf)|final_distance_to_target
 }  // namespace
 
 void addProgress(MetricRegistry& to) {
-  to.add(kMetrics,
+  to.add(kProgressMetrics,
          {{"time_to_reach_goal", streamOf<GoalStay>(&GoalStay::time)},
           {"completed", streamOfLast(isCompleted)},
           {"minimum_distance_to_target", figuresOf<toNearestGoal>(smallestDistance)},

@@ -168,7 +168,7 @@ class Comparison : public Accumulator {
   ThinnedWay way_;
 };
 
-constexpr char kMetrics[] = R"(
+constexpr char kReferencePathMetrics[] = R"(
 = Navigation Performance|lower|robot, goal|Gao and Huang 2022
 ade|Mean displacement from the reference|m|[0, inf)|mean of |p_i - b_i|, b_i = point of the recorded reference at t_i, else of the shortest way to
   the first goal after v_max t_i
@@ -182,7 +182,7 @@ path_deviation|Mean distance from the way of the reference|m|[0, inf)|mean of th
 }  // namespace
 
 void addReferencePath(MetricRegistry& to) {
-  to.add(kMetrics,
+  to.add(kReferencePathMetrics,
          {{"ade", streamOf<Comparison>(&Comparison::meanDisplacement, kNoReference)},
           {"fde", streamOf<Comparison>(&Comparison::finalDisplacement, kNoReference)},
           {"dtw", streamOf<Comparison>(&Comparison::warping, kNoReference)},

@@ -81,7 +81,7 @@ class Resolution : public Accumulator {
   double time_ = 0.0;                      // with a conflict [s]
 };
 
-constexpr char kMetrics[] = R"(
+constexpr char kResponsibilityMetrics[] = R"(
 = Social Behavior|neutral|robot, people|after Wenzel and Probst 2025
 responsibility|Responsibility of the robot|%|[0, 100]|share of the robot in the widening of the passing distance of conflicts (closest approach
   within conflict_horizon, nearer than R + conflict_margin) by changes of velocity, slower than
@@ -94,7 +94,7 @@ engagement|Engagement of the robot|m/s|[0, inf)|widening of the passing distance
 
 void addResponsibility(MetricRegistry& to) {
   to.add(
-      kMetrics,
+      kResponsibilityMetrics,
       {{"responsibility", streamOf<Resolution>(&Resolution::share, "no conflict was resolved")},
        {"engagement", streamOf<Resolution>(&Resolution::engagement, "no conflict with a person")}});
 }

@@ -101,7 +101,7 @@ class PeopleObstacles : public Accumulator {
   bool empty_ = false;
 };
 
-constexpr char kMetrics[] = R"(
+constexpr char kSocialForcesMetrics[] = R"(
 = Social Forces|lower|robot, people|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
 25 social_force_on_agents|Social force of the robot on people|m/s²|[0, inf)|sum over i, a of |F(robot -> a)| with a's own factor
 26 social_force_on_robot|Social force of people on the robot|m/s²|[0, inf)|sum over i, a of |F(a -> robot)|
@@ -116,7 +116,7 @@ constexpr char kMetrics[] = R"(
 }  // namespace
 
 void addSocialForces(MetricRegistry& to) {
-  to.addSums(kMetrics,
+  to.addSums(kSocialForcesMetrics,
              {{"social_force_on_agents", streamOfPart<RobotForces>(kOnPeople)},
               {"social_force_on_robot", streamOfPart<RobotForces>(kOnRobot)},
               {"social_work", streamOfPart<RobotForces>(kWork)},

@@ -166,7 +166,7 @@ double closestSpeed(const Instant& at) {
 }
 
 /// motion_energy is a sum over samples: twice as many, twice the value.
-constexpr char kMetrics[] = R"(
+constexpr char kSpeedsMetrics[] = R"(
 = Navigation Performance|lower|robot|Tsoi et al., SEAN 2.0, RA-L 2022
 18 time_not_moving|Time standing still|s|[0, T]|sum of dt_i with |s_i| < stop_linear_speed and |w_i| < stop_angular_speed
 = Motion Analysis|neutral|robot|Biswas et al., SocNavBench, THRI 2022
@@ -195,7 +195,7 @@ motion_energy|Motion energy|m²/s²|[0, inf)|sum of (|p_(i+1) - p_i|/dt_i)^2
 }  // namespace
 
 void addSpeeds(MetricRegistry& to) {
-  to.add(kMetrics,
+  to.add(kSpeedsMetrics,
          {{"time_not_moving", streamOf<StandingTime>(&StandingTime::value)},
           {"avg_robot_linear_speed", seriesFiguresOf<drivenSpeed>(&Figures::meanWithSeries)},
           {"avg_robot_angular_speed", meanSizeOf<turningSpeed>()},

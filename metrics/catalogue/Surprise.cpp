@@ -110,7 +110,7 @@ class SurpriseSum : public PersonCosts {
   std::size_t next_ = 0;  // in seenBefore_
 };
 
-constexpr char kMetrics[] = R"(
+constexpr char kSurpriseMetrics[] = R"(
 = Danger & Surprise Metrics|lower|robot, people, map|Singamaneni, Favier, Alami, RO-MAN 2023
 32 surprise_visibility_cost|Surprise: visibility||[0, inf)|sum over i and a who sees the robot of (d_prox/D) * theta/half field of view
 33 surprise_shock_cost|Surprise: shock||[0, inf)|sum of max((d_prox/D) * (1 - 4 SR), 0), SR = min(time seen/0.6 s, 1)
@@ -120,9 +120,10 @@ constexpr char kMetrics[] = R"(
 }  // namespace
 
 void addSurprise(MetricRegistry& to) {
-  to.addSums(kMetrics, {{"surprise_visibility_cost", streamOfPart<SurpriseSum>(kVisibility)},
-                        {"surprise_shock_cost", streamOfPart<SurpriseSum>(kShock)},
-                        {"surprise_react_cost", streamOfPart<SurpriseSum>(kReact)}});
+  to.addSums(kSurpriseMetrics,
+             {{"surprise_visibility_cost", streamOfPart<SurpriseSum>(kVisibility)},
+              {"surprise_shock_cost", streamOfPart<SurpriseSum>(kShock)},
+              {"surprise_react_cost", streamOfPart<SurpriseSum>(kReact)}});
 }
 
 }  // namespace metrics

@@ -85,7 +85,7 @@ MetricValue largest(const Figures& figures) {
   return withSeries(figures.largest(), figures.series());
 }
 
-constexpr char kMetrics[] = R"(
+constexpr char kTimeToCollisionMetrics[] = R"(
 = Safety & Collisions|higher|robot, people|Francis et al. 2025; SocNavGym
 avg_time_to_collision|Mean time to collision|s|[0, inf)|mean over the samples on a collision course of min(min over a of ttc, collision_cap)
 = Safety & Collisions|lower|robot, people|Minderhoud and Bovy 2001
@@ -102,7 +102,7 @@ max_lateral_acceleration|Largest sideways acceleration|m/s²|[0, inf)|max of |s_
 }  // namespace
 
 void addTimeToCollision(MetricRegistry& to) {
-  to.add(kMetrics,
+  to.add(kTimeToCollisionMetrics,
          {{"avg_time_to_collision",
            seriesFiguresOf<cappedTime>(average, "never on a collision course")},
           {"time_exposed_to_collision", timesOf<isThreat>(&Times::time)},

@@ -139,7 +139,7 @@ class GroupDistances : public BandCounts {
 using IntimateEntries = ContactsWithin<&MetricParameters::intimateDistance>;
 using PersonalEntries = ContactsWithin<&MetricParameters::personalDistance>;
 
-constexpr char kMetrics[] = R"(
+constexpr char kZonesMetrics[] = R"(
 = Social Behavior|lower|robot, people|Perez-Higueras, Caballero, Merino, IJSR 2018; Hall 1966
 7 intimate_space_intrusions|Intrusions into the intimate space|%|[0, 100]|100/N * samples with c_i in the intimate band
 8 personal_space_intrusions|Intrusions into the personal space|%|[0, 100]|100/N * samples with c_i in the personal band
@@ -167,7 +167,7 @@ personal_zone_entries_by_person|Entries of people into the personal zone||0, 1, 
 }  // namespace
 
 void addZones(MetricRegistry& to) {
-  to.add(kMetrics,
+  to.add(kZonesMetrics,
          {{"intimate_space_intrusions", streamOfPart<GapBands>(0)},
           {"group_intimate_space_intrusions", streamOfPart<GroupDistances>(0)},
           {"personal_space_intrusions", streamOfPart<GapBands>(1)},

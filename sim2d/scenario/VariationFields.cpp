@@ -42,6 +42,8 @@ FieldOf<VariationSettings> spreadField(Varied quantity, const char* key, M Sprea
 void addSpread(Varied quantity, const std::string& help, Fields<VariationSettings>& to) {
   const VariedQuantity& facts = variedQuantity(quantity);
   const double centre = facts.isFactor ? 1.0 : 0.0;
+  const double least = facts.isFactor ? facts.least : kLowest;
+  const double most = facts.isFactor ? facts.most : kNoLimit;
   using S = SpreadSettings;
   to.push_back(
       spreadField(quantity, "kind", &S::kind, help + "; absent: the preset's", {"drawn"}, {})
@@ -50,10 +52,10 @@ void addSpread(Varied quantity, const std::string& help, Fields<VariationSetting
                            {"deviation", 2, 0.05}, kNotNegative));
   to.push_back(spreadField(quantity, "half_width", &S::halfWidth, "Uniform: so much either way",
                            {"half width", 2, 0.05}, kNotNegative));
-  to.push_back(spreadField(quantity, "min", &S::min, "Never below", {"least", 2, 0.1},
-                           {facts.isFactor ? facts.least : kLowest, centre}));
-  to.push_back(spreadField(quantity, "max", &S::max, "Never above", {"most", 2, 0.1},
-                           {centre, facts.isFactor ? facts.most : kNoLimit}));
+  to.push_back(
+      spreadField(quantity, "min", &S::min, "Never below", {"least", 2, 0.1}, {least, centre}));
+  to.push_back(
+      spreadField(quantity, "max", &S::max, "Never above", {"most", 2, 0.1}, {centre, most}));
 }
 
 /// Keys that nothing comes of: that of a width is for one kind of drawing.

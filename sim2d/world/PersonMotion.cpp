@@ -132,46 +132,50 @@ void PersonMotion::expectWork() {
 void PersonMotion::chooseLegs(const FrozenWorld& world, const Intents& intents, WorldState& state) {
   givingWay_.update(world);
   for (std::size_t human = 0; human < wanted_.size(); ++human) {
-    const Intent& intent = intents.of(static_cast<int>(human));
-    const HumanControl& control = state.controls[human];
-    const ResolvedHuman& person = world.model.people[human].constants;
-    const double speed = intent.motion == Motion::Walk ? intent.speed : person.desiredSpeed;
-    const bool wasOnTheWay = !plans_.directions[human].isZero(0.0);
-    StepPlan plan{control.frozen || speed < 0.0 ? 0.0 : speed,
-                  control.group,
-                  intent.motion,
-                  intent.robot,
-                  wasOnTheWay,
-                  !intent.extraForce.isZero(0.0)};
-    if (state.present[human] == 0 || intent.motion != Motion::Walk) {
-      plans_.directions[human] = Vec2::Zero();
-      writeNew(plans_.steps[human], plan);
-      continue;
-    }
-    const RouteFollower::Request request{state.position(human),
-                                         intent.target,
-                                         person.radius,
-                                         control.frozen ? 0.0 : intent.speed,
-                                         state.time,
-                                         spreadOf(world, human)};
-    RouteFollower::Leg leg = person.route == Route::Direct ? RouteFollower::straight(request)
-                                                           : plannedLeg(human, request, world);
-    // A reaction to the robot has its own place: in its way, behind it, far from it.
-    const bool isReaction = intent.active && reactsToRobot(person.behavior);
-    const bool walks = !leg.direction.isZero(0.0) && request.speed > 0.0;
-    if (givingWay_.concerns(human) && walks && !isReaction) {
-      giveWay(human, request, world, leg);
-    }
-    plans_.directions[human] = leg.direction;
-    plan.changes = wasOnTheWay == leg.direction.isZero(0.0);
+    chooseLeg(human, intents.of(static_cast<int>(human)), world, state);
+  }
+}
+
+void PersonMotion::chooseLeg(std::size_t human, const Intent& intent, const FrozenWorld& world,
+                             WorldState& state) {
+  const HumanControl& control = state.controls[human];
+  const ResolvedHuman& person = world.model.people[human].constants;
+  const double speed = intent.motion == Motion::Walk ? intent.speed : person.desiredSpeed;
+  const bool wasOnTheWay = !plans_.directions[human].isZero(0.0);
+  StepPlan plan{control.frozen || speed < 0.0 ? 0.0 : speed,
+                control.group,
+                intent.motion,
+                intent.robot,
+                wasOnTheWay,
+                !intent.extraForce.isZero(0.0)};
+  if (state.present[human] == 0 || intent.motion != Motion::Walk) {
+    plans_.directions[human] = Vec2::Zero();
     writeNew(plans_.steps[human], plan);
-    if (leg.replanned) {
-      state.emit(EventKind::Replan, person.id);
-    }
-    if (leg.stuck) {
-      state.emit(EventKind::Stuck, person.id);
-      routes_[human]->goRound(request, standingNear(world, human), world.navigation);
-    }
+    return;
+  }
+  const RouteFollower::Request request{state.position(human),
+                                       intent.target,
+                                       person.radius,
+                                       control.frozen ? 0.0 : intent.speed,
+                                       state.time,
+                                       spreadOf(world, human)};
+  RouteFollower::Leg leg = person.route == Route::Direct ? RouteFollower::straight(request)
+                                                         : plannedLeg(human, request, world);
+  // A reaction to the robot has its own place: in its way, behind it, far from it.
+  const bool isReaction = intent.active && reactsToRobot(person.behavior);
+  const bool walks = !leg.direction.isZero(0.0) && request.speed > 0.0;
+  if (givingWay_.concerns(human) && walks && !isReaction) {
+    giveWay(human, request, world, leg);
+  }
+  plans_.directions[human] = leg.direction;
+  plan.changes = wasOnTheWay == leg.direction.isZero(0.0);
+  writeNew(plans_.steps[human], plan);
+  if (leg.replanned) {
+    state.emit(EventKind::Replan, person.id);
+  }
+  if (leg.stuck) {
+    state.emit(EventKind::Stuck, person.id);
+    routes_[human]->goRound(request, standingNear(world, human), world.navigation);
   }
 }
 

@@ -46,6 +46,8 @@ class PersonMotion {
 
   ForceTerms move(std::size_t human, const FrozenWorld& world, const Intents& intents,
                   Situation& situation);
+  void chooseLeg(std::size_t human, const Intent& intent, const FrozenWorld& world,
+                 WorldState& state);
   RouteFollower::Leg plannedLeg(std::size_t human, const RouteFollower::Request& request,
                                 const FrozenWorld& world);
   /// Round robots in the way of somebody, or waits for them.
