@@ -148,38 +148,44 @@ class PageMaker {
         " class=\"warning\"");
   }
 
-  /// "Path length: best is dwa (7.1 m), better than pursuit; not clearly better than mppi."
+  /// "Path length: best is dwa (7.1 m), better than pursuit; not clearly different from mppi."
   std::string finding(const MetricComparison& comparison) const {
     if (!comparison.best) {
       return {};
     }
     const Metric& metric = study_.metrics[comparison.metric];
-    const std::size_t best = *comparison.best;
-    const int decimals = decimalsFor(comparison.estimates, metric.isRate);
+    const double best = comparison.estimates[*comparison.best].mean;
+    std::vector<std::string> leaders;  // the best, and who equals it
     std::vector<std::string> beaten;
     std::vector<std::string> close;
     for (std::size_t option = 0; option < study_.options.size(); ++option) {
-      if (option != best) {
-        (comparison.differs[option] ? beaten : close).push_back(study_.options[option]);
-      }
+      const bool leads = option == *comparison.best || comparison.estimates[option].mean == best;
+      (leads                        ? leaders
+       : comparison.differs[option] ? beaten
+                                    : close)
+          .push_back(study_.options[option]);
     }
-    const auto names = [](const std::vector<std::string>& all) {
-      constexpr std::size_t kMostNames = 6;
-      return all.size() > kMostNames ? std::to_string(all.size()) + " others"
-                                     : base::join(all, ", ");
-    };
+    const int decimals = decimalsFor(comparison.estimates, metric.isRate);
     const std::string unit = metric.unit.empty() || metric.unit == "-" ? "" : " " + metric.unit;
-    std::string words =
-        element("b", "", escaped(metric.name)) + ": best is " + escaped(study_.options[best]) +
-        " (" + escaped(estimateText(metric, comparison.estimates[best].mean, decimals) + unit) +
-        ")";
+    std::string words = element("b", "", escaped(metric.name)) +
+                        (leaders.size() == 1 ? ": best is " : ": best are ") +
+                        escaped(base::join(leaders, ", ")) + " (" +
+                        escaped(estimateText(metric, best, decimals) + unit) + ")";
     const bool beatsAll = close.empty() && beaten.size() > 1;
-    words +=
-        beaten.empty() ? "" : ", better than " + (beatsAll ? "all others" : escaped(names(beaten)));
-    words += close.empty() ? ""
-                           : (beaten.empty() ? ", " : "; ") +
-                                 std::string("not clearly different from ") + escaped(names(close));
+    if (!beaten.empty()) {
+      words += ", better than " + (beatsAll ? "all others" : someOf(beaten));
+    }
+    if (!close.empty()) {
+      words += (beaten.empty() ? ", " : "; ") + std::string("not clearly different from ") +
+               someOf(close);
+    }
     return words + ".";
+  }
+
+  static std::string someOf(const std::vector<std::string>& names) {
+    constexpr std::size_t kMostNames = 6;
+    return names.size() > kMostNames ? std::to_string(names.size()) + " others"
+                                     : escaped(base::join(names, ", "));
   }
 
   void writeResults() {

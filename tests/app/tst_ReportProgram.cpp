@@ -160,6 +160,25 @@ class ReportProgramTest : public QObject {
     QVERIFY(latex.contains("\\toprule"));
   }
 
+  void report_equalBest_areNamedTogether() {
+    QTemporaryDir folder;
+    copyResults(folder.path());
+    const QString results = folder.filePath(text("results.csv"));
+    QByteArray rows = outside::bytesOf(results);
+    for (const QByteArray& row : rows.split('\n')) {
+      if (row.contains(",alpha,")) {
+        rows += '2' + QByteArray(row).replace(",alpha,", ",gamma,") + '\n';  // run 20, 21 …
+      }
+    }
+    outside::writeText(results, rows);
+    const outside::Finished done = report(folder.path());
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    const QStringList findings =
+        textsOf(outside::bytesOf(folder.filePath(text("report.html"))), "li");
+    QVERIFY2(!findings.filter(text("Path length: best are alpha, gamma (5")).isEmpty(),
+             qPrintable(findings.join(text("|"))));
+  }
+
   void report_twice_givesEqualBytes() {
     QTemporaryDir folder;
     copyResults(folder.path());
