@@ -351,6 +351,23 @@ std::string alignedText(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
+/// One metric of all robots, then its unit and why it has no value.
+std::vector<std::string> tableRow(const MetricInfo& info,
+                                  const std::vector<const Evaluation*>& robots) {
+  std::vector<std::string> row = {info.key};
+  std::string rest = info.unit;
+  for (const Evaluation* robot : robots) {
+    const MetricResult* its = robot->find(info.key);
+    row.push_back(its != nullptr ? shownValue(*its) : "");
+    if (its != nullptr && !its->value.why.empty()) {
+      const std::string whose = robots.size() > 1 ? robot->robot + ": " : "";
+      rest += (rest.empty() ? "(" : " (") + whose + its->value.why + ")";
+    }
+  }
+  row.push_back(std::move(rest));
+  return row;
+}
+
 }  // namespace
 
 std::string tableText(const Evaluation& evaluation) {
@@ -358,25 +375,13 @@ std::string tableText(const Evaluation& evaluation) {
   for (const Evaluation& other : evaluation.others) {
     robots.push_back(&other);
   }
-  const bool isAlone = robots.size() == 1;
   std::vector<std::vector<std::string>> rows = {{"metric"}};
   for (const Evaluation* robot : robots) {
-    rows.front().push_back(isAlone ? "value" : robot->robot);
+    rows.front().push_back(robots.size() == 1 ? "value" : robot->robot);
   }
   rows.front().emplace_back("unit");
   for (const MetricResult& result : evaluation.results) {
-    std::vector<std::string>& row = rows.emplace_back();
-    row.push_back(result.info.key);
-    std::string rest = result.info.unit;
-    for (const Evaluation* robot : robots) {
-      const MetricResult* its = robot->find(result.info.key);
-      row.push_back(its != nullptr ? shownValue(*its) : "");
-      if (its != nullptr && !its->value.why.empty()) {
-        rest += (rest.empty() ? "(" : " (") + (isAlone ? "" : robot->robot + ": ") +
-                its->value.why + ")";
-      }
-    }
-    row.push_back(std::move(rest));
+    rows.push_back(tableRow(result.info, robots));
   }
   return alignedText(rows);
 }

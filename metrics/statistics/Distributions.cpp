@@ -68,10 +68,13 @@ double normalTail(double z) {
 }
 
 double normalQuantile(double p) {
-  if (p <= 0.0 || p >= 1.0) {
-    return p == 0.0 ? -kInfinity : p == 1.0 ? kInfinity : kNan;
+  if (p == 0.0 || p == 1.0) {
+    return std::copysign(kInfinity, p - 0.5);
   }
-  return std::isnan(p) ? kNan : bm::quantile(bm::normal_distribution<double, Policy>(), p);
+  if (!(p > 0.0 && p < 1.0)) {
+    return kNan;
+  }
+  return bm::quantile(bm::normal_distribution<double, Policy>(), p);
 }
 
 double studentQuantile(double p, double freedom) {

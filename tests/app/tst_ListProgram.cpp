@@ -272,6 +272,40 @@ class ListProgramTest : public QObject {
     QCOMPARE(written.out.count(QStringLiteral("\n| `")), keys.size());
   }
 
+  void markdown_parameters_isWhatIsCommitted_data() {
+    QTest::addColumn<QString>("file");
+    QTest::addColumn<QByteArray>("row");  // by hand: one whole row, with all of its columns
+    QTest::newRow("planners") << QStringLiteral("sim2d/nav/PLANNERS.md")
+                              << QByteArray(
+                                     "| `window` | s | 0.25 | 0.01 to 2 | Time within which a "
+                                     "velocity must be reached to be tried. | Fox, Burgard & Thrun "
+                                     "1997, 0.25 |\n");
+    QTest::newRow("models") << QStringLiteral("sim2d/world/MODELS.md") << QByteArray("\n## das\n");
+  }
+  void markdown_parameters_isWhatIsCommitted() {
+    QFETCH(QString, file);
+    QFETCH(QByteArray, row);
+    const QString what = QString::fromUtf8(QTest::currentDataTag());
+    const outside::Finished written = outside::runProgram(
+        {QStringLiteral("list"), what, QStringLiteral("--format"), QStringLiteral("markdown")});
+    QCOMPARE(written.exitCode, 0);
+    const QByteArray committed =
+        outside::bytesOf(QStringLiteral(SOURCE_DIR) + QLatin1Char('/') + file);
+    QVERIFY(!committed.isEmpty() && written.out.toUtf8() == committed);
+    QVERIFY(committed.contains(row));
+    // The same names in both.
+    const outside::Finished listed = outside::runProgram(
+        {QStringLiteral("list"), what, QStringLiteral("--format"), QStringLiteral("json")});
+    int parameters = 0;
+    for (const auto& value : QJsonDocument::fromJson(listed.out.toUtf8()).array()) {
+      const QJsonObject thing = value.toObject();
+      const QByteArray name = thing[QStringLiteral("name")].toString().toUtf8();
+      QVERIFY2(committed.contains("\n## " + name + "\n"), name.constData());
+      parameters += thing[QStringLiteral("parameters")].toArray().size();
+    }
+    QCOMPARE(committed.count("\n| `"), parameters);
+  }
+
   void markdown_ofOtherThings_isAWrongWord() {
     const outside::Finished wrong =
         outside::runProgram({QStringLiteral("list"), QStringLiteral("robots"),

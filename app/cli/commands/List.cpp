@@ -11,6 +11,7 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/ParameterPage.h"
 #include "app/run/DataPaths.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
@@ -27,7 +28,7 @@ namespace {
 
 struct ListOptions {
   std::string what;             // nodes, metrics, models, robots, planners, keys, scenarios
-  std::string format = "text";  // text, json; xml for nodes, markdown for metrics and keys
+  std::string format = "text";  // text, json; xml for nodes, markdown for some
 };
 
 using Json = nlohmann::ordered_json;
@@ -233,6 +234,16 @@ std::map<std::string, std::function<std::vector<Entry>()>> lists() {
           {"scenarios", scenarioEntries}};
 }
 
+template <class Value>
+std::vector<std::string> namesOf(const std::map<std::string, Value>& things) {
+  std::vector<std::string> names;
+  names.reserve(things.size());
+  for (const auto& [name, thing] : things) {
+    names.push_back(name);
+  }
+  return names;
+}
+
 void printText(const std::vector<Entry>& entries) {
   std::vector<std::vector<std::string>> rows;
   for (const Entry& entry : entries) {
@@ -252,6 +263,24 @@ void printJson(const std::vector<Entry>& entries) {
   printLine(base::jsonText(all));
 }
 
+std::string plannersPage() {
+  return parameterPage("Planners", "planner_parameters",
+                       pageSections(sim2d::programRegistries().planners));
+}
+
+std::string modelsPage() {
+  return parameterPage("Models", "model_parameters",
+                       pageSections(sim2d::programRegistries().models));
+}
+
+/// What can be written as a page, by its name on the command line.
+std::map<std::string, std::function<std::string()>> pages() {
+  return {{"metrics", [] { return metrics::metricsMarkdown(metrics::standardRegistry()); }},
+          {"keys", [] { return sim2d::keysMarkdown(); }},
+          {"planners", plannersPage},
+          {"models", modelsPage}};
+}
+
 int listCommand(const ListOptions& options, const Invocation& given) {
   if (options.format == "xml") {
     if (options.what != "nodes") {
@@ -262,12 +291,14 @@ int listCommand(const ListOptions& options, const Invocation& given) {
     return ExitFine;
   }
   if (options.format == "markdown") {
-    if (options.what != "metrics" && options.what != "keys") {
-      printError("--format markdown is for metrics and keys alone (text and json are for all)");
+    const auto all = pages();
+    const auto page = all.find(options.what);
+    if (page == all.end()) {
+      printError("--format markdown is for " + base::join(namesOf(all), ", ") +
+                 " (text and json are for all)");
       return ExitWrongCommandLine;
     }
-    print(options.what == "keys" ? sim2d::keysMarkdown()
-                                 : metrics::metricsMarkdown(metrics::standardRegistry()));
+    print(page->second());
     return ExitFine;
   }
   const std::vector<Entry> entries = lists().at(options.what)();
@@ -279,16 +310,13 @@ int listCommand(const ListOptions& options, const Invocation& given) {
 
 void addList(CommandRegistry& commands) {
   const auto [command, options] = commands.add("list", "What there is to use", listCommand);
-  std::vector<std::string> names;
-  for (const auto& [name, entries] : lists()) {
-    names.push_back(name);
-  }
+  const std::vector<std::string> names = namesOf(lists());
   command.add_option("what", options.what, base::join(names, ", "))
       ->required()
       ->check(oneOf(names));
   command
       .add_option("--format", options.format,
-                  "text or json; xml for nodes, markdown for metrics and keys")
+                  "text or json; xml for nodes, markdown for " + base::join(namesOf(pages()), ", "))
       ->check(oneOf({"text", "json", "xml", "markdown"}));
 }
 

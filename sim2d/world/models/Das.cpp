@@ -87,8 +87,11 @@ class Das : public PedestrianModel {
 
 void addDas(ModelRegistry& to);
 void addDas(ModelRegistry& to) {
-  to.add("das", densityTable().specs(defaultParameters()),
-         [](const ResolvedHuman& person) { return std::make_unique<Das>(person); });
+  to.add(
+      "das", densityTable().specs(defaultParameters()),
+      [](const ResolvedHuman& person) { return std::make_unique<Das>(person); },
+      "Our model for crowds: social forces whose density, flow and lanes come near those "
+      "measured.");
 }
 
 }  // namespace sim2d

@@ -140,8 +140,11 @@ class Orca : public PedestrianModel {
 
 void addOrca(ModelRegistry& to);
 void addOrca(ModelRegistry& to) {
-  to.add("orca", orcaTable().specs(),
-         [](const ResolvedHuman& person) { return std::make_unique<Orca>(person); });
+  to.add(
+      "orca", orcaTable().specs(),
+      [](const ResolvedHuman& person) { return std::make_unique<Orca>(person); },
+      "Optimal reciprocal collision avoidance (van den Berg et al. 2011): of the velocities that "
+      "lead to no collision the one next to the wanted.");
 }
 
 }  // namespace sim2d

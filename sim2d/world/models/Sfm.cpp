@@ -107,10 +107,14 @@ void addSfm(ModelRegistry& to);
 void addSfm(ModelRegistry& to) {
   ForceParameters original;
   original.epsilon = 0.0;
-  to.add("sfm", forceTable().specs(),
-         [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, false); });
-  to.add("sfm-hunav2", forceTable().specs(original),
-         [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, true); });
+  to.add(
+      "sfm", forceTable().specs(),
+      [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, false); },
+      "The social forces of HuNavSim (Moussaïd et al. 2009, 2010) without its mistakes.");
+  to.add(
+      "sfm-hunav2", forceTable().specs(original),
+      [](const ResolvedHuman& person) { return std::make_unique<Sfm>(person, true); },
+      "The social forces of HuNavSim 2.0 as they are, to compare with its numbers.");
 }
 
 }  // namespace sim2d
