@@ -283,7 +283,10 @@ class Reader {
   }
 
   void readRecord(const YamlNode* node) {
-    const std::string word = node != nullptr ? node->text : "metrics";
+    if (node == nullptr) {
+      return;
+    }
+    const std::string& word = node->text;
     if (word != "metrics" && word != "failed" && word != "all") {
       error(*node, "experiment.bad-record");
     }

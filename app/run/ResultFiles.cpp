@@ -120,7 +120,7 @@ Json drawnJson(const ResultStore& store) {
 
 base::Diagnostics writeResults(const ResultStore& store, const std::string& path) {
   std::vector<std::string> columns;
-  const base::Diagnostics unreadable = findColumns(store, columns);
+  base::Diagnostics unreadable = findColumns(store, columns);
   if (!unreadable.empty()) {
     return unreadable;
   }

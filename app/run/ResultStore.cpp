@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -87,8 +87,9 @@ bool ResultStore::run(const char* sql) const {
 bool ResultStore::isStore(const std::string& path) {
   std::array<char, 72> head{};
   std::ifstream file(path, std::ios::binary);
+  constexpr std::string_view kMagic("SQLite format 3", 16);  // with the zero at its end
   if (!file.read(head.data(), head.size()) ||
-      std::strncmp(head.data(), "SQLite format 3", 16) != 0) {
+      std::string_view(head.data(), kMagic.size()) != kMagic) {
     return false;
   }
   std::uint32_t application = 0;
@@ -254,7 +255,7 @@ base::Diagnostics ResultStore::add(const StoredRun& run) {
   to.bind(7, run.row.simulated);
   to.bind(8, fieldsText(run.row));
   const bool isIn = sqlite3_step(to.prepared) == SQLITE_DONE;  // its own transaction
-  const base::Diagnostics problems = isIn ? base::Diagnostics() : trouble("batch.cannot-store");
+  base::Diagnostics problems = isIn ? base::Diagnostics() : trouble("batch.cannot-store");
   sqlite3_reset(to.prepared);
   if (isIn) {
     has_[run.run] = true;
@@ -291,7 +292,7 @@ base::Diagnostics ResultStore::forEach(const std::function<void(const StoredRun&
 base::Diagnostics ResultStore::close() {
   insertion_.reset();
   const bool isPlain = run("PRAGMA journal_mode=DELETE");
-  const base::Diagnostics problems = isPlain ? base::Diagnostics() : trouble("batch.cannot-store");
+  base::Diagnostics problems = isPlain ? base::Diagnostics() : trouble("batch.cannot-store");
   if (sqlite3_close(database_) == SQLITE_OK) {
     database_ = nullptr;
   }
