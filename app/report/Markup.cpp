@@ -205,6 +205,20 @@ std::string tableHtml(const Table& table, const std::string& htmlClass) {
          "</tbody></table></div>\n";
 }
 
+namespace {
+
+std::string cellLatex(const Table::Cell& cell) {
+  const std::string words = latexText(cell.text);
+  std::string text = cell.bold ? "\\textbf{" + words + "}" : words;
+  text += latexText(cell.mark);
+  if (!cell.below.empty()) {
+    text += " {\\footnotesize " + latexText(cell.below) + "}";
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string tableLatex(const Table& table) {
   std::string text = "% \\usepackage{booktabs}\n\\begin{table}\n  \\centering\n  \\caption{" +
                      latexText(table.caption) + "}\n  \\begin{tabular}{";
@@ -218,11 +232,7 @@ std::string tableLatex(const Table& table) {
   for (const std::vector<Table::Cell>& row : table.rows) {
     std::string line;
     for (const Table::Cell& cell : row) {
-      std::string words = latexText(cell.text);
-      words = cell.bold ? "\\textbf{" + words + "}" : words;
-      words += cell.mark.empty() ? "" : latexText(cell.mark);
-      words += cell.below.empty() ? "" : " {\\footnotesize " + latexText(cell.below) + "}";
-      line += (&cell == &row.front() ? "" : " & ") + words;
+      line += (&cell == &row.front() ? "" : " & ") + cellLatex(cell);
     }
     text += "    " + line + " \\\\\n";
   }

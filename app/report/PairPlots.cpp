@@ -4,6 +4,7 @@
 #include "app/report/Markup.h"
 #include "app/report/PlotParts.h"
 #include "app/report/Plots.h"
+#include "sim2d/base/Text.h"
 
 namespace report {
 
@@ -28,10 +29,10 @@ void differencePanel(Figure& figure, const Study& study, const MetricComparison&
   const Scale scale = roomyScale(extent.low, extent.high, left + kPairNames, left + width - 8.0);
   double y = top + kTitle + 0.5 * kRow;
   for (const PairResult* pair : pairs) {
-    const std::string first = shortened(study.options[pair->first], 11);
-    const std::string second = shortened(study.options[pair->second], 11);
-    figure.text(left + kPairNames - 10.0, y + 4.0, first + " − " + second, "ink", Anchor::End,
-                10.5);
+    const std::string names = base::join(
+        {shortened(study.options[pair->first], 11), shortened(study.options[pair->second], 11)},
+        " − ");
+    figure.text(left + kPairNames - 10.0, y + 4.0, names, "ink", Anchor::End, 10.5);
     strip(figure, pair->differences, scale, y + 5.0, 10.0, "dim");
     if (pair->shiftInterval.isDefined()) {
       figure.line(scale.at(pair->shiftInterval.low), y - 7.0, scale.at(pair->shiftInterval.high),

@@ -138,7 +138,7 @@ class Grounds {
       figure_.define("walls" + id, outlinePath(ground.walls, origin) + "M0 0", "wall");
       figure_.define("shapes" + id, outlinePath(ground.shapes, origin) + "M0 0", "solid");
     }
-    const MapPanel panel = panelFor(ground, left, top, width_, height_);
+    MapPanel panel = panelFor(ground, left, top, width_, height_);
     figure_.rect(panel.left, panel.top, panel.width(), panel.height(), "ground");
     figure_.beginClip(panel.left, panel.top, panel.width(), panel.height());
     figure_.use("shapes" + id, left, top);

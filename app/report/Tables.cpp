@@ -291,8 +291,9 @@ Table failuresTable(const Study& study, const std::vector<std::size_t>& failures
     std::string markup = element("code", "", escaped(command));
     const auto place = std::find(played.begin(), played.end(), run);
     if (place != played.end()) {
-      markup = "<button type=\"button\" class=\"play\" data-replay=\"" +
-               std::to_string(place - played.begin()) + "\">Play</button> " + markup;
+      const std::string number = std::to_string(place - played.begin());
+      markup.insert(0, "<button type=\"button\" class=\"play\" data-replay=\"" + number +
+                           "\">Play</button> ");
     }
     table.rows.push_back({{std::to_string(row.number)},
                           {study.options[study.optionOf[run]]},

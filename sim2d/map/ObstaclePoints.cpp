@@ -29,29 +29,19 @@ bool isNearer(const Obstacles::Point& a, const Obstacles::Point& b) {
                                           : a.position.y() < b.position.y();
 }
 
-/// Sorts the points from `first` on and drops those near a nearer one.
-void keepNearest(std::vector<Obstacles::Point>& points, std::size_t first) {
-  const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
-  std::sort(begin, points.end(), isNearer);
-  auto kept = begin;
-  for (auto it = begin; it != points.end(); ++it) {
-    const bool alone = std::none_of(begin, kept, [&](const Obstacles::Point& other) {
-      return (other.position - it->position).squaredNorm() < kMergeDistance * kMergeDistance;
-    });
-    if (alone) {
-      *kept++ = *it;
-    }
-  }
-  points.erase(kept, points.end());
-}
-
 }  // namespace
 
 struct Obstacles::PointQuery {
+  /// A local minimum on one edge, or where two meet.
+  struct Candidate {
+    Point point;
+    int edge, other;
+  };
+
   const Vec2& position;
   double range = 0.0;          // [m]
   SegmentGrid::Bucket bucket;  // only points in it are added, so that each is added once
-  std::vector<Point>& points;
+  std::vector<Candidate>& candidates;
 };
 
 void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
@@ -60,9 +50,10 @@ void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
     points.push_back(nearestWayOut(position));
     return;
   }
-  const std::size_t first = points.size();
+  thread_local std::vector<PointQuery::Candidate> candidates;
+  candidates.clear();
   const Vec2 reach = Vec2::Constant(range);
-  PointQuery query{position, range, {}, points};
+  PointQuery query{position, range, {}, candidates};
   index_.visitBox(position - reach, position + reach, [&](SegmentGrid::Bucket bucket, int edge) {
     if (isOn(edge)) {
       query.bucket = bucket;
@@ -70,7 +61,20 @@ void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
       addCorner(edge, query);
     }
   });
-  keepNearest(points, first);
+  std::sort(candidates.begin(), candidates.end(),
+            [](const auto& a, const auto& b) { return isNearer(a.point, b.point); });
+  const std::size_t first = points.size();
+  for (const PointQuery::Candidate& each : candidates) {
+    const bool isAlone =
+        std::none_of(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(),
+                     [&](const Point& nearer) {
+                       return (nearer.position - each.point.position).squaredNorm() <
+                              kMergeDistance * kMergeDistance;
+                     });
+    if (isAlone && isExposed(each.point.position, each.edge, each.other)) {  // the dear one last
+      points.push_back(each.point);
+    }
+  }
 }
 
 /// The foot of the perpendicular on an edge is a local minimum; edges face to their right.
@@ -84,8 +88,9 @@ void Obstacles::addFoot(int edge, const PointQuery& query) const {
     return;
   }
   const Vec2 place = start + foot * info.along;
-  if (index_.bucketAt(place) == query.bucket && isExposed(place, edge, edge)) {
-    query.points.push_back({place, (query.position - place).norm(), false, info.part});
+  if (index_.bucketAt(place) == query.bucket) {
+    query.candidates.push_back(
+        {{place, (query.position - place).norm(), false, info.part}, edge, edge});
   }
 }
 
@@ -102,9 +107,8 @@ void Obstacles::addCorner(int edge, const PointQuery& query) const {
     return;
   }
   const double distance = offset.norm();
-  if (distance < query.range && index_.bucketAt(corner) == query.bucket &&
-      isExposed(corner, info.previous, edge)) {
-    query.points.push_back({corner, distance, false, info.part});
+  if (distance < query.range && index_.bucketAt(corner) == query.bucket) {
+    query.candidates.push_back({{corner, distance, false, info.part}, info.previous, edge});
   }
 }
 
