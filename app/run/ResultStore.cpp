@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <fstream>
 #include <map>
-#include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -87,9 +86,9 @@ bool ResultStore::run(const char* sql) const {
 bool ResultStore::isStore(const std::string& path) {
   std::array<char, 72> head{};
   std::ifstream file(path, std::ios::binary);
-  constexpr std::string_view kMagic("SQLite format 3", 16);  // with the zero at its end
+  constexpr std::array<char, 16> kMagic = {"SQLite format 3"};  // with the zero at its end
   if (!file.read(head.data(), head.size()) ||
-      std::string_view(head.data(), kMagic.size()) != kMagic) {
+      !std::equal(kMagic.begin(), kMagic.end(), head.begin())) {
     return false;
   }
   std::uint32_t application = 0;

@@ -43,7 +43,10 @@ void addSpread(Varied quantity, const std::string& help, Fields<VariationSetting
   const VariedQuantity& facts = variedQuantity(quantity);
   const double centre = facts.isFactor ? 1.0 : 0.0;
   const double least = facts.isFactor ? facts.least : kLowest;
-  const double most = facts.isFactor ? facts.most : kNoLimit;
+  double most = kNoLimit;
+  if (facts.isFactor) {
+    most = facts.most;
+  }
   using S = SpreadSettings;
   to.push_back(
       spreadField(quantity, "kind", &S::kind, help + "; absent: the preset's", {"drawn"}, {})

@@ -23,6 +23,8 @@ class MemoryFile {
   ~MemoryFile() { close(file_); }
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
+  MemoryFile(MemoryFile&&) = delete;
+  MemoryFile& operator=(MemoryFile&&) = delete;
   std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
 
  private:
