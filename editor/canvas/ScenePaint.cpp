@@ -240,7 +240,7 @@ void MapScene::setGuest(std::optional<int> agent) {
 void MapScene::setPull(std::optional<Pull> pull) {
   const bool isRefused = pull && !isPullable_;
   if ((pull || pull_) && !isRefused) {
-    pull_ = pull;
+    pull_ = std::move(pull);
     update();
     Q_EMIT pullChanged();
   }

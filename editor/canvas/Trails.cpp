@@ -46,8 +46,9 @@ void Trails::addPassed(const sim2d::Recording& recording, const sim2d::Frame* sh
                        const sim2d::Frame& next) {
   const std::size_t stride = strideOf(recording);
   const std::size_t end = recording.indexAt(next.step);
-  std::size_t index = trails_.empty() ? recording.indexAtTime(next.time - kTrailSeconds)
-                                      : recording.indexAt(shown->step) + 1;
+  const bool isFirst = shown == nullptr || trails_.empty();
+  std::size_t index = isFirst ? recording.indexAtTime(next.time - kTrailSeconds)
+                              : recording.indexAt(shown->step) + 1;
   index = (index + stride - 1) / stride * stride;
   for (; index < end; index += stride) {
     lengthen(*recording.frame(index), true);
