@@ -42,6 +42,7 @@ void dressApplication(const Theme& theme) {
   } else {
     QApplication::setStyle(new HouseStyle(theme));
   }
+  // The application owns its style: NOLINTNEXTLINE(clang-analyzer-cplusplus.NewDeleteLeaks)
   QApplication::setFont(theme.font());
   QApplication::setPalette(theme.palette());
 }
