@@ -349,22 +349,34 @@ NumberField* PropertyPage::makeNumber(const EntityField& field, const FieldLook&
   return number;
 }
 
+namespace {
+
+/// The words of a choice; returns the values that they stand for.
+std::vector<ParameterValue> fillChoice(QComboBox& box, const EntityField& field,
+                                       const FieldLook& look) {
+  std::vector<ParameterValue> values;
+  if (!look.none.isEmpty()) {
+    box.addItem(look.none);
+    values.emplace_back();
+  }
+  int index = 0;
+  for (const std::string& value : field.spec.choices.empty() ? look.names : field.spec.choices) {
+    box.addItem(index < look.words.size() ? look.words[index] : QString::fromStdString(value));
+    box.setItemData(box.count() - 1, index < look.hints.size() ? look.hints[index] : QString(),
+                    Qt::ToolTipRole);
+    values.emplace_back(value);
+    ++index;
+  }
+  return values;
+}
+
+}  // namespace
+
 /// The word of the default is chosen by leaving the key out, where no word stands for that.
 QWidget* PropertyPage::makeChoice(const EntityField& field, const FieldLook& look) {
   const bool hasNone = !look.none.isEmpty();
   auto* box = new ChoiceField(this);
-  std::vector<ParameterValue> values;  // that the words stand for
-  if (hasNone) {
-    box->addItem(look.none);
-    values.emplace_back();
-  }
-  for (const std::string& value : field.spec.choices.empty() ? look.names : field.spec.choices) {
-    const int index = box->count() - (hasNone ? 1 : 0);
-    box->addItem(index < look.words.size() ? look.words[index] : QString::fromStdString(value));
-    box->setItemData(box->count() - 1, index < look.hints.size() ? look.hints[index] : QString(),
-                     Qt::ToolTipRole);
-    values.emplace_back(value);
-  }
+  const std::vector<ParameterValue> values = fillChoice(*box, field, look);
   box->setToolTip(helpOf(field.spec));
   connect(box, qOverload<int>(&QComboBox::activated), this, [=](int index) {
     const ParameterValue& value = values[static_cast<std::size_t>(index)];
