@@ -177,8 +177,10 @@ class BatchTest : public QObject {
     app::BatchJob job = jobOf(4, rows);
     job.timeLimit = 0.3;
     job.make = [inner = job.make](std::size_t run) {
-      while (run == 1) {
-        ::pause();
+      if (run == 1) {
+        for (;;) {
+          ::pause();
+        }
       }
       return inner(run);
     };
