@@ -12,7 +12,6 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QScreen>
-#include <QTimer>
 
 #include "app/window/CodeQuestion.h"
 #include "app/window/DocumentGuard.h"
@@ -26,6 +25,7 @@
 #include "editor/look/Form.h"
 #include "editor/look/HouseStyle.h"
 #include "editor/look/Icons.h"
+#include "editor/look/Later.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
@@ -382,10 +382,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
     under = workspace_.scene().entityAt(view.worldAt(at));
   }
   // later: the program that drags waits until this is through, and there may be questions
-  QTimer::singleShot(0, files_,
-                     [this, path = event->mimeData()->urls().front().toLocalFile(), under] {
-                       files_->dropFile(path, under);
-                     });
+  const QString path = event->mimeData()->urls().front().toLocalFile();
+  editor::later(*files_, [this, path, under] { files_->dropFile(path, under); });
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {

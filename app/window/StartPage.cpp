@@ -6,11 +6,11 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
-#include <QTimer>
 
 #include "editor/canvas/RouteModel.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
+#include "editor/look/Later.h"
 
 namespace app {
 
@@ -347,7 +347,7 @@ void StartPage::showEvent(QShowEvent* event) {
 
 void StartPage::paintThumbnails() {
   painted_ = 0;
-  QTimer::singleShot(0, this, &StartPage::paintNextThumbnail);
+  editor::later(*this, [this] { paintNextThumbnail(); });
 }
 
 /// One at a time, so that the page is there at once.
@@ -360,7 +360,7 @@ void StartPage::paintNextThumbnail() {
   const QPixmap picture =
       thumbnailOf(path, workspace_.theme(), demo->pictureSize(), devicePixelRatioF(), people);
   demo->setPicture(picture, people);
-  QTimer::singleShot(0, this, &StartPage::paintNextThumbnail);
+  editor::later(*this, [this] { paintNextThumbnail(); });
 }
 
 }  // namespace app

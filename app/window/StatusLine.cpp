@@ -6,10 +6,10 @@
 #include <QCursor>
 #include <QPainter>
 #include <QStatusTipEvent>
-#include <QTimer>
 
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/Form.h"
+#include "editor/look/Later.h"
 
 namespace app {
 
@@ -147,7 +147,7 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
           [this](const editor::Change& change) {
             if (change.what == editor::Change::What::Everything) {  // of another ground
               showPlaceOfMouse();
-              QTimer::singleShot(0, this, &StatusLine::showPlaceOfMouse);  // once it is fitted in
+              editor::later(*this, [this] { showPlaceOfMouse(); });  // once it is fitted in
             }
           });
   connect(&runner, &SimulationRunner::stateChanged, this, &StatusLine::showState);

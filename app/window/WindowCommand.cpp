@@ -14,7 +14,6 @@
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QStandardPaths>
-#include <QTimer>
 
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
@@ -22,6 +21,7 @@
 #include "editor/canvas/RouteModel.h"
 #include "editor/look/Form.h"
 #include "editor/look/HouseStyle.h"
+#include "editor/look/Later.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -113,7 +113,8 @@ base::Diagnostics whyNotOpened(MainWindow& window) {
 
 void pass(int milliseconds) {
   QEventLoop loop;
-  QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
+  editor::later(
+      loop, [&loop] { loop.quit(); }, milliseconds);
   loop.exec();
 }
 
