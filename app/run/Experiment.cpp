@@ -25,13 +25,9 @@ class Reader {
  public:
   explicit Reader(std::string path) { experiment_.path = std::move(path); }
 
-  base::Result<Experiment> read() {
-    const base::Result<std::string> text = base::readTextFile(experiment_.path);
-    if (!text) {
-      return text.diagnostics();
-    }
-    experiment_.text = *text;
-    const YamlNode root = base::parseYaml(*text, experiment_.path, errors_);
+  base::Result<Experiment> read(std::string text) {
+    experiment_.text = std::move(text);
+    const YamlNode root = base::parseYaml(experiment_.text, experiment_.path, errors_);
     if (!base::hasErrors(errors_)) {
       readRoot(root);
     }
@@ -303,7 +299,15 @@ class Reader {
 }  // namespace
 
 base::Result<Experiment> readExperiment(const std::string& path) {
-  return Reader(path).read();
+  const base::Result<std::string> text = base::readTextFile(path);
+  if (!text) {
+    return text.diagnostics();
+  }
+  return parseExperiment(*text, path);
+}
+
+base::Result<Experiment> parseExperiment(std::string text, const std::string& path) {
+  return Reader(path).read(std::move(text));
 }
 
 }  // namespace app

@@ -39,5 +39,7 @@ struct Experiment {
 
 /// Every problem with file:line:column; unknown keys are errors.
 base::Result<Experiment> readExperiment(const std::string& path);
+/// The same of a text that need not be in the file yet; its scenarios are looked for beside it.
+base::Result<Experiment> parseExperiment(std::string text, const std::string& path);
 
 }  // namespace app

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <string_view>
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Rng.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlText.h"
 #include "sim2d/base/yaml/YamlTree.h"
 
 namespace app {
@@ -221,6 +223,44 @@ base::Result<ExperimentValue> readExperimentValue(const YamlNode& node) {
   return at(base::keyNode(list),
             base::error("experiment.unknown-draw",
                         {list.key, base::join(known, ", "), base::nearestName(list.key, known)}));
+}
+
+namespace {
+
+/// A word of a list as valueText() gave it, as YAML reads it again.
+std::string flowWord(const std::string& text) {
+  const bool isPlain = !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+    return base::isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
+           c == '.' || c == '-' || c == '+' || c == '/';
+  });
+  const bool isList = !text.empty() && (text.front() == '[' || text.front() == '{');
+  return isPlain || isList ? text : base::quotedText(text);
+}
+
+}  // namespace
+
+std::string experimentValueText(const ExperimentValue& value) {
+  std::vector<std::string> words;
+  if (value.kind == Kind::Normal || value.kind == Kind::Uniform) {
+    const std::size_t count = value.kind == Kind::Normal ? 4 : 2;
+    for (std::size_t k = 0; k < count; ++k) {
+      words.push_back(base::formatDouble(value.numbers[k]));
+    }
+  } else {
+    std::transform(value.texts.begin(), value.texts.end(), std::back_inserter(words), flowWord);
+  }
+  const std::string list = "[" + base::join(words, ", ") + "]";
+  switch (value.kind) {
+    case Kind::Grid:
+      return list;
+    case Kind::Normal:
+      return "{normal: " + list + "}";
+    case Kind::Uniform:
+      return "{uniform: " + list + "}";
+    case Kind::Choice:
+      return "{choice: " + list + "}";
+  }
+  return list;
 }
 
 std::string valueText(const YamlNode& node) {

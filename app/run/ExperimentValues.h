@@ -34,6 +34,9 @@ std::string drawnText(const ExperimentValue& value, const std::string& scenario,
 /// file. A list and {range: [from, to, step]} are dimensions.
 base::Result<ExperimentValue> readExperimentValue(const base::YamlNode& node);
 
+/// What stands behind the path in `values`: "[pursuit, dwa]", "{uniform: [0.0, 1.0]}".
+std::string experimentValueText(const ExperimentValue& value);
+
 /// A value as it stands in YAML, lists and maps in one line.
 std::string valueText(const base::YamlNode& node);
 

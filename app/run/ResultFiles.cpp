@@ -1,6 +1,8 @@
 #include "app/run/ResultFiles.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/JsonText.h"
+#include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
 
 namespace app {
@@ -116,6 +119,18 @@ Json drawnJson(const ResultStore& store) {
   return unreadable.empty() ? drawn : Json();  // writeResults() tells why
 }
 
+/// What a field of CSV says.
+Json fieldJson(const std::string& field) {
+  if (field.empty()) {
+    return {};
+  }
+  if (field == "True" || field == "False") {
+    return field == "True";
+  }
+  const std::optional<double> number = base::parseDouble(field);
+  return number && std::isfinite(*number) ? Json(*number) : Json(field);
+}
+
 }  // namespace
 
 base::Diagnostics writeResults(const ResultStore& store, const std::string& path) {
@@ -129,6 +144,25 @@ base::Diagnostics writeResults(const ResultStore& store, const std::string& path
   const base::Diagnostics cut =
       store.forEach([&](const StoredRun& stored) { file.append(rowLine(stored, columns)); });
   return cut.empty() ? file.finish() : cut;
+}
+
+std::string rowJson(const Study& study, const StoredRun& run) {
+  Json values = Json::object();
+  for (std::size_t k = 0; k < run.values.size(); ++k) {
+    values[study.paths[k]] = run.values[k];
+  }
+  Json columns = Json::object();
+  for (const auto& [column, field] : run.row.fields) {
+    columns[column] = fieldJson(field);
+  }
+  const Json row = {{"run", run.run},
+                    {"scenario", run.scenario},
+                    {"seed", run.seed},
+                    {"values", values},
+                    {"status", run.row.ok ? "ok" : "failed"},
+                    {"reason", run.row.reason},
+                    {"metrics", columns}};
+  return row.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string batchManifest(const ResultStore& store) {

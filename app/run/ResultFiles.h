@@ -11,6 +11,10 @@ namespace app {
 /// the number of processes, their order, interruptions, shards, or the clock.
 base::Diagnostics writeResults(const ResultStore& store, const std::string& path);
 
+/// A row as one line of JSON, without its end: {"run", "scenario", "seed", "values": {path: text},
+/// "status", "reason", "metrics": {column: number, true, false, text or null}}.
+std::string rowJson(const Study& study, const StoredRun& run);
+
 /// manifest.json of a batch: the program, files that were read, how many runs there are, and what
 /// was drawn for each scenario and seed.
 std::string batchManifest(const ResultStore& store);

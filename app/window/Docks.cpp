@@ -1,6 +1,7 @@
 #include "app/window/Docks.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include <QPainter>
@@ -104,7 +105,7 @@ void Docks::addTimeline() {
 }
 
 void Docks::add(const editor::PanelRegistry::Entry& entry) {
-  const auto& [order, title, area, isTab] = entry.info;
+  const auto& [order, title, area, isTab, room] = entry.info;
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(title.toLower());
   editor::describe(*dock->toggleViewAction(), tr("Show or hide this panel"));
@@ -128,6 +129,15 @@ void Docks::add(const editor::PanelRegistry::Entry& entry) {
     window_.tabifyDockWidget(neighbour, dock);
   }
   docks_.push_back(dock);
+  if (room > 0) {
+    const auto hadRoom = std::make_shared<bool>(false);
+    connect(dock, &QDockWidget::visibilityChanged, this,
+            [this, dock, room = room, hadRoom](bool on) {
+              if (on && !std::exchange(*hadRoom, true) && dock->height() < room) {
+                window_.resizeDocks({dock}, {room}, Qt::Vertical);
+              }
+            });
+  }
 }
 
 QDockWidget* Docks::dock(const QString& name) const {

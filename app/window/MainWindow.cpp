@@ -176,6 +176,11 @@ void MainWindow::connectFiles() {
     showIssues();
   });
   connect(startPage_, &StartPage::fileWanted, files, &FileCommands::openFile);
+  connect(&docks_->panel<StudyPanel>(), &StudyPanel::runWanted, this, [files](const QString& run) {
+    if (files->mayLeave()) {
+      files->openFile(run);
+    }
+  });
   editor::ScenarioDocument& document = workspace_.document();
   connect(&document, &editor::ScenarioDocument::pathChanged, this, &MainWindow::showTitle);
   connect(&document, &editor::ScenarioDocument::dirtyChanged, this, &MainWindow::showTitle);

@@ -11,6 +11,7 @@
 #include "app/window/Docks.h"
 #include "app/window/FileCommands.h"
 #include "app/window/StartPage.h"
+#include "app/window/StudyPanel.h"
 #include "app/window/WindowActions.h"
 #include "app/window/Workspace.h"
 
@@ -34,7 +35,7 @@ struct WindowSetup {
   RunOptions options;
   sim2d::Compatibility compatibility;  // of the options
   editor::ToolRegistry tools = editor::standardTools();
-  editor::PanelRegistry panels = editor::standardPanels();
+  editor::PanelRegistry panels = windowPanels();
   QString recoveryFolder;  // for copies of unsaved work; empty: none are kept
 };
 

@@ -46,6 +46,7 @@ struct PanelInfo {
   QString title;  // in lower case also its name for --dock
   Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
   bool isTab = true;  // one of the tabs of its area; else below what is there
+  int room = 0;       // height that its area gets when it is first looked at [px]; 0: as it is
 };
 
 /// The panels that there are, in their order. Each file `panels/<Name>Panel.cpp` adds its own by a

@@ -37,6 +37,29 @@ class StudiesTest : public QObject {
     QVERIFY(!QFile::exists(undisturbed() + text("/results.sqlite-wal")));
   }
 
+  /// A line of JSON per run, also of those that were there; they say what results.csv says.
+  void rows_areThoseOfTheResults() {
+    const Finished found = runProgram(StudyFolder::words(
+        folder_.path(text("study.yaml")), undisturbed(), {text("--resume"), text("--rows")}));
+    QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+    const auto rows = outside::readCsv(undisturbed() + text("/results.csv"));
+    const QStringList lines = found.out.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    QCOMPARE(static_cast<std::size_t>(lines.size()), rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const QJsonObject row = QJsonDocument::fromJson(lines[static_cast<int>(k)].toUtf8()).object();
+      QCOMPARE(row.value(text("run")).toInt(-1), static_cast<int>(k));
+      QCOMPARE(row.value(text("seed")).toInt(), rows[k].at(text("seed")).toInt());
+      QCOMPARE(row.value(text("status")).toString(), rows[k].at(text("status")));
+      const QJsonObject values = row.value(text("values")).toObject();
+      QCOMPARE(values.value(text("*.max_vel")).toString(), rows[k].at(text("*.max_vel")));
+      const QJsonObject metrics = row.value(text("metrics")).toObject();
+      QCOMPARE(metrics.value(text("path_length")).toDouble(),
+               rows[k].at(text("path_length")).toDouble());
+      QCOMPARE(metrics.value(text("success")).toBool(),
+               rows[k].at(text("success")) == text("True"));
+    }
+  }
+
   /// The draws are those of scenario and seed, whatever the planner is; the manifest tells them.
   void draws_areEqualForAllPlanners() {
     std::map<QString, QString> speeds;

@@ -50,6 +50,30 @@ class ExperimentValuesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void text_isReadAgain_data() {
+    QTest::addColumn<QString>("yaml");
+    QTest::addColumn<QString>("text");
+    for (const char* same : {"[pursuit, dwa]", "[0.5, 1.0]", "{normal: [1.2, 0.2, 0.6, 1.8]}",
+                             "{uniform: [0.5, 1.5]}", "{choice: [a, [1, 2], {b: c}]}"}) {
+      QTest::newRow(same) << QString::fromUtf8(same) << QString::fromUtf8(same);
+    }
+    QTest::newRow("range") << "{range: [0, 1, 0.5]}"
+                           << "[0, 0.5, 1]";
+    QTest::newRow("words") << "[\"a b, c\", 'x: y', \"\"]"
+                           << "[\"a b, c\", \"x: y\", \"\"]";
+  }
+  void text_isReadAgain() {
+    QFETCH(QString, yaml);
+    QFETCH(QString, text);
+    const auto value = valueOf("a: " + yaml.toStdString());
+    QVERIFY(bool(value));
+    const std::string written = app::experimentValueText(*value);
+    QCOMPARE(QString::fromStdString(written), text);
+    const auto again = valueOf("a: " + written);
+    QVERIFY(again && again->kind == value->kind && again->texts == value->texts);
+    QVERIFY(!value->isDrawn() || again->numbers == value->numbers);
+  }
+
   void range_steps_areTidy_data() {
     QTest::addColumn<QString>("yaml");
     QTest::addColumn<QString>("texts");

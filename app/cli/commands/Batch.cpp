@@ -15,6 +15,7 @@
 #include "app/run/ClusterScript.h"
 #include "app/run/DataPaths.h"
 #include "app/run/ExperimentRunner.h"
+#include "app/run/ResultFiles.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
 
@@ -27,6 +28,7 @@ struct BatchOptions {
   std::string output;
   int jobs = 0;  // 0 = number of cores
   bool allowCode = false, resume = false, force = false;
+  bool rows = false;       // on standard output
   std::string shard;       // "K/N"; empty = all runs
   double timeLimit = 0.0;  // [s]; 0 = none
   std::string script;      // "slurm", "parallel"; empty: the runs are made
@@ -81,6 +83,13 @@ base::Diagnostics makeRuns(const Experiment& experiment, ExperimentRunner& runne
   const std::size_t before = store.finished();
   const auto start = std::chrono::steady_clock::now();
   Progress progress(quiet);
+  const auto printRow = [&](const StoredRun& run) { printLine(rowJson(store.study(), run)); };
+  if (options.rows) {
+    base::Diagnostics unreadable = store.forEach(printRow);
+    if (!unreadable.empty()) {
+      return unreadable;
+    }
+  }
   const auto show = [&] {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     const auto made = static_cast<double>(store.finished() - before);
@@ -94,8 +103,12 @@ base::Diagnostics makeRuns(const Experiment& experiment, ExperimentRunner& runne
   job.make = [&](std::size_t run) { return runner.run(run); };
   job.take = [&](std::size_t run, const ResultRow& row) {
     const Experiment::Run values = experiment.run(run);
-    base::Diagnostics problems =
-        folder.add({run, experiment.scenarios[values.scenario], values.seed, values.values, row});
+    const StoredRun stored{run, experiment.scenarios[values.scenario], values.seed, values.values,
+                           row};
+    base::Diagnostics problems = folder.add(stored);
+    if (options.rows && problems.empty()) {
+      printRow(stored);
+    }
     show();
     return problems;
   };
@@ -124,7 +137,10 @@ int batchCommand(const BatchOptions& options, const Invocation& given) {
   catchInterrupts();
   base::Diagnostics troubles = makeRuns(*experiment, runner, **folder, options, given.quiet);
   base::append(troubles, (*folder)->finish());
-  return reportBatch(**folder, troubles, given);
+  Invocation said = given;
+  said.quiet = given.quiet || options.rows;
+  said.json = given.json && !options.rows;
+  return reportBatch(**folder, troubles, said);
 }
 
 }  // namespace
@@ -142,6 +158,8 @@ void addBatch(CommandRegistry& commands) {
                        "Go on with a batch that was interrupted; begin it if there is none");
   command.add_flag("--force", options.force, "Begin anew where a batch was interrupted")
       ->excludes(resume);
+  command.add_flag("--rows", options.rows,
+                   "Print each finished run as a line of JSON, those of before first");
   command.add_option("--shard", options.shard, "K/N: part K of N of the runs; see merge")
       ->check(shardProblem);
   command

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <memory>
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSortFilterProxyModel>
+#include <QStackedWidget>
+#include <QTabBar>
+#include <QTableView>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include "app/window/StudyForm.h"
+#include "app/window/StudyProcess.h"
+#include "editor/look/Form.h"
+
+namespace app {
+
+/// Many runs beside the window: an experiment is edited, started, watched while its results come,
+/// stopped and gone on with; runs are played, the report is opened. GUI thread.
+class StudyPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StudyPanel(editor::PanelContext& context);
+
+  bool openFile(const QString& path);  // an experiment; problems are shown
+  /// Where it is saved, and where its results go.
+  void setFile(const QString& path);
+  QString file() const { return file_; }
+  QString resultsFolder() const;
+  StudyForm& form() const { return *form_; }
+  StudyProcess& process() { return process_; }
+  void start(StudyProcess::Begin begin = StudyProcess::Begin::GoOn);
+  void stop();
+  bool isRunning() const { return process_.isRunning(); }
+  void play(int run);
+  void openReport();
+  QString said() const { return says_->text(); }
+  const StudyRunsModel& runs() const { return runs_; }
+  QTableWidget& comparison() const { return *comparison_; }
+  QTableView& runTable() const { return *runTable_; }
+
+ Q_SIGNALS:
+  void runWanted(const QString& folder);  // is to be played
+  void counted(int finished);
+
+ private:
+  QWidget* makeHead();
+  QWidget* makeResults();
+  void askFile(bool toSave);
+  void checkSoon() { check_.start(); }
+  void check();
+  base::Result<Experiment> experiment() const;
+  bool save();
+  void take(const std::vector<StudyRow>& rows);
+  void showProgress();
+  void compare();
+  void finish(bool isComplete, const QString& problems);
+  void runProgram(const QStringList& words, const QString& saying,
+                  const std::function<void()>& then);
+  void say(const QString& text, bool isProblem = false);
+  void follow();
+
+  editor::PanelContext& context_;
+  QString file_;
+  StudyForm* form_;
+  StudyRunsModel runs_;
+  QSortFilterProxyModel sorted_;
+  StudyProcess process_;
+  QProcess helper_;  // a run to be played, a report
+  std::unique_ptr<QTemporaryDir> played_;
+  std::size_t total_ = 0, before_ = 0;  // runs; those that were there when it began
+  QElapsedTimer since_;
+  QTimer check_, compareSoon_;
+  QString compared_;  // value path
+  editor::ElidedLabel* name_;
+  QLabel* says_;
+  QProgressBar* progress_;
+  QPushButton* start_;
+  QPushButton* report_;
+  QAbstractButton* anew_;
+  QTabBar* tabs_;
+  QStackedWidget* pages_;
+  QTableWidget* comparison_;
+  QTableView* runTable_;
+};
+
+/// Those of the editor, and this one.
+editor::PanelRegistry windowPanels();
+
+}  // namespace app

@@ -1,0 +1,231 @@
+#include <QSignalSpy>
+#include <QTableWidget>
+
+#include "app/window/Docks.h"
+#include "app/window/StudyPanel.h"
+#include "editor/look/HouseStyle.h"
+#include "tests/app/QuietWindow.h"
+#include "tests/app/StudyFiles.h"
+
+using app::StudyPanel;
+using app::StudyRow;
+using outside::StudyFolder;
+using outside::text;
+
+namespace {
+
+constexpr int kLong = 50000;  // [ms]
+
+/// A row whose metric "path_length" has this value.
+StudyRow rowOf(int run, double length, bool isOk = true) {
+  StudyRow row;
+  row.run = run;
+  row.isOk = isOk;
+  row.metrics = {{text("path_length"), length}, {text("success"), length < 13.0 ? 1.0 : 0.0}};
+  return row;
+}
+
+QString estimateOf(const char* key, const std::vector<StudyRow>& rows) {
+  std::vector<const StudyRow*> all;
+  for (const StudyRow& row : rows) {
+    all.push_back(&row);
+  }
+  for (const app::StudyMetric& metric : app::studyMetrics()) {
+    if (metric.key == text(key)) {
+      return app::estimateText(metric, all);
+    }
+  }
+  return text("no such metric");
+}
+
+}  // namespace
+
+/// Studies in the window: edited, run by the real program, watched, stopped, gone on with, played.
+class StudyPanelTest : public QObject, protected quiet::InFolder {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<StudyFolder> study_;
+
+  StudyPanel& panel() { return window_->docks().panel<StudyPanel>(); }
+  app::StudyForm& form() { return panel().form(); }
+  template <class Part>
+  Part& field(const char* name) {
+    return quiet::part<Part>(panel(), name);
+  }
+  static QByteArray bytes(const QString& path) { return outside::bytesOf(path); }
+  void waitForEnd() { QTRY_VERIFY_WITH_TIMEOUT(!panel().isRunning(), kLong); }
+
+ private Q_SLOTS:
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void init() {
+    begin();
+    QVERIFY(window_->open(copyOfDemo()));
+    study_ = std::make_unique<StudyFolder>();
+    panel().process().setProgram(text(HUNAVSIM_PROGRAM));
+  }
+  void cleanup() { end(); }
+
+  /// By hand: 10, 12, 14 have the mean 12 and s = 2, t(2) = 4.30265: 12 ± 4.97.
+  void estimates_areThoseByHand() {
+    const std::vector<StudyRow> rows = {rowOf(0, 10.0), rowOf(1, 12.0), rowOf(2, 14.0),
+                                        rowOf(3, 900.0, false)};
+    QCOMPARE(estimateOf("path_length", rows), text("12.0 [7.03, 17.0]"));
+    // 2 of 4, Wilson: (0.5 + 1.9207 / 4 ± 1.95996 √(0.0625 + 3.8415 / 64)) / 1.9604 = 0.15, 0.85
+    QCOMPARE(estimateOf("success", rows), text("50 % [15, 85]"));
+    QCOMPARE(estimateOf("path_length", {rowOf(0, 10.0)}), text("10.0"));
+    QCOMPARE(estimateOf("path_length", {}), QString());
+  }
+
+  void lines_thatAreNoRows_arePassedOver() {
+    QVERIFY(!app::studyRowOf("no json"));
+    QVERIFY(!app::studyRowOf("{\"other\": 1}"));
+    const auto row = app::studyRowOf(
+        "{\"run\": 3, \"scenario\": \"a.yaml\", \"seed\": 7, \"values\": {\"r.planner\": \"dwa\"}, "
+        "\"status\": \"failed\", \"reason\": \"why\", \"metrics\": {\"a\": 1.5, \"b\": true, "
+        "\"c\": null}}");
+    QVERIFY(row && row->run == 3 && row->seed == 7 && !row->isOk && row->reason == text("why"));
+    QCOMPARE(row->values.at(text("r.planner")), text("dwa"));
+    QCOMPARE(row->metrics, (std::map<QString, double>{{text("a"), 1.5}, {text("b"), 1.0}}));
+  }
+
+  void file_shownAndWrittenAgain_saysTheSame() {
+    const QString path = study_->study();
+    QVERIFY(panel().openFile(path));
+    const auto before = app::readExperiment(path.toStdString());
+    const auto after = app::parseExperiment(
+        form().textFor(QFileInfo(path).absolutePath()).toStdString(), path.toStdString());
+    QVERIFY(before && after);
+    QCOMPARE(after->scenarioPaths, before->scenarioPaths);
+    QCOMPARE(after->seeds, before->seeds);
+    QCOMPARE(after->options, before->options);
+    QCOMPARE(after->record, before->record);
+    QCOMPARE(after->runCount(), before->runCount());
+    for (std::size_t run = 0; run < before->runCount(); ++run) {
+      QCOMPARE(after->run(run).values, before->run(run).values);
+    }
+  }
+
+  /// Chosen by mouse: the scenario that is open, planners, a number of seeds.
+  void form_chosen_isAnExperiment() {
+    for (QAbstractButton* button : form().findChildren<QAbstractButton*>()) {
+      if (button->text() == text("Add this one")) {
+        button->click();
+      }
+    }
+    auto& planners = field<QListWidget>("Planners");
+    for (const char* name : {"pursuit", "dwa"}) {
+      planners.findItems(text(name), Qt::MatchExactly).front()->setCheckState(Qt::Checked);
+    }
+    field<QPlainTextEdit>("Other values")
+        .setPlainText(text("\"*.max_vel\": {uniform: [0.8, 1.2]}"));
+    QTRY_COMPARE(panel().said(), text("1 scenario × 2 planners × 30 seeds = 60 runs"));
+    field<QPlainTextEdit>("Other values").setPlainText(text("nobody.max_vel: [1.0]"));
+    QTRY_VERIFY(panel().said().contains(text("nobody")));
+  }
+
+  void study_isRunAndCompared() {
+    const QString path = study_->study();
+    QVERIFY(panel().openFile(path));
+    panel().start();
+    QVERIFY(panel().isRunning());
+    waitForEnd();
+    QCOMPARE(panel().said(), text("24 of 24 runs"));
+    const auto rows = outside::readCsv(panel().resultsFolder() + text("/results.csv"));
+    QCOMPARE(rows.size(), std::size_t{24});
+    QCOMPARE(panel().runs().rows().size(), rows.size());
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const StudyRow& shown = panel().runs().rows()[k];
+      QCOMPARE(shown.run, static_cast<int>(k));
+      QCOMPARE(shown.reason, rows[k].at(text("reason")));
+      QCOMPARE(shown.metrics.at(text("path_length")), rows[k].at(text("path_length")).toDouble());
+      if (rows[k].at(text("robot1.planner")) == text("dwa")) {
+        sum += rows[k].at(text("path_length")).toDouble();
+        ++count;
+      }
+    }
+    const QTableWidget& table = panel().comparison();
+    QCOMPARE(table.rowCount(), 2);
+    QCOMPARE(table.item(1, 0)->text(), text("dwa"));
+    QCOMPARE(table.item(1, 1)->text().toInt(), count);
+    const QString last = table.item(1, table.columnCount() - 1)->text();  // way
+    QVERIFY2(std::abs(last.section(QLatin1Char(' '), 0, 0).toDouble() - sum / count) < 0.006,
+             qPrintable(last));
+    window_->docks().dock(text("study"))->raise();
+    quiet::shoot(*window_, "study-finished");
+    // A row is played.
+    QSignalSpy played(&panel(), &StudyPanel::runWanted);
+    const QByteArray before = bytes(panel().resultsFolder() + text("/results.csv"));
+    panel().play(5);
+    QTRY_COMPARE_WITH_TIMEOUT(played.count(), 1, kLong);
+    QVERIFY(window_->workspace().runner().isRecorded());
+    QCOMPARE(bytes(panel().resultsFolder() + text("/results.csv")), before);
+  }
+
+  /// A run of which nothing was kept is made once more, with the same values.
+  void run_thatWasNotKept_isMadeAgain() {
+    QVERIFY(panel().openFile(study_->writeStudy(
+        "short.yaml", "seeds: 2\nduration: 2.0\nvalues:\n  robot1.planner: [pursuit, dwa]\n")));
+    panel().start();
+    waitForEnd();
+    QSignalSpy played(&panel(), &StudyPanel::runWanted);
+    panel().play(3);
+    QTRY_COMPARE_WITH_TIMEOUT(played.count(), 1, kLong);
+    const QString folder = played.front().front().toString();
+    const double length = outside::valueOf(outside::metricsOf(folder), text("path_length"));
+    QCOMPARE(length, panel().runs().rows()[3].metrics.at(text("path_length")));
+  }
+
+  void study_stopped_goesOn() {
+    QVERIFY(panel().openFile(study_->endless(1)));
+    panel().start();
+    QTRY_VERIFY(panel().isRunning());
+    panel().stop();
+    waitForEnd();
+    QVERIFY2(panel().said().contains(text("stopped")), qPrintable(panel().said()));
+    // Of a study that is finished in part, the rows of before are there again.
+    const QString path = study_->study();
+    QVERIFY(panel().openFile(path));
+    panel().start();
+    QTRY_VERIFY_WITH_TIMEOUT(panel().runs().rows().size() >= 3, kLong);
+    panel().stop();
+    waitForEnd();
+    panel().start();
+    waitForEnd();
+    QCOMPARE(panel().runs().rows().size(), std::size_t{24});
+    QCOMPARE(panel().said(), text("24 of 24 runs"));
+  }
+
+  /// Another study does not go on with results: it is said, and begun anew only when asked for.
+  void changedStudy_isRefusedThenBegunAnew() {
+    QVERIFY(panel().openFile(study_->writeStudy("changed.yaml", "seeds: 1\nduration: 0.5\n")));
+    panel().start();
+    waitForEnd();
+    const QByteArray before = bytes(panel().resultsFolder() + text("/results.csv"));
+    field<QLineEdit>("Seeds").setText(text("2"));
+    QTRY_VERIFY(panel().said().contains(text("2 runs")));
+    panel().start();
+    waitForEnd();
+    QVERIFY2(panel().said().contains(text("another")), qPrintable(panel().said()));
+    QCOMPARE(bytes(panel().resultsFolder() + text("/results.csv")), before);
+    panel().start(app::StudyProcess::Begin::Anew);
+    waitForEnd();
+    QCOMPARE(panel().runs().rows().size(), std::size_t{2});
+  }
+
+  /// The window goes while a study runs: no process is left.
+  void closedWindow_endsTheStudy() {
+    QVERIFY(panel().openFile(study_->endless()));
+    panel().start();
+    const auto batches = [] { return outside::childrenOf(QCoreApplication::applicationPid()); };
+    QTRY_VERIFY(!batches().empty());
+    end();
+    QTRY_VERIFY(batches().empty());
+    begin();
+  }
+};
+
+QTEST_MAIN(StudyPanelTest)
+#include "tst_StudyPanel.moc"
