@@ -89,6 +89,8 @@ StudyForm::StudyForm(editor::PanelContext& context)
   form->addRow(tr("Duration"), duration_);
   record_->addItems({tr("metrics alone"), tr("failed runs, to be played"), tr("all runs")});
   record_->setCurrentIndex(1);
+  record_->setAccessibleName(tr("Keep"));
+  record_->setToolTip(tr("Files of which runs stay in the folder of the results"));
   form->addRow(tr("Keep"), record_);
   rows->addLayout(form);
   rows->addStretch();

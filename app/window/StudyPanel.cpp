@@ -22,6 +22,7 @@ namespace {
 
 constexpr int kFormWidth = 300;
 constexpr int kRoom = 400;
+constexpr QSize kLeastSize(240, 80);
 constexpr int kHeadHeight = 40;
 constexpr int kBarHeight = 8;
 constexpr int kLeastColumn = 48;
@@ -119,6 +120,7 @@ StudyPanel::StudyPanel(editor::PanelContext& context)
   halves->setStretchFactor(1, 1);
   halves->setSizes({kFormWidth, 3 * kFormWidth});
   rows->addWidget(halves, 1);
+  setMinimumSize(kLeastSize);  // it asks for no more room than its neighbours while it is hidden
   check_.setSingleShot(true);
   check_.setInterval(kCheckMs);
   compareSoon_.setSingleShot(true);

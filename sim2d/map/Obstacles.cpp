@@ -220,24 +220,19 @@ std::optional<Obstacles::Point> Obstacles::nearestPoint(const Vec2& position, do
 /// needed.
 void Obstacles::segmentsNear(const Vec2& position, double range,
                              std::vector<Segment>& segments) const {
-  const auto before = static_cast<std::ptrdiff_t>(segments.size());
-  const auto numberOf = [](const Segment& place) { return place.a.x(); };
+  thread_local std::vector<int> edges;  // an edge lies in several buckets
+  edges.clear();
   const Vec2 reach(range, range);
   index_.visitBox(position - reach, position + reach, [&](SegmentGrid::Bucket, int edge) {
     if (isOn(edge)) {
-      segments.push_back({Vec2(edge, 0.0), Vec2::Zero()});
+      edges.push_back(edge);
     }
   });
-  const auto first = segments.begin() + before;
-  std::sort(first, segments.end(),
-            [&](const Segment& a, const Segment& b) { return numberOf(a) < numberOf(b); });
-  const auto isSame = [&](const Segment& a, const Segment& b) {
-    return numberOf(a) == numberOf(b);
-  };
-  segments.erase(std::unique(first, segments.end(), isSame), segments.end());
-  std::transform(first, segments.end(), first, [&](const Segment& place) {
-    return segments_[static_cast<std::size_t>(numberOf(place))];
-  });
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (const int edge : edges) {
+    segments.push_back(segments_[static_cast<std::size_t>(edge)]);
+  }
 }
 
 double Obstacles::clearance(const Vec2& position, double limit) const {

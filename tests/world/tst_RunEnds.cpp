@@ -190,7 +190,7 @@ class RunEndsTest : public QObject {
     QVERIFY(ran.robot(0).result == WayEnd::Collision);
     QVERIFY(!ran.robot(1).result);
     QVERIFY(isAbout(ran.robot(0).time, 2.8, 0.1));  // 2.3 m
-    scenario.desktop.model.emplace("sfm-hunav2");  // others do not push robots
+    scenario.desktop.model.emplace("sfm-hunav2");   // others do not push robots
     addGoal(scenario, 1, 6.0, 3.0);
     for (int id = 1; id <= 3; ++id) {  // they push the second one
       addPerson(scenario, id, Vec2(2.0 - id, 3.0), {1}).ours.route = Route::Direct;
