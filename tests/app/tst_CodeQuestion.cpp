@@ -63,7 +63,7 @@ QString CodeQuestionTest::written(const char* name, const QByteArray& planner,
                                   const QByteArray& child) const {
   const QString script = path(name) + text(".sh");
   writeText(script, "cd '" + folder_->path().toUtf8() + "'\necho $$ > " + child + "\n" + planner);
-  const QString scenario = path(name) + text(".yaml");
+  QString scenario = path(name) + text(".yaml");
   writeText(scenario,
             "hunav_loader:\n  ros__parameters:\n    yaml_base_name: yard\n    map: yard\n"
             "    global_goals:\n      1:\n        x: 1.0\n        y: 4.0\n"
