@@ -88,7 +88,7 @@ class ExternalPlannersTest : public QObject {
   QString path(const char* name) const { return folder_.filePath(text(name)); }
   /// A scenario in the test's folder.
   QString scenario(const QByteArray& content) const {
-    const QString file = path("yard.yaml");
+    QString file = path("yard.yaml");
     writeText(file, content);
     return file;
   }
@@ -146,7 +146,8 @@ void ExternalPlannersTest::run_examples_reachTheGoalInLockStep() {
   const QJsonObject started = code[text("started")].toArray().at(0).toObject();
   QCOMPARE(started[text("robot")].toString(), text("robot1"));
   QStringList told;
-  for (const QJsonValue& file : started[text("files")].toArray()) {
+  const QJsonArray files = started[text("files")].toArray();
+  for (const auto& file : files) {
     told << file.toObject()[text("path")].toString();
     QCOMPARE(file.toObject()[text("sha256")].toString(), sha256Of(told.back()));
   }

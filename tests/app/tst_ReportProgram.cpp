@@ -330,7 +330,8 @@ class ReportProgramTest : public QObject {
       for (int k = 0; k + 2 < d.size(); k += 3) {
         x += d.at(k).toInt();
         y += d.at(k + 1).toInt();
-        const auto& robot = samples[static_cast<std::size_t>(k / 3 * stride)].robot;
+        const int sample = k / 3 * stride;
+        const auto& robot = samples[static_cast<std::size_t>(sample)].robot;
         QVERIFY(robot.has_value());
         QVERIFY(std::abs(x / 100.0 - robot->x) < 0.00501);
         QVERIFY(std::abs(y / 100.0 - robot->y) < 0.00501);

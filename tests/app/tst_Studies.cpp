@@ -172,7 +172,7 @@ class StudiesTest : public QObject {
     QVERIFY(QDir().mkpath(folder_.path(text("other"))));
     outside::writeText(folder_.path(text("other/yard.yaml")), outside::kYardText);
     const auto write = [this](const char* seeds) {
-      const QString file = folder_.path(text("other/e.yaml"));
+      QString file = folder_.path(text("other/e.yaml"));
       outside::writeText(
           file, QByteArray("hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: ") + seeds +
                     "\nduration: 1.0\n");
