@@ -146,8 +146,8 @@ void ExternalPlannersTest::run_examples_reachTheGoalInLockStep() {
   const QJsonObject started = code[text("started")].toArray().at(0).toObject();
   QCOMPARE(started[text("robot")].toString(), text("robot1"));
   QStringList told;
-  const QJsonArray files = started[text("files")].toArray();
-  for (const auto& file : files) {
+  const QJsonArray listed = started[text("files")].toArray();
+  for (const auto& file : listed) {
     told << file.toObject()[text("path")].toString();
     QCOMPARE(file.toObject()[text("sha256")].toString(), sha256Of(told.back()));
   }
