@@ -249,7 +249,7 @@ std::string experimentValueText(const ExperimentValue& value) {
   } else {
     std::transform(value.texts.begin(), value.texts.end(), std::back_inserter(words), flowWord);
   }
-  const std::string list = "[" + base::join(words, ", ") + "]";
+  std::string list = "[" + base::join(words, ", ") + "]";
   switch (value.kind) {
     case Kind::Grid:
       return list;
