@@ -68,7 +68,7 @@ std::optional<StudyRow> studyRowOf(const QByteArray& line) {
 QString comparedPath(const Experiment& experiment) {
   QString first;
   for (const ExperimentValue& value : experiment.values) {
-    const QString path = QString::fromStdString(value.path);
+    QString path = QString::fromStdString(value.path);
     if (value.isDrawn() || value.texts.size() < 2) {
       continue;
     }
@@ -201,7 +201,7 @@ QVariant StudyRunsModel::data(const QModelIndex& index, int role) const {
     return {};
   }
   const StudyRow& row = rows_[static_cast<std::size_t>(index.row())];
-  const QVariant value = shown(row, index.column());
+  QVariant value = shown(row, index.column());
   const bool isNumber = value.type() != QVariant::String;
   switch (role) {
     case Qt::UserRole:
