@@ -39,7 +39,7 @@ window.addEventListener("load", function () {
 
 QString browser() {
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
-    const QString path = QStandardPaths::findExecutable(text(name));
+    QString path = QStandardPaths::findExecutable(text(name));
     if (!path.isEmpty()) {
       return path;
     }

@@ -27,6 +27,7 @@ StudyRow rowOf(int run, double length, bool isOk = true) {
 
 QString estimateOf(const char* key, const std::vector<StudyRow>& rows) {
   std::vector<const StudyRow*> all;
+  all.reserve(rows.size());
   for (const StudyRow& row : rows) {
     all.push_back(&row);
   }
