@@ -42,9 +42,12 @@ struct Crowd {
       Walker walker;
       walker.id = i;
       const int row = i / side;
-      walker.position = Vec2((i % side + draws.between(0.25, 0.75)) * gap,
-                             (row + draws.between(0.25, 0.75)) * gap);
-      walker.velocity = Vec2(draws.between(0.0, 1.0) < 0.5 ? 1.3 : -1.3, draws.between(-0.2, 0.2));
+      // One after the other: compilers differ in the order of arguments.
+      const double y = draws.between(0.25, 0.75);
+      const double x = draws.between(0.25, 0.75);
+      walker.position = Vec2((i % side + x) * gap, (row + y) * gap);
+      const double sideways = draws.between(-0.2, 0.2);
+      walker.velocity = Vec2(draws.between(0.0, 1.0) < 0.5 ? 1.3 : -1.3, sideways);
       walkers.push_back(walker);
     }
     present.assign(walkers.size(), 1);
