@@ -28,11 +28,13 @@ class ResultsReader {
       return problems_;
     }
     sim2d::CsvRow row;
+    sim2d::CsvField last;  // at the end there is no row
     while (problems_.size() < kMostTold && reader_.next(row)) {
       readRow(row);
+      last = row.back();
     }
     if (problems_.empty() && reader_.isTruncated()) {
-      tell(row.back(), "trace.cut-line");
+      tell(last, "trace.cut-line");
     }
     if (problems_.empty() && results_.runs.empty()) {
       problems_.push_back(base::error("report.no-runs", {}, file_));

@@ -237,7 +237,8 @@ class ReportProgramTest : public QObject {
     row("twice", "results.csv", head + "0,hall,1,ok,,5,1\n0,hall,2,ok,,5,1\n", {}, 2,
         "results.csv:3:1: error: run 0 is there twice");
     row("no runs", "results.csv", head, {}, 2, "results.csv: error: there are no runs in it");
-    row("cut", "results.csv", head + "0,hall,1,ok,,5,1", {}, 2, "cut?");
+    row("cut", "results.csv", head + "0,hall,1,ok,,5,1", {}, 2,
+        "results.csv:2:16: error: the file ends inside this line (cut?)");
     row("manifest", "manifest.json", "{\"runs\": 12", {}, 2,
         "manifest.json: error: is no manifest of a batch (damaged?)");
     row("metric", "", {}, {text("--metrics"), text("path_lenght")}, 2,
