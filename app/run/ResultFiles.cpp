@@ -165,6 +165,12 @@ std::string rowJson(const Study& study, const StoredRun& run) {
   return row.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+std::string beginJson(const ResultStore& store) {
+  return Json({{"runs", store.study().shard.runsOf(store.study().runs)},
+               {"finished", store.finished()}})
+      .dump();
+}
+
 std::string batchManifest(const ResultStore& store) {
   Json json = manifestOf(store.study(), store.finished(), store.failed());
   if (!store.study().drawn.empty()) {

@@ -15,6 +15,9 @@ base::Diagnostics writeResults(const ResultStore& store, const std::string& path
 /// "status", "reason", "metrics": {column: number, true, false, text or null}}.
 std::string rowJson(const Study& study, const StoredRun& run);
 
+/// What is said before the rows: {"runs", "finished"}, of the shard.
+std::string beginJson(const ResultStore& store);
+
 /// manifest.json of a batch: the program, files that were read, how many runs there are, and what
 /// was drawn for each scenario and seed.
 std::string batchManifest(const ResultStore& store);

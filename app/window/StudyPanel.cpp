@@ -23,16 +23,9 @@ namespace {
 constexpr int kFormWidth = 300;
 constexpr int kRoom = 400;
 constexpr QSize kLeastSize(240, 80);
-constexpr int kHeadHeight = 40;
 constexpr int kBarHeight = 8;
-constexpr int kLeastColumn = 48;
-constexpr int kMostColumn = 240;
-constexpr int kColumnMargin = 32;  // beside a title, with the arrow of the order
 constexpr int kCheckMs = 300;
-constexpr int kCompareMs = 500;
-constexpr int kEarlierMs = 500;
 constexpr int kProgressSteps = 1000;
-enum Page { NothingPage, ComparisonPage, RunsPage };
 
 int cores() {
   return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -69,34 +62,12 @@ QString withoutSeverity(const QString& line) {
   return editor::capitalized(line.startsWith(head) ? line.mid(head.size()) : line);
 }
 
-/// Titles of metrics take two lines.
-void styleHead(QHeaderView& head) {
-  head.setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter | Qt::Alignment(Qt::TextWordWrap));
-  head.setFixedHeight(kHeadHeight);
-  head.setMinimumSectionSize(kLeastColumn);
-}
-
-/// As wide as what is in them, at least as wide as half of their titles and each word of them.
-void fitColumns(QTableView& table) {
-  const QFontMetrics metrics(table.horizontalHeader()->font());
-  for (int column = 0; column < table.model()->columnCount(); ++column) {
-    const QString title = table.model()->headerData(column, Qt::Horizontal).toString();
-    int lines = metrics.horizontalAdvance(title) / 2;
-    for (const QString& word : title.split(QLatin1Char(' '))) {
-      lines = std::max(lines, metrics.horizontalAdvance(word));
-    }
-    lines += kColumnMargin;
-    const int cells = static_cast<const QAbstractItemView&>(table).sizeHintForColumn(column);
-    table.setColumnWidth(
-        column, std::clamp(std::max(lines, cells + kColumnMargin / 2), kLeastColumn, kMostColumn));
-  }
-}
-
 }  // namespace
 
 StudyPanel::StudyPanel(editor::PanelContext& context)
     : context_(context),
       form_(new StudyForm(context)),
+      results_(new StudyResults(this)),
       process_(this),
       name_(new editor::ElidedLabel(this)),
       says_(new QLabel(this)),
@@ -104,35 +75,54 @@ StudyPanel::StudyPanel(editor::PanelContext& context)
       start_(new QPushButton(this)),
       report_(new QPushButton(tr("Report"), this)),
       anew_(editor::linkButton(tr("Begin anew"), tr("Throws away the results in the folder"), this,
-                               [this] { start(StudyProcess::Begin::Anew); })),
-      tabs_(new QTabBar(this)),
-      pages_(new QStackedWidget(this)),
-      comparison_(new QTableWidget(this)),
-      runTable_(new QTableView(this)) {
+                               [this] { start(StudyProcess::Begin::Anew); })) {
   auto* rows = editor::arranged(new QVBoxLayout(this), {}, 0);
   rows->addWidget(makeHead());
   rows->addWidget(editor::dividerLine(this));
   auto* halves = new QSplitter(Qt::Horizontal, this);
   halves->setChildrenCollapsible(false);
   halves->addWidget(editor::scrollArea(form_, halves));
-  halves->addWidget(makeResults());
+  auto* right = new QWidget(halves);
+  editor::arranged(new QVBoxLayout(right), {}, 0, {makeState()})->addWidget(results_, 1);
+  halves->addWidget(right);
   halves->setStretchFactor(0, 0);
   halves->setStretchFactor(1, 1);
   halves->setSizes({kFormWidth, 3 * kFormWidth});
   rows->addWidget(halves, 1);
   setMinimumSize(kLeastSize);  // it asks for no more room than its neighbours while it is hidden
-  check_.setSingleShot(true);
-  check_.setInterval(kCheckMs);
-  compareSoon_.setSingleShot(true);
-  compareSoon_.setInterval(kCompareMs);
-  connect(&check_, &QTimer::timeout, this, &StudyPanel::check);
-  connect(&compareSoon_, &QTimer::timeout, this, &StudyPanel::compare);
-  connect(form_, &StudyForm::changed, this, &StudyPanel::checkSoon);
-  connect(&process_, &StudyProcess::rowsCame, this, &StudyPanel::take);
-  connect(&process_, &StudyProcess::ended, this, &StudyPanel::finish);
+  listen();
   anew_->hide();
   follow();
   check();
+}
+
+void StudyPanel::listen() {
+  check_.setSingleShot(true);
+  check_.setInterval(kCheckMs);
+  connect(&check_, &QTimer::timeout, this, &StudyPanel::check);
+  connect(form_, &StudyForm::changed, this, [this] {
+    isEdited_ = true;
+    checkSoon();
+  });
+  connect(&context_.document, &editor::ScenarioDocument::dirtyChanged, this,
+          &StudyPanel::checkSoon);
+  connect(&context_, &editor::PanelContext::themeChanged, this, &StudyPanel::paintWords);
+  connect(results_, &StudyResults::playWanted, this, &StudyPanel::play);
+  connect(&process_, &StudyProcess::began, this, [this](const StudyBegin& begin) {
+    total_ = begin.runs;
+    before_ = begin.finished;
+    since_.start();
+  });
+  connect(&process_, &StudyProcess::rowsCame, this, [this](const std::vector<StudyRow>& came) {
+    results_->add(came);
+    showProgress();
+    follow();
+  });
+  connect(&process_, &StudyProcess::ended, this, &StudyPanel::finish);
+}
+
+StudyPanel::~StudyPanel() {
+  helper_.disconnect(this);
 }
 
 QWidget* StudyPanel::makeHead() {
@@ -140,11 +130,13 @@ QWidget* StudyPanel::makeHead() {
   auto* row = editor::arranged(new QHBoxLayout(head), {12, 6, 12, 6}, 12);
   name_->setMinimumWidth(kFormWidth / 2);
   row->addWidget(name_, 1);
-  row->addWidget(
-      editor::linkButton(tr("Open…"), tr("An experiment file"), head, [this] { askFile(false); }));
-  row->addWidget(editor::linkButton(tr("Save as…"),
-                                    tr("Where the experiment is kept, and beside it its results"),
-                                    head, [this] { askFile(true); }));
+  open_ =
+      editor::linkButton(tr("Open…"), tr("An experiment file"), head, [this] { askFile(false); });
+  saveAs_ = editor::linkButton(tr("Save as…"),
+                               tr("Where the experiment is kept, and beside it its results"), head,
+                               [this] { askFile(true); });
+  row->addWidget(open_);
+  row->addWidget(saveAs_);
   row->addWidget(start_);
   row->addWidget(report_);
   report_->setToolTip(tr("A page with tables, intervals, tests and pictures"));
@@ -153,77 +145,43 @@ QWidget* StudyPanel::makeHead() {
   return head;
 }
 
-QWidget* StudyPanel::makeResults() {
-  auto* part = new QWidget(this);
-  auto* rows = editor::arranged(new QVBoxLayout(part), {}, 0);
-  tabs_->addTab(tr("Comparison"));
-  tabs_->addTab(tr("Runs"));
-  tabs_->setDrawBase(false);
-  tabs_->setExpanding(false);
-  auto* state = editor::arranged(new QHBoxLayout, {12, 8, 12, 4}, 12);
+QWidget* StudyPanel::makeState() {
+  auto* state = new QWidget(this);
   says_->setWordWrap(true);
-  state->addWidget(says_, 1);
-  state->addWidget(anew_);
   progress_->setRange(0, kProgressSteps);
   progress_->setTextVisible(false);
   progress_->setFixedSize(kFormWidth / 3, kBarHeight);
-  state->addWidget(progress_);
-  rows->addLayout(state);
-  auto* strip = new QWidget(part);
-  strip->setAutoFillBackground(true);
-  strip->setBackgroundRole(QPalette::Window);
-  editor::arranged(new QHBoxLayout(strip), {}, 0, {tabs_})->addStretch();
-  rows->addWidget(strip);
-  pages_->addWidget(
-      editor::emptyState(tr("Choose scenarios and planners at the left, then press Start.\n"
-                            "All planners meet the same people in each seed."),
-                         part));
-  editor::styleTable(*comparison_, tr("Comparison"));
-  styleHead(*comparison_->horizontalHeader());
-  comparison_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-  comparison_->setSelectionMode(QAbstractItemView::NoSelection);
-  pages_->addWidget(comparison_);
-  sorted_.setSourceModel(&runs_);
-  sorted_.setSortRole(Qt::UserRole);
-  runTable_->setModel(&sorted_);
-  editor::styleTable(*runTable_, tr("Runs"));
-  runTable_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-  styleHead(*runTable_->horizontalHeader());
-  runTable_->setSortingEnabled(true);
-  runTable_->sortByColumn(0, Qt::AscendingOrder);
-  runTable_->setToolTip(tr("Double click plays a run"));
-  pages_->addWidget(runTable_);
-  rows->addWidget(pages_, 1);
-  const auto playRow = [this](const QModelIndex& at) {
-    play(runs_.rows()[static_cast<std::size_t>(sorted_.mapToSource(at).row())].run);
-  };
-  connect(runTable_, &QTableView::activated, this, playRow);
-  connect(tabs_, &QTabBar::currentChanged, this, &StudyPanel::follow);
-  return part;
+  auto* row = editor::arranged(new QHBoxLayout(state), {12, 8, 12, 4}, 12);
+  row->addWidget(says_, 1);
+  row->addWidget(anew_);
+  row->addWidget(progress_);
+  return state;
 }
 
 void StudyPanel::follow() {
-  const bool hasRows = !runs_.rows().empty();
-  pages_->setCurrentIndex(!hasRows                     ? NothingPage
-                          : tabs_->currentIndex() == 0 ? ComparisonPage
-                                                       : RunsPage);
-  tabs_->parentWidget()->setVisible(hasRows);
-  start_->setText(isRunning()                               ? tr("Stop")
-                  : hasRows && runs_.rows().size() < total_ ? tr("Go on")
-                                                            : tr("Start"));
+  const std::size_t finished = results_->runs().rows().size();
+  const bool goesOn = finished > 0 && finished < total_ && !isEdited_;
+  start_->setText(isRunning() ? tr("Stop") : goesOn ? tr("Go on") : tr("Start"));
   start_->setDefault(!isRunning());
-  report_->setEnabled(hasRows && !isRunning());
+  report_->setEnabled(finished > 0 && !isRunning());
+  open_->setEnabled(!isRunning());
+  saveAs_->setEnabled(!isRunning());
   progress_->setVisible(isRunning());
   form_->setEditable(!isRunning());
   name_->setWords(file_.isEmpty() ? tr("New study") : QFileInfo(file_).fileName());
 }
 
 void StudyPanel::say(const QString& text, bool isProblem) {
+  saysProblem_ = isProblem;
+  says_->setText(text);
+  paintWords();
+}
+
+void StudyPanel::paintWords() {
   QPalette colors = palette();
   colors.setColor(QPalette::WindowText,
-                  context_.theme().color(isProblem ? editor::Role::Error : editor::Role::Text));
+                  context_.theme().color(saysProblem_ ? editor::Role::Error : editor::Role::Text));
   says_->setPalette(colors);
-  says_->setText(text);
 }
 
 QString StudyPanel::resultsFolder() const {
@@ -233,7 +191,8 @@ QString StudyPanel::resultsFolder() const {
 
 void StudyPanel::setFile(const QString& path) {
   file_ = path;
-  runs_.begin({});
+  isEdited_ = true;  // until it is written
+  results_->begin({}, {});
   anew_->hide();
   follow();
   checkSoon();
@@ -263,6 +222,9 @@ void StudyPanel::askFile(bool toSave) {
 }
 
 bool StudyPanel::openFile(const QString& path) {
+  if (isRunning()) {
+    return false;
+  }
   const base::Result<Experiment> read = readExperiment(path.toStdString());
   if (!read) {
     say(QString::fromStdString(read.diagnostics().front().text()), true);
@@ -270,6 +232,7 @@ bool StudyPanel::openFile(const QString& path) {
   }
   setFile(path);
   form_->show(*read);
+  isEdited_ = false;
   return true;
 }
 
@@ -296,26 +259,30 @@ void StudyPanel::check() {
     say(QString::fromStdString(checked.diagnostics().front().message), true);
     return;
   }
-  total_ = checked->runCount();
-  compared_ = comparedPath(*checked);
-  say(checked.diagnostics().empty()
-          ? sizeText(*checked)
-          : sizeText(*checked) + QStringLiteral(": ") +
-                QString::fromStdString(checked.diagnostics().front().message));
+  QStringList words = {sizeText(*checked)};
+  if (!checked.diagnostics().empty()) {
+    words.append(QString::fromStdString(checked.diagnostics().front().message));
+  }
+  if (context_.document.isDirty() && form_->scenarios().contains(context_.document.path())) {
+    words.append(
+        tr("changes of %1 that are not saved do not count").arg(context_.document.displayName()));
+  }
+  say(words.join(QStringLiteral(": ")));
   follow();
 }
 
+/// A file whose study is as it was read stays as it is, with its comments.
 bool StudyPanel::save() {
-  const QByteArray text = form_->textFor(QFileInfo(file_).absolutePath()).toUtf8();
-  QFile there(file_);
-  if (there.open(QIODevice::ReadOnly) && there.readAll() == text) {
+  if (!isEdited_) {
     return true;
   }
+  const QByteArray text = form_->textFor(QFileInfo(file_).absolutePath()).toUtf8();
   QSaveFile file(file_);
   if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
     say(tr("%1 cannot be written: %2").arg(file_, file.errorString()), true);
     return false;
   }
+  isEdited_ = false;
   return true;
 }
 
@@ -336,11 +303,9 @@ void StudyPanel::start(StudyProcess::Begin begin) {
     paths.append(QString::fromStdString(value.path));
   }
   total_ = checked->runCount();
-  compared_ = comparedPath(*checked);
   before_ = 0;
-  runs_.begin(paths);
+  results_->begin(paths, comparedPath(*checked));
   anew_->hide();
-  since_.start();
   process_.start(file_, resultsFolder(), cores(), begin, false);
   say(tr("Begins…"));
   follow();
@@ -351,37 +316,19 @@ void StudyPanel::stop() {
   say(tr("Stops…"));
 }
 
-void StudyPanel::take(const std::vector<StudyRow>& rows) {
-  const bool wasEmpty = runs_.rows().empty();
-  for (const StudyRow& row : rows) {
-    runs_.add(row);
-  }
-  if (since_.elapsed() < kEarlierMs) {
-    before_ = runs_.rows().size();  // those of before come at once
-  }
-  showProgress();
-  if (!compareSoon_.isActive()) {
-    compareSoon_.start();
-  }
-  if (wasEmpty) {
-    compare();
-    fitColumns(*runTable_);
-    follow();
-  }
-}
-
 void StudyPanel::showProgress() {
-  const std::size_t finished = runs_.rows().size();
-  const std::size_t made = finished - before_;
+  const std::vector<StudyRow>& rows = results_->runs().rows();
+  const std::size_t finished = rows.size();
+  const std::size_t made = finished - std::min(before_, finished);
   QString text = tr("%1 of %2 runs").arg(finished).arg(total_);
-  if (made > 0 && finished < total_) {
+  if (isRunning() && made > 0 && finished < total_) {
     const double seconds = 1e-3 * static_cast<double>(since_.elapsed());
     const double left =
         seconds / static_cast<double>(made) * static_cast<double>(total_ - finished);
     text += tr(", %1 left").arg(durationText(left));
   }
-  const auto failed = static_cast<std::size_t>(std::count_if(
-      runs_.rows().begin(), runs_.rows().end(), [](const StudyRow& row) { return !row.isOk; }));
+  const auto failed =
+      std::count_if(rows.begin(), rows.end(), [](const StudyRow& row) { return !row.isOk; });
   if (failed > 0) {
     text += tr(", %1 failed").arg(failed);
   }
@@ -390,36 +337,8 @@ void StudyPanel::showProgress() {
   Q_EMIT counted(static_cast<int>(finished));
 }
 
-/// Options side by side, as far as they have come.
-void StudyPanel::compare() {
-  const auto options = runs_.byOption(compared_);
-  QStringList titles = {compared_.isEmpty() ? tr("Scenario") : pathTitle(compared_), tr("Runs")};
-  for (const StudyMetric& metric : studyMetrics()) {
-    titles.append(metric.unit.isEmpty() ? metric.title
-                                        : QStringLiteral("%1 [%2]").arg(metric.title, metric.unit));
-  }
-  comparison_->setColumnCount(titles.size());
-  comparison_->setHorizontalHeaderLabels(titles);
-  comparison_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  comparison_->setRowCount(static_cast<int>(options.size()));
-  for (std::size_t k = 0; k < options.size(); ++k) {
-    QStringList cells = {options[k].first, QString::number(options[k].second.size())};
-    for (const StudyMetric& metric : studyMetrics()) {
-      cells.append(estimateText(metric, options[k].second));
-    }
-    for (int column = 0; column < cells.size(); ++column) {
-      auto* item = new QTableWidgetItem(cells[column]);
-      item->setTextAlignment(
-          int((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter));
-      item->setToolTip(column < 2 ? QString() : tr("Mean and 95 % interval"));
-      comparison_->setItem(static_cast<int>(k), column, item);
-    }
-  }
-  fitColumns(*comparison_);
-}
-
 void StudyPanel::finish(bool isComplete, const QString& problems) {
-  compare();
+  results_->compare();
   if (!problems.isEmpty()) {
     const QStringList lines = problems.split(QLatin1Char('\n'));
     say(withoutSeverity(lines.front()), true);
@@ -443,6 +362,11 @@ void StudyPanel::runProgram(const QStringList& words, const QString& saying,
   }
   say(saying);
   helper_.disconnect(this);
+  connect(&helper_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (error == QProcess::FailedToStart) {
+      say(helper_.errorString(), true);
+    }
+  });
   connect(&helper_, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this,
           [this, then](int code, QProcess::ExitStatus status) {
             const bool isFine = status == QProcess::NormalExit && code <= 1;

@@ -6,16 +6,12 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSortFilterProxyModel>
-#include <QStackedWidget>
-#include <QTabBar>
-#include <QTableView>
-#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTimer>
 
 #include "app/window/StudyForm.h"
 #include "app/window/StudyProcess.h"
+#include "app/window/StudyResults.h"
 #include "editor/look/Form.h"
 
 namespace app {
@@ -26,8 +22,11 @@ class StudyPanel : public QWidget {
   Q_OBJECT
  public:
   explicit StudyPanel(editor::PanelContext& context);
+  ~StudyPanel() override;
+  Q_DISABLE_COPY_MOVE(StudyPanel)
 
-  bool openFile(const QString& path);  // an experiment; problems are shown
+  /// An experiment; problems are shown. False as well while a study runs.
+  bool openFile(const QString& path);
   /// Where it is saved, and where its results go.
   void setFile(const QString& path);
   QString file() const { return file_; }
@@ -40,17 +39,16 @@ class StudyPanel : public QWidget {
   void play(int run);
   void openReport();
   QString said() const { return says_->text(); }
-  const StudyRunsModel& runs() const { return runs_; }
-  QTableWidget& comparison() const { return *comparison_; }
-  QTableView& runTable() const { return *runTable_; }
+  const StudyResults& results() const { return *results_; }
 
  Q_SIGNALS:
   void runWanted(const QString& folder);  // is to be played
   void counted(int finished);
 
  private:
+  void listen();
   QWidget* makeHead();
-  QWidget* makeResults();
+  QWidget* makeState();
   void askFile(bool toSave);
   void checkSoon() { check_.start(); }
   void check();
@@ -58,35 +56,34 @@ class StudyPanel : public QWidget {
   bool save();
   void take(const std::vector<StudyRow>& rows);
   void showProgress();
-  void compare();
   void finish(bool isComplete, const QString& problems);
   void runProgram(const QStringList& words, const QString& saying,
                   const std::function<void()>& then);
   void say(const QString& text, bool isProblem = false);
   void follow();
 
+  void paintWords();
+
   editor::PanelContext& context_;
   QString file_;
+  bool isEdited_ = false;  // the fields say something else than the file
   StudyForm* form_;
-  StudyRunsModel runs_;
-  QSortFilterProxyModel sorted_;
+  StudyResults* results_;
   StudyProcess process_;
   QProcess helper_;  // a run to be played, a report
   std::unique_ptr<QTemporaryDir> played_;
   std::size_t total_ = 0, before_ = 0;  // runs; those that were there when it began
   QElapsedTimer since_;
-  QTimer check_, compareSoon_;
-  QString compared_;  // value path
+  QTimer check_;
   editor::ElidedLabel* name_;
   QLabel* says_;
+  bool saysProblem_ = false;
   QProgressBar* progress_;
   QPushButton* start_;
   QPushButton* report_;
+  QAbstractButton* open_ = nullptr;
+  QAbstractButton* saveAs_ = nullptr;
   QAbstractButton* anew_;
-  QTabBar* tabs_;
-  QStackedWidget* pages_;
-  QTableWidget* comparison_;
-  QTableView* runTable_;
 };
 
 /// Those of the editor, and this one.

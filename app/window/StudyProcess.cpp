@@ -68,8 +68,11 @@ void StudyProcess::read() {
   std::vector<StudyRow> rows;
   int begin = 0;
   for (int end = rest_.indexOf('\n'); end >= 0; end = rest_.indexOf('\n', begin)) {
-    if (std::optional<StudyRow> row = studyRowOf(rest_.mid(begin, end - begin))) {
+    const QByteArray line = rest_.mid(begin, end - begin);
+    if (std::optional<StudyRow> row = studyRowOf(line)) {
       rows.push_back(*std::move(row));
+    } else if (const std::optional<StudyBegin> first = studyBeginOf(line)) {
+      Q_EMIT began(*first);
     }
     begin = end + 1;
   }

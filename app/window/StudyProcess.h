@@ -27,6 +27,7 @@ class StudyProcess : public QObject {
   void stop();  // like Ctrl-C: `ended` follows
 
  Q_SIGNALS:
+  void began(const app::StudyBegin& begin);
   void rowsCame(const std::vector<app::StudyRow>& rows);  // several at once
   /// All runs are finished, or why not: what it said on standard error.
   void ended(bool isComplete, const QString& problems);

@@ -65,6 +65,16 @@ std::optional<StudyRow> studyRowOf(const QByteArray& line) {
   return row;
 }
 
+std::optional<StudyBegin> studyBeginOf(const QByteArray& line) {
+  const QJsonObject json = QJsonDocument::fromJson(line).object();
+  const QJsonValue runs = json[QLatin1String("runs")];
+  return runs.isDouble()
+             ? std::optional(
+                   StudyBegin{static_cast<std::size_t>(runs.toDouble()),
+                              static_cast<std::size_t>(json[QLatin1String("finished")].toDouble())})
+             : std::nullopt;
+}
+
 QString comparedPath(const Experiment& experiment) {
   QString first;
   for (const ExperimentValue& value : experiment.values) {
@@ -99,6 +109,10 @@ const std::vector<StudyMetric>& studyMetrics() {
     return all;
   }();
   return kAll;
+}
+
+QString StudyMetric::heading() const {
+  return unit.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, unit);
 }
 
 QString estimateText(const StudyMetric& metric, const std::vector<const StudyRow*>& rows) {
@@ -247,9 +261,7 @@ QVariant StudyRunsModel::headerData(int section, Qt::Orientation orientation, in
   if (metric < 0) {
     return tr("Ended");
   }
-  const StudyMetric& shown = studyMetrics()[static_cast<std::size_t>(metric)];
-  return shown.unit.isEmpty() ? shown.title
-                              : QStringLiteral("%1 [%2]").arg(shown.title, shown.unit);
+  return studyMetrics()[static_cast<std::size_t>(metric)].heading();
 }
 
 }  // namespace app

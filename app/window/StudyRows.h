@@ -26,6 +26,12 @@ struct StudyRow {
 /// Nothing: the line is no row.
 std::optional<StudyRow> studyRowOf(const QByteArray& line);
 
+/// What the same says first: how many runs there are, and how many were finished before.
+struct StudyBegin {
+  std::size_t runs = 0, finished = 0;
+};
+std::optional<StudyBegin> studyBeginOf(const QByteArray& line);
+
 /// The value path whose options a study compares: a planner, else the first list of several values;
 /// empty: scenarios are compared.
 QString comparedPath(const Experiment& experiment);
@@ -36,7 +42,8 @@ QString pathTitle(const QString& path);
 /// A metric that the study panel shows.
 struct StudyMetric {
   QString key, title, unit;
-  bool isRate = false;  // shown in per cent, with Wilson's interval
+  bool isRate = false;      // shown in per cent, with Wilson's interval
+  QString heading() const;  // "Path length [m]"
 };
 const std::vector<StudyMetric>& studyMetrics();
 

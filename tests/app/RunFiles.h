@@ -24,19 +24,25 @@ struct Finished {
   QString out, err;
 };
 
+/// Waits for its end, which may have been already.
+inline Finished finishedOf(QProcess& process, int milliseconds = 55000) {
+  process.waitForFinished(milliseconds);
+  Finished finished;
+  if (process.state() == QProcess::NotRunning && process.exitStatus() == QProcess::NormalExit) {
+    finished.exitCode = process.exitCode();
+  }
+  finished.out = QString::fromUtf8(process.readAllStandardOutput());
+  finished.err = QString::fromUtf8(process.readAllStandardError());
+  return finished;
+}
+
 inline Finished runProgram(const QStringList& words, const QString& folder = {}) {
   QProcess process;
   if (!folder.isEmpty()) {
     process.setWorkingDirectory(folder);
   }
   process.start(QStringLiteral(HUNAVSIM_PROGRAM), words);
-  Finished finished;
-  if (process.waitForFinished(55000) && process.exitStatus() == QProcess::NormalExit) {
-    finished.exitCode = process.exitCode();
-  }
-  finished.out = QString::fromUtf8(process.readAllStandardOutput());
-  finished.err = QString::fromUtf8(process.readAllStandardError());
-  return finished;
+  return finishedOf(process);
 }
 
 inline QByteArray bytesOf(const QString& path) {

@@ -45,16 +45,7 @@ class Running {
     return !process_.waitForFinished(0) && process_.state() != QProcess::NotRunning;
   }
   std::vector<qint64> workers() const { return childrenOf(pid()); }
-  Finished wait() {
-    Finished finished;
-    process_.waitForFinished(50000);  // false as well when it has ended before
-    if (process_.state() == QProcess::NotRunning && process_.exitStatus() == QProcess::NormalExit) {
-      finished.exitCode = process_.exitCode();
-    }
-    finished.out = QString::fromUtf8(process_.readAllStandardOutput());
-    finished.err = QString::fromUtf8(process_.readAllStandardError());
-    return finished;
-  }
+  Finished wait() { return finishedOf(process_); }
 
  private:
   QProcess process_;

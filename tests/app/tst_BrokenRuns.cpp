@@ -29,16 +29,7 @@ class Group {
 
   pid_t pid() const { return static_cast<pid_t>(process_.processId()); }
   bool isRunning() const { return process_.state() == QProcess::Running; }
-  Finished wait() {
-    Finished finished;
-    process_.waitForFinished(50000);  // false as well when it has ended before
-    if (process_.state() == QProcess::NotRunning && process_.exitStatus() == QProcess::NormalExit) {
-      finished.exitCode = process_.exitCode();
-    }
-    finished.out = QString::fromUtf8(process_.readAllStandardOutput());
-    finished.err = QString::fromUtf8(process_.readAllStandardError());
-    return finished;
-  }
+  Finished wait() { return outside::finishedOf(process_); }
 
  private:
   QProcess process_;

@@ -43,7 +43,8 @@ class StudiesTest : public QObject {
         folder_.path(text("study.yaml")), undisturbed(), {text("--resume"), text("--rows")}));
     QVERIFY2(found.exitCode == 0, qPrintable(found.err));
     const auto rows = outside::readCsv(undisturbed() + text("/results.csv"));
-    const QStringList lines = found.out.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    QStringList lines = found.out.split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    QCOMPARE(lines.takeFirst(), text("{\"runs\":24,\"finished\":24}"));
     QCOMPARE(static_cast<std::size_t>(lines.size()), rows.size());
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const QJsonObject row = QJsonDocument::fromJson(lines[static_cast<int>(k)].toUtf8()).object();

@@ -3,6 +3,7 @@
 
 #include "app/window/Docks.h"
 #include "app/window/StudyPanel.h"
+#include "editor/document/EditCommands.h"
 #include "editor/look/HouseStyle.h"
 #include "tests/app/QuietWindow.h"
 #include "tests/app/StudyFiles.h"
@@ -81,6 +82,9 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
   void lines_thatAreNoRows_arePassedOver() {
     QVERIFY(!app::studyRowOf("no json"));
     QVERIFY(!app::studyRowOf("{\"other\": 1}"));
+    QVERIFY(!app::studyBeginOf("{\"run\": 1}"));
+    const auto begin = app::studyBeginOf("{\"runs\":24,\"finished\":3}");
+    QVERIFY(begin && begin->runs == 24 && begin->finished == 3);
     const auto row = app::studyRowOf(
         "{\"run\": 3, \"scenario\": \"a.yaml\", \"seed\": 7, \"values\": {\"r.planner\": \"dwa\"}, "
         "\"status\": \"failed\", \"reason\": \"why\", \"metrics\": {\"a\": 1.5, \"b\": true, "
@@ -134,11 +138,11 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     QCOMPARE(panel().said(), text("24 of 24 runs"));
     const auto rows = outside::readCsv(panel().resultsFolder() + text("/results.csv"));
     QCOMPARE(rows.size(), std::size_t{24});
-    QCOMPARE(panel().runs().rows().size(), rows.size());
+    QCOMPARE(panel().results().runs().rows().size(), rows.size());
     double sum = 0.0;
     int count = 0;
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      const StudyRow& shown = panel().runs().rows()[k];
+      const StudyRow& shown = panel().results().runs().rows()[k];
       QCOMPARE(shown.run, static_cast<int>(k));
       QCOMPARE(shown.reason, rows[k].at(text("reason")));
       QCOMPARE(shown.metrics.at(text("path_length")), rows[k].at(text("path_length")).toDouble());
@@ -147,7 +151,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
         ++count;
       }
     }
-    const QTableWidget& table = panel().comparison();
+    const QTableWidget& table = panel().results().comparison();
     QCOMPARE(table.rowCount(), 2);
     QCOMPARE(table.item(1, 0)->text(), text("dwa"));
     QCOMPARE(table.item(1, 1)->text().toInt(), count);
@@ -176,7 +180,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     QTRY_COMPARE_WITH_TIMEOUT(played.count(), 1, kLong);
     const QString folder = played.front().front().toString();
     const double length = outside::valueOf(outside::metricsOf(folder), text("path_length"));
-    QCOMPARE(length, panel().runs().rows()[3].metrics.at(text("path_length")));
+    QCOMPARE(length, panel().results().runs().rows()[3].metrics.at(text("path_length")));
   }
 
   void study_stopped_goesOn() {
@@ -190,13 +194,41 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     const QString path = study_->study();
     QVERIFY(panel().openFile(path));
     panel().start();
-    QTRY_VERIFY_WITH_TIMEOUT(panel().runs().rows().size() >= 3, kLong);
+    QTRY_VERIFY_WITH_TIMEOUT(panel().results().runs().rows().size() >= 3, kLong);
     panel().stop();
     waitForEnd();
     panel().start();
     waitForEnd();
-    QCOMPARE(panel().runs().rows().size(), std::size_t{24});
+    QCOMPARE(panel().results().runs().rows().size(), std::size_t{24});
     QCOMPARE(panel().said(), text("24 of 24 runs"));
+  }
+
+  /// Who only runs a file keeps its comments; what is edited is saved before it runs.
+  void file_thatIsNotEdited_staysAsItIs() {
+    const QString path = study_->writeStudy("mine.yaml", "# why\nseeds: 1\nduration: 0.5\n");
+    const QByteArray mine = bytes(path);
+    QVERIFY(panel().openFile(path));
+    panel().start();
+    QVERIFY(!panel().openFile(study_->study()));  // not now
+    waitForEnd();
+    QCOMPARE(bytes(path), mine);
+    QCOMPARE(panel().results().runs().rows().size(), std::size_t{1});
+    field<QLineEdit>("Seeds").setText(text("2"));
+    panel().start(app::StudyProcess::Begin::Anew);
+    waitForEnd();
+    QVERIFY(bytes(path) != mine);
+    QCOMPARE(panel().results().runs().rows().size(), std::size_t{2});
+  }
+
+  /// The study reads files: what is changed in the window alone is told.
+  void scenario_notSaved_isTold() {
+    form().addScenario(document().path());
+    QTRY_VERIFY(panel().said().contains(text("1 scenario")));
+    QVERIFY(!panel().said().contains(text("not saved")));
+    document().setSelection({document().entities(base::EntityKind::Robot).front()});
+    editor::pushChange<sim2d::Robot>(document(), document().selection().front(), text("Planner"),
+                                     [](sim2d::Robot& robot) { robot.planner = "dwa"; });
+    QTRY_VERIFY2(panel().said().contains(text("not saved")), qPrintable(panel().said()));
   }
 
   /// Another study does not go on with results: it is said, and begun anew only when asked for.
@@ -213,7 +245,7 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     QCOMPARE(bytes(panel().resultsFolder() + text("/results.csv")), before);
     panel().start(app::StudyProcess::Begin::Anew);
     waitForEnd();
-    QCOMPARE(panel().runs().rows().size(), std::size_t{2});
+    QCOMPARE(panel().results().runs().rows().size(), std::size_t{2});
   }
 
   /// The window goes while a study runs: no process is left.

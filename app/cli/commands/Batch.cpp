@@ -85,6 +85,7 @@ base::Diagnostics makeRuns(const Experiment& experiment, ExperimentRunner& runne
   Progress progress(quiet);
   const auto printRow = [&](const StoredRun& run) { printLine(rowJson(store.study(), run)); };
   if (options.rows) {
+    printLine(beginJson(store));
     base::Diagnostics unreadable = store.forEach(printRow);
     if (!unreadable.empty()) {
       return unreadable;
@@ -159,7 +160,7 @@ void addBatch(CommandRegistry& commands) {
   command.add_flag("--force", options.force, "Begin anew where a batch was interrupted")
       ->excludes(resume);
   command.add_flag("--rows", options.rows,
-                   "Print each finished run as a line of JSON, those of before first");
+                   "Print how many runs there are, then each finished one, as lines of JSON");
   command.add_option("--shard", options.shard, "K/N: part K of N of the runs; see merge")
       ->check(shardProblem);
   command
