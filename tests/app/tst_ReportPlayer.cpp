@@ -76,10 +76,10 @@ class ReportPlayerTest : public QObject {
     outside::writeText(page, html.replace("</body>", kReader));
 
     QProcess process;
-    process.start(browser(),
-                  {text("--headless"), text("--no-sandbox"), text("--disable-gpu"),
-                   text("--user-data-dir=") + folder.filePath(text("browser")),
-                   text("--virtual-time-budget=90000"), text("--dump-dom"), text("file://") + page});
+    process.start(browser(), {text("--headless"), text("--no-sandbox"), text("--disable-gpu"),
+                              text("--user-data-dir=") + folder.filePath(text("browser")),
+                              text("--virtual-time-budget=90000"), text("--dump-dom"),
+                              text("file://") + page});
     QVERIFY(process.waitForFinished(50000));
     const QString seen = QString::fromUtf8(process.readAllStandardOutput());
     const QString title = seen.section(text("<title>"), 1).section(text("</title>"), 0, 0);
