@@ -102,7 +102,7 @@ void ClearanceAlong::takeBodies(const Observation& observation, double speed, do
   gapAhead_ = std::numeric_limits<double>::infinity();
   const Vec2 ahead = observation.pose.direction();
   for (const TrackedBody& other : observation.bodies) {
-    Near body{other.position, other.velocity, other.radius, other.velocity.norm(), 0.0};
+    Near body{other.position, other.velocity, other.radius, other.velocity.norm(), 0.0, 0.0};
     const Vec2 towards = other.position - observation.pose.position;
     const double far = towards.norm() - other.radius - reach_;
     if (far > wide_ + (speed + body.speed) * time) {
@@ -111,6 +111,7 @@ void ClearanceAlong::takeBodies(const Observation& observation, double speed, do
     const double gap = gapTo(body, observation.pose, 0.0);
     // Who has come nearer than that counts all along, also when they part: `canStop` then allows
     // what does not bring the robot nearer by its own motion.
+    body.gapNow = gap;
     body.least = std::max(leastOf(gap), kHardShare * margin_);
     near_.push_back(body);
     if (ahead.dot(towards) > 0.0) {
@@ -170,7 +171,7 @@ void ClearanceAlong::followWalls(const Way& way, Found& found) {
 void ClearanceAlong::followBody(const Way& way, const Near& body, Found& found) const {
   const int count = std::min(found.wallStep, found.bodyStep);
   const double perStep = std::max((way.speed + body.speed) * way.step, 1e-9);
-  int i = 1;
+  int i = posesToSkip(body.gapNow, wide_, perStep);
   while (i < count) {
     const double gap = gapTo(body, way.poses[static_cast<std::size_t>(i)], i * way.step);
     found.gap = std::min(found.gap, gap);

@@ -48,7 +48,8 @@ class ClearanceAlong {
     Vec2 position = Vec2::Zero(), velocity = Vec2::Zero();
     double radius = 0.0;
     double speed = 0.0;
-    double least = 0.0;  // gap below which it is hit [m]
+    double least = 0.0;   // gap below which it is hit [m]
+    double gapNow = 0.0;  // [m]
   };
   void takeBodies(const Observation& observation, double speed, double time);
   void takePoints(const Observation& observation);

@@ -30,7 +30,8 @@ CostToGo::CostToGo(double inscribed, double reach, double margin)
       reach_(reach),
       margin_(margin),
       slowness_(static_cast<std::size_t>(kStride) * kStride, 0.0),
-      value_(static_cast<std::size_t>(kStride) * kStride, kUnknownFar) {}
+      value_(static_cast<std::size_t>(kStride) * kStride, kUnknownFar),
+      least_(kSide, 0.0) {}
 
 Vec2 CostToGo::middleOf(int column, int row) const {
   return origin_ + cell_ * Vec2(column + 0.5, row + 0.5);
@@ -217,6 +218,34 @@ void CostToGo::update(const Observation& observation, const RobotRoute& route, d
   start(observation);
   solve();
   fillBlocked();
+  findLeast();
+}
+
+void CostToGo::findLeast() {
+  std::fill(least_.begin(), least_.end(), kUnknownFar);
+  for (int row = 0; row < kSide; ++row) {
+    for (int column = 0; column < kSide; ++column) {
+      const double value = value_[static_cast<std::size_t>(indexOf(column, row))];
+      const double known = value < kUnknownFar ? value : rest_ + cell_ * kSide;
+      const double cells = (middleOf(column, row) - madeFor_).norm() / cell_;
+      double& least = least_[std::min(static_cast<std::size_t>(cells), least_.size() - 1)];
+      least = std::min(least, known);
+    }
+  }
+  for (std::size_t i = 1; i < least_.size(); ++i) {
+    least_[i] = std::min(least_[i], least_[i - 1]);
+  }
+}
+
+double CostToGo::leastWithin(const Vec2& from, double radius) const {
+  constexpr double kToCorner = 1.5;  // [cells] from a place to the middles that it is mixed of
+  const double cells = (radius + (from - madeFor_).norm()) / cell_ + kToCorner;
+  double least = least_[static_cast<std::size_t>(std::min(cells, kSide - 1.0))];
+  const double direct = std::max(0.0, (target_ - from).norm() - radius);
+  if (direct < kBySight * cell_) {
+    least = std::min(least, rest_ + direct);
+  }
+  return least;
 }
 
 CostToGo::Corners CostToGo::cornersAt(const Vec2& place) const {

@@ -23,6 +23,8 @@ class CostToGo {
 
   /// Length of the way from there [m], more than that through places that are narrow or taken.
   double at(const Vec2& place) const;
+  /// No place nearer than `radius` [m] to `from` has less [m].
+  double leastWithin(const Vec2& from, double radius) const;
   /// Where to go from there: unit vector, zero where nothing is better.
   Vec2 direction(const Vec2& place) const;
   /// The goal, or the end of the way to it, lies in the square.
@@ -44,6 +46,7 @@ class CostToGo {
   bool sweep(bool isUp, bool isRight);
   bool improve(int index);
   void fillBlocked();
+  void findLeast();
   Vec2 middleOf(int column, int row) const;
   int indexOf(int column, int row) const { return (row + 1) * kStride + column + 1; }
   Corners cornersAt(const Vec2& place) const;
@@ -55,6 +58,7 @@ class CostToGo {
   double inscribed_, reach_, margin_;
   std::vector<double> slowness_;  // 0: blocked
   std::vector<double> value_;     // [m]
+  std::vector<double> least_;     // [m] of cells at most that many cells away from madeFor_
   Vec2 origin_ = Vec2::Zero();    // lower left corner
   Vec2 target_ = Vec2::Zero();
   double rest_ = 0.0;  // of the route, from the target on [m]

@@ -11,6 +11,8 @@ using drive::wall;
 using drive::World;
 using namespace sim2d;
 
+Q_DECLARE_METATYPE(sim2d::Vec2)
+
 namespace {
 
 CostToGo solved(World& world) {
@@ -33,6 +35,8 @@ class CostToGoTest : public QObject {
   void direction_personOnTheWay_leadsRound();
   void direction_personWhoWalks_isStraight();
   void at_thinWall_isNotCrossed();
+  void leastWithin_placesInReach_haveNoLess_data();
+  void leastWithin_placesInReach_haveNoLess();
 };
 
 void CostToGoTest::at_openPlane_isTheDistance() {
@@ -83,6 +87,30 @@ void CostToGoTest::direction_personWhoWalks_isStraight() {
   World world(robotBody(Kinematics::Differential), {Vec2::Zero(), 0.0}, Vec2(3.0, 0.0));
   world.observation().bodies = {person(1, Vec2(1.2, 0.2), Vec2(0.0, 1.0))};
   QVERIFY(solved(world).direction(Vec2::Zero()).x() > 0.98);
+}
+
+void CostToGoTest::leastWithin_placesInReach_haveNoLess_data() {
+  QTest::addColumn<Vec2>("goal");
+  QTest::newRow("in the square") << Vec2(2.4, 1.0);
+  QTest::newRow("near") << Vec2(0.5, -0.2);
+  QTest::newRow("beyond") << Vec2(12.0, 3.0);
+}
+
+void CostToGoTest::leastWithin_placesInReach_haveNoLess() {
+  QFETCH(Vec2, goal);
+  World world(robotBody(Kinematics::Differential), {Vec2::Zero(), 0.0}, goal,
+              {wall(0.9, -9.0, 1.1, 0.6)});
+  world.observation().bodies = {person(1, Vec2(1.5, 1.2)), person(2, Vec2(-0.6, 0.7))};
+  const CostToGo toGo = solved(world);
+  for (int i = 0; i < 4000; ++i) {
+    const Vec2 from(0.2 * std::cos(1.3 * i), 0.2 * std::sin(0.9 * i));
+    const double radius = 3.0 * std::fabs(std::sin(0.37 * i));
+    const double share = std::fabs(std::cos(2.1 * i));
+    const Vec2 place = from + share * radius * Vec2(std::cos(0.61 * i), std::sin(0.61 * i));
+    QVERIFY2(toGo.leastWithin(from, radius) <= toGo.at(place) + 1e-12, QByteArray::number(i));
+  }
+  // No better guess than the straight way where nothing is in between.
+  QVERIFY(toGo.leastWithin(Vec2::Zero(), 0.0) > 0.8 * goal.norm() - 0.4);
 }
 
 void CostToGoTest::at_thinWall_isNotCrossed() {

@@ -85,6 +85,7 @@ class DwaTest : public QObject {
   void command_insideTheGoal_brakes();
   void command_equalObservations_equalBits();
   void candidates_areASampleWithTheChosenAsBest();
+  void command_amongManyPeople_isTheBestOfTheShown();
   void command_afterTheFirst_allocatesNothing();
 };
 
@@ -371,6 +372,31 @@ void DwaTest::candidates_areASampleWithTheChosenAsBest() {
   QVERIFY(
       std::all_of(late.begin(), late.end(), [](const Candidate& a) { return std::isinf(a.cost); }));
   QVERIFY(world.commands().back() == BodyTwist{});
+}
+
+void DwaTest::command_amongManyPeople_isTheBestOfTheShown() {
+  // Shown arcs are weighed to the end, most others only until they cannot be the best any more.
+  for (const Kinematics kinematics :
+       {Kinematics::Differential, Kinematics::Omnidirectional, Kinematics::Ackermann}) {
+    const RobotBody body = robotBody(kinematics);
+    World world(body, {Vec2::Zero(), 0.0}, Vec2(9.0, 1.0), corridor(12.0, 4.0));
+    const std::shared_ptr<Planner> dwa = dwaOf(body);
+    int finite = 0;
+    for (int i = 0; i < 120; ++i) {
+      world.observation().bodies = {person(1, Vec2(2.5, 0.5), Vec2(0.3, -0.2)),
+                                    person(2, Vec2(4.0, -0.8), Vec2(-0.6, 0.3)),
+                                    person(3, Vec2(5.0, 1.0)), person(4, Vec2(0.4, -1.2))};
+      world.step(*dwa);
+      const std::vector<Candidate> arcs = dwa->candidates();
+      const auto chosen =
+          std::find_if(arcs.begin(), arcs.end(), [](const Candidate& a) { return a.isChosen; });
+      for (const Candidate& arc : arcs) {
+        QVERIFY(std::isinf(arc.cost) || (chosen != arcs.end() && arc.cost >= chosen->cost));
+        finite += std::isinf(arc.cost) ? 0 : 1;
+      }
+    }
+    QVERIFY2(finite > 1000, QByteArray::number(finite));
+  }
 }
 
 void DwaTest::command_afterTheFirst_allocatesNothing() {

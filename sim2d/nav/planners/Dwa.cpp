@@ -39,6 +39,11 @@ bool isInWindow(const TwistWindow& window, const BodyTwist& twist) {
          twist.lateral >= window.lowLateral && twist.lateral <= window.highLateral;
 }
 
+/// Of the centre [m/s].
+double speedOf(const BodyTwist& twist) {
+  return std::sqrt(twist.linear * twist.linear + twist.lateral * twist.lateral);
+}
+
 /// The dynamic window approach (Fox, Burgard & Thrun 1997). Velocities that the drive reaches in
 /// time are tried; those after which it could not stop before it hits something are dropped; the
 /// best of the rest is driven. In the place of the paper's smoothed objective stand the length of
@@ -104,7 +109,11 @@ class Dwa : public Planner {
   double speedLimit(const Observation& observation) const;
   BodyTwist best(const Observation& observation);
   BodyTwist brake(const Observation& observation) const;
-  double costOf(const Observation& observation, const BodyTwist& twist);
+  double costOf(const Observation& observation, const BodyTwist& twist, double bound);
+  double costAtLeast(const Observation& observation, const BodyTwist& twist) const;
+  double changeOf(const BodyTwist& twist) const;
+  double slownessOf(const BodyTwist& twist) const;
+  bool isShown(std::size_t sample) const;
   std::size_t endOf(const Observation& observation, const ClearanceAlong::Found& found) const;
   double restFrom(const Observation& observation, const Pose2& pose) const;
   double headingCost(const Observation& observation, const BodyTwist& twist, std::size_t end) const;
@@ -257,36 +266,65 @@ bool Dwa::isAdmissible(const ClearanceAlong::Way& way, const ClearanceAlong::Fou
   return canStop;
 }
 
-double Dwa::costOf(const Observation& observation, const BodyTwist& twist) {
-  rollOut(body_, observation.pose, observation.motion, twist, parameters_.step, poses_);
-  const double speed = std::sqrt(twist.linear * twist.linear + twist.lateral * twist.lateral);
-  const double before =
-      std::sqrt(motion_.linear * motion_.linear + motion_.lateral * motion_.lateral);
-  const ClearanceAlong::Way way{poses_, parameters_.step, std::max(speed, before)};
-  const ClearanceAlong::Found found = clear_.along(way);
-  if (!isAdmissible(way, found, twist)) {
-    return kNotAdmissible;
-  }
-  const DwaParameters& p = parameters_;
+/// Of the command [share of the limits].
+double Dwa::changeOf(const BodyTwist& twist) const {
   const DriveLimits& limits = body_.limits;
-  const std::size_t end = endOf(observation, found);
-  const double room = std::clamp(found.gap / p.clearance, 0.0, 1.0);
-  const double change =
-      (std::fabs(twist.linear - last_.linear) + std::fabs(twist.lateral - last_.lateral)) /
-          limits.maxVel +
-      std::fabs(twist.angular - last_.angular) / limits.maxOmega;
-  double cost = p.clearanceWeight * (1.0 - room) + p.smoothnessWeight * change +
-                p.headingWeight * headingCost(observation, twist, end);
-  if (watch_.isMovingOff()) {
-    return cost + movingOffCost(twist);
-  }
-  const bool isBackwards = body_.kinematics != Kinematics::Omnidirectional && twist.linear < 0.0;
-  cost += p.velocityWeight * (isBackwards ? 1.0 : 1.0 - std::min(1.0, speed / limits.maxVel));
-  const double farthest = limits.maxVel * p.horizon;
-  return cost + p.goalWeight * restFrom(observation, poses_[end]) / farthest;
+  return (std::fabs(twist.linear - last_.linear) + std::fabs(twist.lateral - last_.lateral)) /
+             limits.maxVel +
+         std::fabs(twist.angular - last_.angular) / limits.maxOmega;
 }
 
+/// What is missing to the full speed [share of it].
+double Dwa::slownessOf(const BodyTwist& twist) const {
+  const bool isBackwards = body_.kinematics != Kinematics::Omnidirectional && twist.linear < 0.0;
+  return isBackwards ? 1.0 : 1.0 - std::min(1.0, speedOf(twist) / body_.limits.maxVel);
+}
+
+/// What this twist costs at least, known before its arc is: from where it gets to at most.
+double Dwa::costAtLeast(const Observation& observation, const BodyTwist& twist) const {
+  if (watch_.isMovingOff()) {
+    return 0.0;
+  }
+  const BodyTwist change{twist.linear - motion_.linear, 0.0, twist.lateral - motion_.lateral};
+  const double time = static_cast<double>(poses_.size() - 1) * parameters_.step;
+  const double farthest = speedOf(twist) * time +
+                          speedOf(change) * speedOf(change) / std::max(body_.limits.maxAcc, 1e-9);
+  const DwaParameters& p = parameters_;
+  return p.smoothnessWeight * changeOf(twist) + p.velocityWeight * slownessOf(twist) +
+         p.goalWeight * toGo_.leastWithin(observation.pose.position, farthest) /
+             (body_.limits.maxVel * p.horizon);
+}
+
+/// Infinite as well when it is more than `bound`.
+double Dwa::costOf(const Observation& observation, const BodyTwist& twist, double bound) {
+  rollOut(body_, observation.pose, observation.motion, twist, parameters_.step, poses_);
+  const ClearanceAlong::Way way{poses_, parameters_.step,
+                                std::max(speedOf(twist), speedOf(motion_))};
+  const ClearanceAlong::Found found = clear_.along(way);
+  const DwaParameters& p = parameters_;
+  const std::size_t end = endOf(observation, found);
+  const double room = std::clamp(found.gap / p.clearance, 0.0, 1.0);
+  const double nearness = p.clearanceWeight * (1.0 - room) + p.smoothnessWeight * changeOf(twist);
+  const bool isMovingOff = watch_.isMovingOff();
+  const double slowness = isMovingOff ? movingOffCost(twist) : p.velocityWeight * slownessOf(twist);
+  const double rest = isMovingOff ? 0.0
+                                  : p.goalWeight * restFrom(observation, poses_[end]) /
+                                        (body_.limits.maxVel * p.horizon);
+  if (nearness + slowness + rest > bound || !isAdmissible(way, found, twist)) {
+    return kNotAdmissible;
+  }
+  return nearness + p.headingWeight * headingCost(observation, twist, end) + slowness + rest;
+}
+
+/// Whether its arc will be shown, with its cost.
+bool Dwa::isShown(std::size_t sample) const {
+  const std::size_t stride = std::max<std::size_t>(1, twists_.size() / kDwaShownArcs);
+  return sample % stride == stride / 2;
+}
+
+/// The last command, then the fastest ones first: with what they cost most others need no look.
 BodyTwist Dwa::best(const Observation& observation) {
+  constexpr double kRounding = 1e-9;
   const TwistWindow window = windowNow(observation);
   sampler_.sample(window, twists_);
   if (isInWindow(window, last_)) {  // what was safe to go on with is among them, to the bit
@@ -294,13 +332,16 @@ BodyTwist Dwa::best(const Observation& observation) {
   }
   double least = kNotAdmissible;
   chosen_ = twists_.size();
-  for (const BodyTwist& twist : twists_) {
-    const double cost = costOf(observation, twist);
-    if (cost < least) {
-      least = cost;
-      chosen_ = samples_.size();
+  samples_.resize(twists_.size());
+  for (std::size_t i = twists_.size(); i-- > 0;) {
+    const BodyTwist& twist = twists_[i];
+    const double bound = isShown(i) ? kNotAdmissible : least + kRounding;
+    const bool canBeBest = costAtLeast(observation, twist) <= bound;
+    samples_[i] = {twist, canBeBest ? costOf(observation, twist, bound) : kNotAdmissible};
+    if (samples_[i].cost <= least && samples_[i].cost < kNotAdmissible) {
+      least = samples_[i].cost;
+      chosen_ = i;
     }
-    samples_.push_back({twist, cost});
   }
   return chosen_ < twists_.size() ? twists_[chosen_] : brake(observation);
 }
@@ -320,11 +361,10 @@ BodyTwist Dwa::brake(const Observation& observation) const {
 
 std::vector<Candidate> Dwa::candidates() const {
   std::vector<Candidate> shown;
-  const std::size_t stride = std::max<std::size_t>(1, samples_.size() / kDwaShownArcs);
   std::vector<Pose2> poses(poses_.size());
   for (std::size_t i = 0; i < samples_.size(); ++i) {
     const bool isChosen = i == chosen_;
-    if (i % stride != stride / 2 && !isChosen) {
+    if (!isShown(i) && !isChosen) {
       continue;
     }
     rollOut(body_, pose_, motion_, samples_[i].twist, parameters_.step, poses);
