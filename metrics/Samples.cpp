@@ -91,7 +91,28 @@ class Routes {
          double robotRadius)
       : map_(std::move(map)), obstacles_(std::move(obstacles)), robotRadius_(robotRadius) {}
 
+  /// Some keys ask the same: the last few answers are kept.
   std::vector<Vec2> shortest(const Vec2& from, const Vec2& to) {
+    constexpr std::size_t kMostKept = 4;
+    for (const Answer& known : known_) {
+      if (known.from == from && known.to == to) {
+        return known.way;
+      }
+    }
+    if (known_.size() >= kMostKept) {
+      known_.erase(known_.begin());
+    }
+    known_.push_back({from, to, search(from, to)});
+    return known_.back().way;
+  }
+
+ private:
+  struct Answer {
+    Vec2 from = Vec2::Zero(), to = Vec2::Zero();
+    std::vector<Vec2> way;
+  };
+
+  std::vector<Vec2> search(const Vec2& from, const Vec2& to) {
     const double room =
         std::min({robotRadius_, obstacles_->clearance(from), obstacles_->clearance(to)});
     if (sim2d::isWayClear(from, to, *obstacles_, std::max(room, 0.0))) {
@@ -111,11 +132,11 @@ class Routes {
                         : sim2d::tautened(path, *obstacles_, robotRadius_);
   }
 
- private:
   sim2d::OccupancyGrid map_;
   std::shared_ptr<const sim2d::Obstacles> obstacles_;
   double robotRadius_;
   std::unique_ptr<sim2d::PathPlanner> planner_;
+  std::vector<Answer> known_;  // the oldest first
 };
 
 std::vector<Vec2> shortestPath(const RunContext& context, const Vec2& from, const Vec2& to) {

@@ -4,12 +4,14 @@
 #include <limits>
 
 #include "sim2d/map/Obstacles.h"
+#include "sim2d/map/TautWay.h"
 
 namespace sim2d {
 
 namespace {
 
 constexpr double kSlack = 1e-9;         // [m] rounding where an edge is cut into pieces
+constexpr double kStepOut = 1e-6;       // [m] from a border into what is free
 constexpr double kMergeDistance = 0.3;  // [m]
 constexpr double kRayRange = 4.0;       // [m]
 
@@ -39,8 +41,7 @@ struct Obstacles::PointQuery {
   };
 
   const Vec2& position;
-  double range = 0.0;          // [m]
-  SegmentGrid::Bucket bucket;  // only points in it are added, so that each is added once
+  double range = 0.0;  // [m]
   std::vector<Candidate>& candidates;
 };
 
@@ -52,11 +53,9 @@ void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
   }
   thread_local std::vector<PointQuery::Candidate> candidates;
   candidates.clear();
-  const Vec2 reach = Vec2::Constant(range);
-  PointQuery query{position, range, {}, candidates};
-  index_.visitBox(position - reach, position + reach, [&](SegmentGrid::Bucket bucket, int edge) {
+  const PointQuery query{position, range, candidates};
+  cells_.visitNear(position, range, [&](int edge) {
     if (isOn(edge)) {
-      query.bucket = bucket;
       addFoot(edge, query);
       addCorner(edge, query);
     }
@@ -88,10 +87,8 @@ void Obstacles::addFoot(int edge, const PointQuery& query) const {
     return;
   }
   const Vec2 place = start + foot * info.along;
-  if (index_.bucketAt(place) == query.bucket) {
-    query.candidates.push_back(
-        {{place, (query.position - place).norm(), false, info.part}, edge, edge});
-  }
+  query.candidates.push_back(
+      {{place, (query.position - place).norm(), false, info.part}, edge, edge});
 }
 
 /// The first corner of an edge is a local minimum when the position lies ahead of neither of the
@@ -107,7 +104,7 @@ void Obstacles::addCorner(int edge, const PointQuery& query) const {
     return;
   }
   const double distance = offset.norm();
-  if (distance < query.range && index_.bucketAt(corner) == query.bucket) {
+  if (distance < query.range) {
     query.candidates.push_back({{corner, distance, false, info.part}, info.previous, edge});
   }
 }
@@ -115,14 +112,59 @@ void Obstacles::addCorner(int edge, const PointQuery& query) const {
 /// Whether free space begins at a point of two edges (or twice the same), on their right: no other
 /// obstacle covers it.
 bool Obstacles::isExposed(const Vec2& place, int edge, int other) const {
-  constexpr double kStep = 1e-6;  // [m]
+  const Edge& info = edges_[static_cast<std::size_t>(edge)];
+  const Edge& otherInfo = edges_[static_cast<std::size_t>(other)];
+  const bool isBare = edge == other ? info.isBare
+                                    : (info.next == other && otherInfo.isCornerBare &&
+                                       place == segments_[static_cast<std::size_t>(other)].a);
+  return isBare || !isCovered(place, edge, other, false);
+}
+
+bool Obstacles::isCovered(const Vec2& place, int edge, int other, bool withDisabled) const {
   const auto rightOf = [&](int number) {
     const Vec2& along = edges_[static_cast<std::size_t>(number)].along;
     return Vec2(along.y(), -along.x());
   };
   const Vec2 outward = rightOf(edge) + rightOf(other);
   const double length = outward.norm();
-  return length <= kSlack || !isInside(place + kStep / length * outward);
+  return length > kSlack && solidPartAt(place + kStepOut / length * outward, withDisabled) >= 0;
+}
+
+/// No edge but its neighbours comes near this one.
+bool Obstacles::isApart(int edge) const {
+  const Segment& segment = segments_[static_cast<std::size_t>(edge)];
+  const Edge& info = edges_[static_cast<std::size_t>(edge)];
+  const Vec2 low = segment.a.cwiseMin(segment.b) - Vec2::Constant(kStepOut);
+  const Vec2 high = segment.a.cwiseMax(segment.b) + Vec2::Constant(kStepOut);
+  bool isApart = true;
+  index_.visitAlong(segment, [&](int other) {
+    if (!isApart || other == edge || other == info.previous || other == info.next) {
+      return;
+    }
+    const Segment& near = segments_[static_cast<std::size_t>(other)];
+    const bool isBeside = (near.a.cwiseMax(near.b).array() < low.array()).any() ||
+                          (near.a.cwiseMin(near.b).array() > high.array()).any();
+    isApart = isBeside || distanceBetween(segment, near) > kStepOut;
+  });
+  return isApart;
+}
+
+/// An edge that no other one comes near is covered everywhere or nowhere. Neither depends on which
+/// parts are switched on when it is free with all of them.
+void Obstacles::findBare(const base::StopFlag& stop) {
+  std::vector<char> apart(edges_.size());
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    stop.check();
+    apart[i] = isApart(static_cast<int>(i)) ? 1 : 0;
+  }
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    Edge& edge = edges_[i];
+    const Segment& segment = segments_[i];
+    const auto number = static_cast<int>(i);
+    edge.isBare = apart[i] != 0 && !isCovered(0.5 * (segment.a + segment.b), number, number, true);
+    edge.isCornerBare = apart[i] != 0 && apart[static_cast<std::size_t>(edge.previous)] != 0 &&
+                        !isCovered(segment.a, edge.previous, number, true);
+  }
 }
 
 /// The nearest exposed point of an edge: the point itself, or where other edges cross it.

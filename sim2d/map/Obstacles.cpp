@@ -10,6 +10,7 @@ namespace sim2d {
 namespace {
 
 constexpr double kBucketSize = 1.0;  // [m]
+constexpr double kCellSide = 2.0;    // [m]
 
 /// The segment is crossed by the horizontal line of `y`, seen from its lower end (half open, so a
 /// line through a corner meets one of the two edges).
@@ -50,7 +51,9 @@ void Obstacles::build(const base::StopFlag& stop) {
     }
   }
   index_.build(segments_, kBucketSize);
+  cells_.build(segments_, kCellSide);
   countWindings(stop);
+  findBare(stop);
   rays_.clear();
   for (int degrees = 0; degrees < 360; degrees += 4) {
     const double angle = degrees * base::kPi / 180.0;
@@ -173,12 +176,12 @@ int Obstacles::windingAt(const Vec2& point, SegmentGrid::Bucket bucket,
   return count;
 }
 
-int Obstacles::solidPartAt(const Vec2& point) const {
+int Obstacles::solidPartAt(const Vec2& point, bool withDisabled) const {
   const SegmentGrid::Bucket bucket =
       index_.isEmpty() ? SegmentGrid::Bucket{} : index_.bucketAt(point);
   if (index_.isEmpty() || !index_.contains(bucket)) {
     for (int part = 0; part < partCount(); ++part) {
-      if (isEnabled(part) && background_[static_cast<std::size_t>(part)] != 0) {
+      if ((withDisabled || isEnabled(part)) && background_[static_cast<std::size_t>(part)] != 0) {
         return part;
       }
     }
@@ -187,7 +190,7 @@ int Obstacles::solidPartAt(const Vec2& point) const {
   const auto index = static_cast<std::size_t>(index_.indexOf(bucket));
   for (int i = windingStart_[index]; i < windingStart_[index + 1]; ++i) {
     const Winding& winding = windings_[static_cast<std::size_t>(i)];
-    if (isEnabled(winding.part) && windingAt(point, bucket, winding) > 0) {
+    if ((withDisabled || isEnabled(winding.part)) && windingAt(point, bucket, winding) > 0) {
       return winding.part;
     }
   }
@@ -216,20 +219,16 @@ std::optional<Obstacles::Point> Obstacles::nearestPoint(const Vec2& position, do
   return best;
 }
 
-/// The numbers of edges stand in the place of the edges until they are sorted: no other memory is
-/// needed.
 void Obstacles::segmentsNear(const Vec2& position, double range,
                              std::vector<Segment>& segments) const {
-  thread_local std::vector<int> edges;  // an edge lies in several buckets
+  thread_local std::vector<int> edges;
   edges.clear();
-  const Vec2 reach(range, range);
-  index_.visitBox(position - reach, position + reach, [&](SegmentGrid::Bucket, int edge) {
+  cells_.visitNear(position, range, [&](int edge) {
     if (isOn(edge)) {
       edges.push_back(edge);
     }
   });
   std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   for (const int edge : edges) {
     segments.push_back(segments_[static_cast<std::size_t>(edge)]);
   }

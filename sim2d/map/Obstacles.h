@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim2d/base/Stop.h"
+#include "sim2d/map/SegmentCells.h"
 #include "sim2d/map/SegmentGrid.h"
 
 namespace sim2d {
@@ -61,6 +62,8 @@ class Obstacles {
     int previous = 0, next = 0;  // edges of the same outline
     Vec2 along = Vec2::Zero();   // unit vector
     double length = 0.0;         // [m]
+    // Nothing of another outline ever covers its points; idem its first corner.
+    bool isBare = false, isCornerBare = false;
   };
   struct Winding {  // how often a part's outlines run round the centre of a bucket
     int part = 0;
@@ -82,12 +85,15 @@ class Obstacles {
   void countWindingsOfRow(int row);
   std::vector<Crossing> crossingsOfRow(int row) const;
   int windingAt(const Vec2& point, SegmentGrid::Bucket bucket, const Winding& atCentre) const;
-  int solidPartAt(const Vec2& point) const;  // -1: free
+  int solidPartAt(const Vec2& point, bool withDisabled = false) const;  // -1: free
+  void findBare(const base::StopFlag& stop);
+  bool isApart(int edge) const;
   Point nearestWayOut(const Vec2& position) const;
   struct PointQuery;
   void addFoot(int edge, const PointQuery& query) const;
   void addCorner(int edge, const PointQuery& query) const;
   bool isExposed(const Vec2& place, int edge, int other) const;
+  bool isCovered(const Vec2& place, int edge, int other, bool withDisabled) const;
   void improveWayOut(int edge, const Vec2& position, Point& best) const;
   Hit firstHit(const Vec2& from, const Vec2& direction, double range) const;
 
@@ -97,6 +103,7 @@ class Obstacles {
   std::vector<Segment> segments_;
   std::vector<Edge> edges_;
   SegmentGrid index_;
+  SegmentCells cells_;
   std::vector<int> windingStart_;  // by bucket
   std::vector<Winding> windings_;
   std::vector<Vec2> rays_;
