@@ -217,10 +217,7 @@ base::Result<Evaluation> RunningEvaluation::finish(const SeriesSink& sink) const
   return evaluation;
 }
 
-namespace {
-
-/// The names of the robots, each once and such that files can be called by them.
-std::vector<std::string> fileNamesOf(const std::vector<sim2d::TraceRobot>& robots) {
+std::vector<std::string> robotNames(const std::vector<sim2d::TraceRobot>& robots) {
   std::vector<std::string> names;
   names.reserve(robots.size());
   for (const sim2d::TraceRobot& robot : robots) {
@@ -239,8 +236,6 @@ std::vector<std::string> fileNamesOf(const std::vector<sim2d::TraceRobot>& robot
   }
   return names;
 }
-
-}  // namespace
 
 FrameEvaluation::OfRobot::OfRobot(std::string its, const sim2d::TraceHeader& header,
                                   const Selection& selection, const MetricParameters& parameters)
@@ -280,7 +275,7 @@ Evaluation FrameEvaluation::OfRobot::without(const Evaluation& first,
 
 FrameEvaluation::FrameEvaluation(const sim2d::TraceHeader& header, const Selection& selection,
                                  const MetricParameters& parameters) {
-  const std::vector<std::string> names = fileNamesOf(header.robots);
+  const std::vector<std::string> names = robotNames(header.robots);
   robots_.reserve(header.robots.size() + 1);
   std::string chosen;
   for (std::size_t k = 0; k < names.size(); ++k) {

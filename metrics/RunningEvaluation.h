@@ -58,6 +58,9 @@ class RunningEvaluation {
   std::array<Behavior, kBehaviors> behaviors_;  // of types 1..6; no feed: not wanted
 };
 
+/// The names of the robots, each once and such that files can be called by them.
+std::vector<std::string> robotNames(const std::vector<sim2d::TraceRobot>& robots);
+
 /// Takes the series of results, which then have none, with the name of the robot.
 using RobotSeriesSink =
     std::function<void(const std::string& robot, const MetricInfo& info, const Series& series)>;

@@ -130,9 +130,16 @@ CLI::Validator oneOf(const std::vector<std::string>& names) {
 
 CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::string& help) {
   return *command.add_option("-o,--output", folder, help)->check([](const std::string& word) {
+    if (word.empty()) {
+      return std::string("a folder is wanted");
+    }
     return word == "-" ? std::string("a folder is wanted (./- for one of the name -)")
                        : std::string();
   });
+}
+
+void addForce(CLI::App& command, bool& force) {
+  command.add_flag("--force", force, "Replace files in the output folder that are of others");
 }
 
 void addMetricsOptions(CLI::App& command, MetricsWords& words) {

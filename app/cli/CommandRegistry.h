@@ -98,6 +98,7 @@ CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::
 void addRunOptions(CLI::App& command, RunOptions& options);
 /// One of them.
 void addAllowCode(CLI::App& command, bool& allowed);
+void addForce(CLI::App& command, bool& force);
 /// Those of them that choose metrics.
 void addMetricsOptions(CLI::App& command, MetricsWords& words);
 

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim2d/base/JsonText.h"
+#include "sim2d/base/Text.h"
 
 namespace app {
 
@@ -41,7 +42,7 @@ void onInterrupt(int signal) {
 /// The word of its severity stands out where somebody looks at it (no-color.org).
 std::string inColor(const base::Diagnostic& diagnostic) {
   constexpr const char* kColors[] = {"36", "33", "31"};  // of Severity: cyan, yellow, red
-  std::string text = diagnostic.text();
+  std::string text = base::visible(diagnostic.text());
   const std::string word = std::string(base::severityName(diagnostic.severity)) + ":";
   const std::size_t at = text.find(word);
   if (at != std::string::npos) {
@@ -68,7 +69,7 @@ void printLine(const std::string& line) {
   std::cout << line << '\n' << std::flush;
 }
 void printError(const std::string& line) {
-  std::cerr << line << '\n';
+  std::cerr << base::visible(line, "\n\t") << '\n';
 }
 
 bool isPrinted() {
@@ -86,7 +87,7 @@ void printTable(const std::vector<std::vector<std::string>>& rows) {
   for (const std::vector<std::string>& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
-      line += row[i] + std::string(widths[i] - row[i].size() + 2, ' ');
+      line += base::visible(row[i]) + std::string(widths[i] - row[i].size() + 2, ' ');
     }
     printLine(line.substr(0, line.find_last_not_of(' ') + 1));
   }
@@ -95,7 +96,7 @@ void printTable(const std::vector<std::vector<std::string>>& rows) {
 bool printDiagnostics(const base::Diagnostics& diagnostics, base::Severity least) {
   for (const base::Diagnostic& diagnostic : diagnostics) {
     if (diagnostic.severity >= least) {
-      printError(isColorful() ? inColor(diagnostic) : diagnostic.text());
+      std::cerr << (isColorful() ? inColor(diagnostic) : base::visible(diagnostic.text())) << '\n';
     }
   }
   return !base::hasErrors(diagnostics);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/report/Comparison.h"
+#include "app/run/RunFolder.h"
 
 namespace report {
 
@@ -254,7 +255,7 @@ RunPictures readRunPictures(const Study& study, const std::vector<std::size_t>& 
   std::size_t players = 0;
   std::size_t bytes = 0;
   for (const std::size_t run : chosen) {
-    const base::Result<sim2d::Trace> trace = sim2d::readTrace(*study.runFolder(run));
+    const base::Result<sim2d::Trace> trace = app::readRun(*study.runFolder(run));
     if (!trace) {
       for (base::Diagnostic problem : trace.diagnostics()) {
         problem.severity = base::Severity::Warning;  // the report goes on without this run

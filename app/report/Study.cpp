@@ -269,7 +269,7 @@ base::Diagnostics readManifest(const fs::path& path, Study& study) {
   if (!fs::exists(path, ignored)) {
     return {base::warning("report.no-manifest", {}, path.string())};
   }
-  const base::Result<std::string> text = base::readTextFile(path.string());
+  const base::Result<std::string> text = base::readTextFile(path.string(), base::kMostRecord);
   if (!text) {
     return text.diagnostics();
   }
@@ -344,7 +344,7 @@ std::string Study::replayCommand(std::size_t run) const {
 
 base::Result<Study> readStudy(const Wishes& wishes) {
   const std::string file = (fs::path(wishes.folder) / "results.csv").string();
-  const base::Result<std::string> text = base::readTextFile(file);
+  const base::Result<std::string> text = base::readTextFile(file, base::kMostRecord);
   Study manifest;
   base::Diagnostics problems = text.diagnostics();
   base::append(problems, readManifest(fs::path(wishes.folder) / "manifest.json", manifest));

@@ -90,21 +90,24 @@ base::Result<ResultRow> ExperimentRunner::run(std::size_t index) {
   }
   sim2d::World& world = *verdict.world;
   wantNoMore(hasFiles, hasFiles, verdict.metrics.selection);
-  std::optional<RunWriter> writer;
-  writer.emplace(hasFiles ? folderOf(index) : std::string(), world, verdict.metrics.selection,
-                 verdict.metrics.parameters);
+  base::Result<std::unique_ptr<OutputFolder>> output = std::unique_ptr<OutputFolder>();
+  if (hasFiles) {
+    output = OutputFolder::open(folderOf(index), true);  // the batch has looked
+  }
+  if (!output) {
+    return output.diagnostics();
+  }
+  RunWriter writer(hasFiles ? (*output)->workshop() : std::string(), world,
+                   verdict.metrics.selection, verdict.metrics.parameters);
   Session session(sim2d::stopRuleOf(*bundle.scenario));
-  FinishedRun run = simulate(session, world, verdict.scenarioMetrics, *writer,
+  FinishedRun run = simulate(session, world, verdict.scenarioMetrics, writer,
                              [](const sim2d::Frame&) { return false; });
   const ResultRow row = rowOf(run);
   const bool isKept =
       experiment_.record == Record::All || (experiment_.record == Record::Failed && !row.ok);
   base::Diagnostics problems;
-  if (isKept || writer->hasFailed()) {
-    problems = keep(index, run, *writer, bundle);
-  } else if (hasFiles) {
-    writer.reset();  // with what it has written
-    removeRun(folderOf(index));
+  if (hasFiles && (isKept || writer.hasFailed())) {
+    problems = keep(index, run, writer, bundle, **output);
   }
   if (base::hasErrors(problems)) {
     return problems;
@@ -113,11 +116,11 @@ base::Result<ResultRow> ExperimentRunner::run(std::size_t index) {
 }
 
 base::Diagnostics ExperimentRunner::keep(std::size_t index, FinishedRun& run, RunWriter& writer,
-                                         const Bundle& bundle) {
+                                         const Bundle& bundle, OutputFolder& output) {
   std::vector<std::string> words = experiment_.wordsOf(index);
   words.insert(words.begin(), programPath());
   words.insert(words.end(), {"--quiet", "-o", folderOf(index)});
-  return writeRunFolder(folderOf(index), run, writer, bundle, words);
+  return writeRunFolder(output, run, writer, bundle, words);
 }
 
 }  // namespace app

@@ -30,7 +30,7 @@ class ExperimentRunner {
   base::Diagnostics checkScenario(std::size_t scenario);
   std::string folderOf(std::size_t run) const;
   base::Diagnostics keep(std::size_t index, FinishedRun& run, RunWriter& writer,
-                         const Bundle& bundle);
+                         const Bundle& bundle, OutputFolder& output);
 
   const Experiment& experiment_;
   const std::string runsFolder_;

@@ -202,8 +202,8 @@ class PlanMaker {
     if (!map || !isPlainMap(*map)) {
       return false;
     }
-    const base::Result<std::string> image =
-        base::readTextFile((fs::path(source_.mapPath).parent_path() / map->image).string());
+    const base::Result<std::string> image = base::readTextFile(
+        (fs::path(source_.mapPath).parent_path() / map->image).string(), base::kMostRecord);
     if (!image) {
       return false;
     }

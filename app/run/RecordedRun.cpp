@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/run/RunFolder.h"
 #include "app/run/Sha256.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Defaults.h"
@@ -27,6 +28,9 @@ std::string findScenario(const fs::path& folder, base::Diagnostics& problems) {
   const base::Result<std::string> text = base::readTextFile(manifest.string());
   base::append(problems, text.diagnostics());
   const auto json = nlohmann::json::parse(text ? *text : "", nullptr, false);
+  if (json.is_object() && json.value("kind", nlohmann::json()) == "evaluation") {
+    return {};
+  }
   const nlohmann::json::json_pointer first("/inputs/0/path");
   if (!json.contains(first) || !json[first].is_string()) {
     problems.push_back(base::error("trace.bad-manifest", {}, manifest.string()));
@@ -199,6 +203,10 @@ class ScenarioMaker {
 }  // namespace
 
 base::Result<RecordedRun> readRecordedRun(const std::string& folder) {
+  const base::Diagnostics unsettled = settleFolder(folder);
+  if (base::hasErrors(unsettled)) {
+    return unsettled;
+  }
   std::error_code none;
   if (!fs::exists(fs::path(folder) / "trace.json", none)) {
     const bool isCut = fs::exists(fs::path(folder) / "trajectory.csv", none);
@@ -209,6 +217,7 @@ base::Result<RecordedRun> readRecordedRun(const std::string& folder) {
   if (recording && (*recording)->size() == 0) {
     problems.push_back(base::error("trace.no-states", {}, folder));
   }
+  base::append(problems, recording ? checkParts(folder) : base::Diagnostics());
   RecordedRun run;
   run.scenario = findScenario(folder, problems);
   if (base::hasErrors(problems)) {

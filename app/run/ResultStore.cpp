@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <utility>
@@ -85,6 +86,10 @@ bool ResultStore::run(const char* sql) const {
 
 bool ResultStore::isStore(const std::string& path) {
   std::array<char, 72> head{};
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) {
+    return false;
+  }
   std::ifstream file(path, std::ios::binary);
   constexpr std::array<char, 16> kMagic = {"SQLite format 3"};  // with the zero at its end
   if (!file.read(head.data(), head.size()) ||
@@ -113,8 +118,7 @@ base::Diagnostics ResultStore::connect(bool isNew) {
 base::Diagnostics ResultStore::makeTables(const Study& study) {
   const std::string marks = "PRAGMA application_id=" + std::to_string(kApplication) +
                             ";PRAGMA user_version=" + std::to_string(kFormat) + ";";
-  if (!run("PRAGMA locking_mode=EXCLUSIVE;PRAGMA journal_mode=WAL;PRAGMA synchronous=NORMAL;"
-           "BEGIN IMMEDIATE;") ||
+  if (!run("PRAGMA locking_mode=EXCLUSIVE;PRAGMA synchronous=FULL;BEGIN IMMEDIATE;") ||
       !run(marks.c_str()) || !run(kTables)) {
     return trouble("batch.cannot-store");
   }
@@ -146,19 +150,30 @@ base::Diagnostics ResultStore::makeTables(const Study& study) {
   return run("COMMIT") ? base::Diagnostics() : trouble("batch.cannot-store");
 }
 
+/// Made beside its place, so that a process that is killed meanwhile leaves no half of it.
 base::Result<std::unique_ptr<ResultStore>> ResultStore::create(const std::string& path,
                                                                const Study& study) {
-  std::unique_ptr<ResultStore> store(new ResultStore(path));
-  base::Diagnostics problems = store->connect(true);
+  const std::string beside = path + ".new";
+  for (const char* ending : {"", "-journal", "-wal"}) {  // of a process that was
+    std::error_code ignored;
+    std::filesystem::remove(beside + ending, ignored);
+  }
+  base::Diagnostics problems;
+  {
+    ResultStore made(beside);
+    problems = made.connect(true);
+    if (problems.empty()) {
+      problems = made.makeTables(study);
+    }
+  }
+  std::error_code error;
   if (problems.empty()) {
-    problems = store->makeTables(study);
+    std::filesystem::rename(beside, path, error);
   }
-  if (!problems.empty()) {
-    return problems;
+  if (error) {
+    problems = {base::error("batch.cannot-store", {error.message()}, path)};
   }
-  store->study_ = study;
-  store->has_.resize(study.runs);
-  return store;
+  return problems.empty() ? open(path) : base::Result<std::unique_ptr<ResultStore>>(problems);
 }
 
 base::Result<std::unique_ptr<ResultStore>> ResultStore::open(const std::string& path) {

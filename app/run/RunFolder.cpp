@@ -169,100 +169,25 @@ bool isOfFurtherRobot(const std::string& name) {
   return isTable && fs::path(name).extension() == ".csv";
 }
 
-/// Files of further robots that the run before has left, by its manifest.
-std::vector<std::string> formerRobotFiles(const std::string& folder) {
-  std::vector<std::string> files;
-  const base::Result<std::string> text = base::readTextFile(pathIn(folder, "manifest.json"));
-  const Json manifest = text ? Json::parse(*text, nullptr, false) : Json();
-  const Json none = Json::array();
-  const Json& robots =
-      manifest.is_object() && manifest.contains("robots") && manifest["robots"].is_array()
-          ? manifest["robots"]
-          : none;
-  for (std::size_t k = 1; k < robots.size(); ++k) {
-    const Json& robot = robots[k];
-    const Json name = robot.is_object() ? robot.value("name", Json()) : Json();
-    const std::string word = name.is_string() ? name.get<std::string>() : std::string();
-    if (!word.empty() && word.find('/') == std::string::npos) {
-      files.push_back(metrics::robotFile("metrics", word));
-      files.push_back(metrics::robotFile("steps", word));
-    }
-  }
-  return files;
-}
+constexpr const char* kRunFiles[] = {"trajectory.csv", "events.csv",        "trees.csv",
+                                     "inputs.csv",     "scans.csv",         "metrics.json",
+                                     "metrics.csv",    "steps.csv",         "trace.json",
+                                     "manifest.json",  "counterfactual.csv"};
 
 /// A file that a run writes, or the beginning of one that was cut short.
 bool isOfRun(const fs::directory_entry& entry, bool isOurs = true) {
-  constexpr const char* kFiles[] = {"trajectory.csv",     "events.csv",   "trees.csv",
-                                    "inputs.csv",         "scans.csv",    "metrics.json",
-                                    "metrics.csv",        "steps.csv",    "trace.json",
-                                    "counterfactual.csv", "manifest.json"};
   std::error_code error;
-  const std::string name = entry.path().filename().string();
-  const std::size_t end = name.rfind(".new-");
-  const std::string file = name.substr(0, end);  // that it is or becomes
-  const bool isKnown = isOfFurtherRobot(file) ||
-                       std::find(std::begin(kFiles), std::end(kFiles), file) != std::end(kFiles);
-  return fs::is_regular_file(entry.symlink_status(error)) && isKnown &&
-         (isOurs || end != std::string::npos);
-}
-
-class Folder {
- public:
-  explicit Folder(const std::string& path) : path_(path) {}
-
-  std::string file(const std::string& name) const { return pathIn(path_, name); }
-  void write(const std::string& name, const std::string& content) {
-    note(base::writeFileAtomically(file(name), content));
+  const fs::file_status status = entry.symlink_status(error);
+  const std::string full = entry.path().filename().string();
+  if (isRestOfOutput(full)) {
+    return fs::is_directory(status) || fs::is_regular_file(status);
   }
-  void remove(const std::vector<std::string>& names) {
-    for (const std::string& name : names) {
-      std::error_code error;
-      fs::remove(file(name), error);  // no error when it is not there
-      if (error) {
-        note({base::error("file.cannot-remove", {error.message()}, file(name))});
-      }
-    }
-  }
-  /// Without content there is no such file.
-  void writeOrRemove(const std::string& name, const std::string& content) {
-    content.empty() ? remove({name}) : write(name, content);
-  }
-  void note(const base::Diagnostics& problems) { base::append(problems_, problems); }
-  bool isWhole() const { return !base::hasErrors(problems_); }
-  const base::Diagnostics& problems() const { return problems_; }
-
- private:
-  const std::string path_;
-  base::Diagnostics problems_;
-};
-
-/// All but trace.json and manifest.json, which make the folder that of a run.
-void writeParts(Folder& folder, const FinishedRun& run, RunWriter& writer) {
-  const bool hasInputs = writer.hasInputs();
-  const bool hasScans = writer.hasScans();
-  folder.note(writer.finish());
-  if (run.totalsOnly) {
-    folder.remove({"trajectory.csv", "events.csv", "trees.csv"});
-  }
-  if (!hasInputs) {
-    folder.remove({"inputs.csv"});
-  }
-  if (!hasScans) {
-    folder.remove({"scans.csv"});
-  }
-  folder.writeOrRemove("metrics.json", run.evaluation ? metrics::toJson(*run.evaluation) : "");
-  if (run.evaluation && !run.totalsOnly) {
-    folder.write("metrics.csv", metrics::metricsCsv(*run.evaluation));
-    folder.note(writer.writeSteps(folder.file("steps.csv"), *run.evaluation));
-    for (const metrics::Evaluation& other : run.evaluation->others) {
-      folder.write(metrics::robotFile("metrics", other.robot), metrics::metricsCsv(other));
-      folder.note(writer.writeSteps(folder.file(metrics::robotFile("steps", other.robot)), other));
-    }
-  } else {
-    folder.remove({"metrics.csv", "steps.csv"});
-  }
-  folder.writeOrRemove("counterfactual.csv", run.effectsCsv);
+  const std::size_t end = full.rfind(".new-");
+  const std::string name = full.substr(0, end);  // that it is or becomes
+  const bool isKnown =
+      isOfFurtherRobot(name) ||
+      std::find(std::begin(kRunFiles), std::end(kRunFiles), name) != std::end(kRunFiles);
+  return fs::is_regular_file(status) && isKnown && (isOurs || end != std::string::npos);
 }
 
 }  // namespace
@@ -318,7 +243,7 @@ void removeRun(const std::string& runFolder) {
   std::error_code error;
   for (fs::directory_iterator at(runFolder, error), end; !error && at != end; at.increment(error)) {
     if (isOfRun(*at)) {
-      fs::remove(at->path(), ignored);
+      fs::remove_all(at->path(), ignored);
     }
   }
   fs::remove(runFolder, ignored);  // when it is empty
@@ -450,14 +375,6 @@ bool RunWriter::hasFailed() const {
                      [](const auto& file) { return file && file->hasFailed(); });
 }
 
-base::Diagnostics RunWriter::complete() {
-  base::Diagnostics problems;
-  for (std::optional<base::GrowingFile>& file : files_) {
-    base::append(problems, file ? file->complete() : base::Diagnostics());
-  }
-  return problems;
-}
-
 base::Diagnostics RunWriter::finish() {
   base::Diagnostics problems;
   for (std::optional<base::GrowingFile>& file : files_) {
@@ -467,25 +384,70 @@ base::Diagnostics RunWriter::finish() {
   return problems;
 }
 
-base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run, RunWriter& writer,
+std::vector<std::string> runFileNames(const std::vector<std::string>& robots, bool totalsOnly) {
+  if (totalsOnly) {
+    return {"metrics.json", "counterfactual.csv"};
+  }
+  std::vector<std::string> names(std::begin(kRunFiles), std::end(kRunFiles));
+  for (std::size_t k = 1; k < robots.size(); ++k) {
+    names.push_back(metrics::robotFile("metrics", robots[k]));
+    names.push_back(metrics::robotFile("steps", robots[k]));
+  }
+  return names;
+}
+
+base::Diagnostics writeRunFolder(OutputFolder& output, const FinishedRun& run, RunWriter& writer,
                                  const Bundle& bundle,
                                  const std::vector<std::string>& commandLine) {
-  Folder folder(path);
-  folder.note(writer.complete());
-  if (folder.isWhole()) {  // until here a former run stays as it is
-    folder.remove(formerRobotFiles(path));
-    folder.remove({"manifest.json", "trace.json"});
+  base::Diagnostics problems = output.atTheirPlaces(writer.finish());
+  const auto write = [&](const std::string& name, const std::string& content) {
+    base::append(problems, output.write(name, content));
+  };
+  const auto writeTables = [&](const metrics::Evaluation& evaluation, const std::string& table,
+                               const std::string& steps) {
+    write(table, metrics::metricsCsv(evaluation));
+    const std::string place = pathIn(output.workshop(), steps);
+    base::append(problems, output.atTheirPlaces(writer.writeSteps(place, evaluation)));
+  };
+  if (run.evaluation) {
+    write("metrics.json", metrics::toJson(*run.evaluation));
   }
-  if (folder.isWhole()) {
-    writeParts(folder, run, writer);
+  if (run.evaluation && !run.totalsOnly) {
+    writeTables(*run.evaluation, "metrics.csv", "steps.csv");
+    for (const metrics::Evaluation& other : run.evaluation->others) {
+      writeTables(other, metrics::robotFile("metrics", other.robot),
+                  metrics::robotFile("steps", other.robot));
+    }
   }
-  if (folder.isWhole() && !run.totalsOnly) {
-    folder.write("trace.json", sim2d::traceJson(run.header));
+  if (!run.effectsCsv.empty()) {
+    write("counterfactual.csv", run.effectsCsv);
   }
-  if (folder.isWhole()) {
-    folder.write("manifest.json", runManifest(bundle, run, commandLine));
+  if (!run.totalsOnly) {
+    write("trace.json", sim2d::traceJson(run.header));
   }
-  return folder.problems();
+  return base::hasErrors(problems)
+             ? problems
+             : output.commit(runManifest(bundle, run, commandLine), OutputFolder::Earlier::Removed);
+}
+
+base::Diagnostics checkParts(const std::string& runFolder) {
+  return checkListed(runFolder, {"trajectory.csv", "events.csv", "trees.csv", "inputs.csv",
+                                 "scans.csv", "trace.json"});
+}
+
+base::Result<sim2d::Trace> readRun(const std::string& runFolder) {
+  base::Diagnostics problems = settleFolder(runFolder);
+  std::error_code ignored;  // the reader tells what is missing
+  if (fs::exists(pathIn(runFolder, "trajectory.csv"), ignored) &&
+      !fs::exists(pathIn(runFolder, "trace.json"), ignored)) {
+    problems.push_back(base::error("trace.unfinished", {}, runFolder));
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  base::Result<sim2d::Trace> trace = sim2d::readTrace(runFolder);
+  problems = trace ? checkParts(runFolder) : base::Diagnostics();
+  return problems.empty() ? std::move(trace) : base::Result<sim2d::Trace>(problems);
 }
 
 base::Diagnostics checkWritableFolder(const std::string& folder) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/run/Bundle.h"
+#include "app/run/OutputFolder.h"
 #include "metrics/PlanningTime.h"
 #include "metrics/RunningEvaluation.h"
 #include "sim2d/base/Files.h"
@@ -33,9 +34,7 @@ class RunWriter : public sim2d::FrameSink {
   bool hasScans() const { return files_[Scans].has_value(); }    // a robot records its lidar
   /// A file could not be written: there is no use in going on.
   bool hasFailed() const;
-  /// All rows are on the disk, in files that are not in their places yet.
-  base::Diagnostics complete();
-  /// Puts the files in their places; nothing of them is there before.
+  /// Puts the files in their places in the folder; nothing of them is there before.
   base::Diagnostics finish();
 
  private:
@@ -72,12 +71,17 @@ struct FinishedRun {
   bool totalsOnly = false;  // nothing per step is written
 };
 
-/// The files of a run (FORMAT.md), each written beside and renamed; those of `writer` are put in
-/// their places. Files of a former run of the same names are replaced; metrics files are removed
-/// when this run could not be evaluated. manifest.json and trace.json are taken away first and come
-/// last, only when all others were written: files of two runs never pass for one.
-base::Diagnostics writeRunFolder(const std::string& path, const FinishedRun& run, RunWriter& writer,
+/// The files of a run (FORMAT.md), beside those that `writer` makes in the workshop of the output,
+/// put in their places together; those of a former run are taken away.
+base::Diagnostics writeRunFolder(OutputFolder& output, const FinishedRun& run, RunWriter& writer,
                                  const Bundle& bundle, const std::vector<std::string>& commandLine);
+/// All that a run may write. `robots`: their names, as metrics::robotNames gives them.
+std::vector<std::string> runFileNames(const std::vector<std::string>& robots, bool totalsOnly);
+/// After a run was read: its files are those that its manifest lists.
+base::Diagnostics checkParts(const std::string& runFolder);
+/// The run of a folder. Errors, beside those of the files: it was not written to its end, its files
+/// are of different runs.
+base::Result<sim2d::Trace> readRun(const std::string& runFolder);
 
 /// The files that a bundle is made of, those that trees include too, each once.
 std::vector<std::string> inputsOf(const Bundle& bundle);

@@ -29,6 +29,7 @@ struct RunOptions {
   bool counterfactual = false;  // the same seed again without robots
   std::string compat;
   bool allowCode = false;  // programs and libraries that the scenario names may start
+  bool force = false;      // files of others in the output folder may be replaced
   bool totals = false;  // manifest.json and metrics.json alone, nothing per step or behaviour type
 };
 

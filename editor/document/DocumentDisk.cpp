@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
+#include <unistd.h>
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -197,7 +197,7 @@ const PlannedTree* plannedAt(const SavePlan& plan, const std::string& path) {
 
 bool isUnreadable(const std::string& path) {
   std::error_code ignored;
-  return fs::exists(path, ignored) && !std::ifstream(path);
+  return fs::exists(path, ignored) && ::access(path.c_str(), R_OK) != 0;
 }
 
 /// The person of the scenario file that is there now: its generated trees are nobody's work.

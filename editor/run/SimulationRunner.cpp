@@ -235,11 +235,11 @@ void SimulationRunner::playOn() {
 }
 
 void SimulationRunner::seek(std::int64_t step) {
-  if (recording_ == nullptr || recording_->size() == 0) {
-    return;
+  if (recording_ == nullptr || recording_->size() == 0 || newest_ == nullptr) {
+    return;  // a run that has just begun: nothing was shown yet
   }
   pause();
-  if (newest_ != nullptr && step >= newest_->step) {
+  if (step >= newest_->step) {
     seekNewest();
     return;
   }

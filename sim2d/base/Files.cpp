@@ -3,9 +3,6 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 #include <set>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -183,35 +180,6 @@ void GrowingFile::removeRest() {
       name->clear();
     }
   }
-}
-
-namespace {
-
-/// Read once: the files of a run are looked at more than once.
-const std::string& standardInput() {
-  static const std::string kText{std::istreambuf_iterator<char>(std::cin),
-                                 std::istreambuf_iterator<char>()};
-  return kText;
-}
-
-}  // namespace
-
-Result<std::string> readTextFile(const std::string& path) {
-  if (path == "-") {
-    return standardInput();
-  }
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  std::error_code why = errorUnless(stream.is_open());
-  if (std::error_code ignored; fs::is_directory(path, ignored)) {
-    why = std::make_error_code(std::errc::is_a_directory);
-  }
-  std::string content;
-  if (!why) {
-    content.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-    why = errorUnless(!stream.bad());
-  }
-  return why ? Result<std::string>(fileError("file.cannot-read", path, why)) : content;
 }
 
 Diagnostics writeFileAtomically(const std::string& path, std::string_view content) {

@@ -271,13 +271,18 @@ constexpr ProblemText kTexts[] = {
     // Files.
     {"file.cannot-write", "cannot write the file: {reason}"},
     {"file.cannot-read", "cannot read the file: {reason}"},
+    {"file.no-file", "this is a pipe or a device, no file (-: standard input)"},
+    {"file.too-large", "the file is too large: {megabytes} MB at most"},
     {"file.cannot-make-folder", "cannot make the folder{reason?: %}"},
     {"file.cannot-restore", "cannot put the old file back: {reason}"},
     {"file.cannot-write-picture", "cannot write: {reason}"},
     {"file.cannot-remove", "cannot remove the file: {reason}"},
     {"file.no-permission", "cannot write into the folder (no permission)"},
     {"file.is-read", "this file is read: results would take its place, write elsewhere"},
-    {"file.is-in-the-way", "this file is of something else and would be lost: write elsewhere"},
+    {"file.is-in-the-way",
+     "this was not written here by this program, or was changed, and would be lost: write "
+     "elsewhere "
+     "(--force: replace it)"},
     {"file.other-run", "holds a run or a batch: results would take the place of its files"},
     {"file.not-there", "there is no such file"},
     {"file.unknown-scenario",
@@ -347,6 +352,9 @@ constexpr ProblemText kTexts[] = {
     {"trace.steps-backwards", "steps run backwards"},
     {"trace.unknown-status", "unknown status '{found}'"},
     {"trace.step-backwards", "step runs backwards"},
+    {"trace.other-run",
+     "is not the file that manifest.json lists: it is of another run, or was changed (without "
+     "manifest.json the folder is read as it is)"},
     {"trace.unfinished", "a run was not written to its end here: trace.json is missing"},
     {"trace.no-run", "is no folder of a run: trace.json is missing"},
     {"trace.no-states", "the record has no states"},

@@ -122,6 +122,32 @@ std::optional<std::string> nearestName(std::string_view word,
   return nearest;
 }
 
+std::string visible(std::string_view text, std::string_view kept) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string shown;
+  shown.reserve(text.size());
+  const auto byteAt = [text](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const auto escape = [&](unsigned byte) {
+    shown += "\\x";
+    shown += kDigits[byte >> 4U];
+    shown += kDigits[byte & 15U];
+  };
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned byte = byteAt(i);
+    const bool isControl = byte < 0x20U || byte == 0x7fU;
+    if (byte == 0xc2U && byteAt(i + 1) >= 0x80U && byteAt(i + 1) < 0xa0U) {  // U+0080 to U+009F
+      escape(byteAt(++i));
+    } else if (isControl && kept.find(text[i]) == std::string_view::npos) {
+      escape(byte);
+    } else {
+      shown += text[i];
+    }
+  }
+  return shown;
+}
+
 std::string trimmed(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\n\v\f\r";
   const std::size_t first = std::min(text.find_first_not_of(kBlanks), text.size());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,12 +29,19 @@ std::string pointText(const Vec2& point);  // "(1.5, -2)", to the millimetre
 std::optional<std::string> nearestName(std::string_view word,
                                        const std::vector<std::string>& candidates);
 
-/// "-" is the standard input, read once. A directory or missing file is an error.
-Result<std::string> readTextFile(const std::string& path);
+constexpr std::size_t kMostText = std::size_t{256} << 20U;  // [B] of what people write
+constexpr std::size_t kMostRecord = std::size_t{8} << 30U;  // [B] of what programs record
+
+/// "-" is the standard input, read once. A missing file, a folder, a pipe or a device, and a file
+/// of more than `most` bytes are errors; nothing is read of them.
+Result<std::string> readTextFile(const std::string& path, std::size_t most = kMostText);
 /// Writes beside the file, then renames, so a reader sees the old or the new content, never half.
 /// Folders are made, the permissions of a replaced file and symbolic links stay. Empty = written.
 Diagnostics writeFileAtomically(const std::string& path, std::string_view content);
 
+/// For a terminal: control characters, which could move its cursor or forge a line, as "\\x1b".
+/// `kept`: those that are meant.
+std::string visible(std::string_view text, std::string_view kept = {});
 std::string trimmed(std::string_view text);
 std::vector<std::string> split(std::string_view text, char separator);
 std::string join(const std::vector<std::string>& parts, const std::string& separator);

@@ -219,7 +219,7 @@ base::Result<CommandRecord> parseCommands(const std::string& text, const std::st
 }
 
 base::Result<CommandRecord> readCommands(const std::string& path, int robot) {
-  const base::Result<std::string> text = base::readTextFile(path);
+  const base::Result<std::string> text = base::readTextFile(path, base::kMostRecord);
   if (!text) {
     return text.diagnostics();
   }

@@ -162,7 +162,7 @@ void warnOfSpeeds(const TrackFile& file, base::Diagnostics& problems) {
 
 base::Result<TrackFile> readForeign(const std::string& path, const ForeignOptions& options,
                                     const TrackFormats& formats) {
-  const base::Result<std::string> text = base::readTextFile(path);
+  const base::Result<std::string> text = base::readTextFile(path, base::kMostRecord);
   if (!text) {
     return text.diagnostics();
   }

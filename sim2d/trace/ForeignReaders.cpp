@@ -152,7 +152,7 @@ void tellNumbers(const ForeignInput& input, const std::vector<const Track*>& num
 
 void readGroupsBeside(const ForeignInput& input, TrackFile& file) {
   const std::string path = besideFile(input.path, "groups.txt");
-  const base::Result<std::string> text = base::readTextFile(path);
+  const base::Result<std::string> text = base::readTextFile(path, base::kMostRecord);
   if (!text) {
     return;  // not every set has one
   }

@@ -195,7 +195,7 @@ void checkEnd(Trace& trace, const std::string& file, base::Diagnostics& problems
 
 /// Text of a file of the run; problems are added.
 std::string textOf(const std::string& file, base::Diagnostics& problems) {
-  base::Result<std::string> text = base::readTextFile(file);
+  base::Result<std::string> text = base::readTextFile(file, base::kMostRecord);
   base::append(problems, text.diagnostics());
   return text ? *std::move(text) : std::string();
 }
@@ -345,7 +345,7 @@ base::Result<std::shared_ptr<const Recording>> readRecording(const std::string& 
     const std::filesystem::path file = std::filesystem::path(directory) / name;
     std::error_code none;  // no such file: a record of others, or nothing came from outside
     if (std::filesystem::exists(file, none)) {
-      const base::Result<std::string> text = base::readTextFile(file.string());
+      const base::Result<std::string> text = base::readTextFile(file.string(), base::kMostRecord);
       base::append(problems, text.diagnostics());
       if (text) {
         read(*text, file.string());

@@ -37,7 +37,8 @@ class Group {
 
 QStringList halfWritten(const QString& folder) {
   QStringList found;
-  QDirIterator files(folder, {text("*.new-*")}, QDir::Files, QDirIterator::Subdirectories);
+  QDirIterator files(folder, {text("*.new-*")}, QDir::Files | QDir::Hidden,
+                     QDirIterator::Subdirectories);
   while (files.hasNext()) {
     found << files.next();
   }
@@ -150,21 +151,50 @@ class BrokenRunsTest : public QObject {
     QVERIFY(halfWritten(out).size() >= 3);
   }
 
-  void run_fileThatCannotBeReplaced_leavesNoMixedRun() {
+  void run_fileThatCannotBeReplaced_leavesTheFormerRun() {
     QTemporaryDir folder;
     const QString out = folder.filePath(text("out"));
     QCOMPARE(outside::runProgram(runWords("2", out)).exitCode, 0);
     QVERIFY(QFile::remove(out + text("/metrics.csv")));
     QVERIFY(QDir().mkpath(out + text("/metrics.csv/in_the_way")));
-    const Finished found = outside::runProgram(runWords("3", out));
+    const Finished found = outside::runProgram(runWords("20000", out));  // ends at once
     QVERIFY2(found.exitCode == 2, qPrintable(found.err));
-    QVERIFY2(found.err.contains(text("metrics.csv")), qPrintable(found.err));
-    QVERIFY2(found.out.contains(text("path_length")), qPrintable(found.out));  // the table is shown
-    QVERIFY(!QFile::exists(out + text("/manifest.json")));
+    QVERIFY2(found.err.contains(text("metrics.csv: error: ")), qPrintable(found.err));
     const Finished evaluated = outside::runProgram(
         {text("evaluate"), out, text("-o"), folder.filePath(text("evaluated"))});
-    QCOMPARE(evaluated.exitCode, 2);
-    QVERIFY2(evaluated.err.contains(text("not written to its end")), qPrintable(evaluated.err));
+    QVERIFY2(evaluated.exitCode == 0, qPrintable(evaluated.err));
+  }
+
+  /// Two runs into one folder: the second is told who has it, and nothing is mixed.
+  void run_intoTheFolderOfAnother_isRefused() {
+    QTemporaryDir folder;
+    const QString out = folder.filePath(text("out"));
+    Group run(QStringList{program()} + runWords("20000", out));
+    QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 3, 30000);
+    const Finished second = outside::runProgram(runWords("1", out));
+    QCOMPARE(second.exitCode, 2);
+    QVERIFY2(second.err.contains(text("process ") + QString::number(run.pid())),
+             qPrintable(second.err));
+    QVERIFY(::kill(run.pid(), SIGINT) == 0);
+    QCOMPARE(run.wait().exitCode, 1);
+    QCOMPARE(statusOf(out), text("interrupted"));
+    QCOMPARE(outside::runProgram(runWords("1", out)).exitCode, 0);
+  }
+
+  /// Nothing is left of a run that was killed once another one went into the folder.
+  void run_killed_nextOneCleansUp() {
+    QTemporaryDir folder;
+    const QString out = folder.filePath(text("out"));
+    Group run(QStringList{program()} + runWords("20000", out));
+    QTRY_VERIFY_WITH_TIMEOUT(halfWritten(out).size() >= 3, 30000);
+    QVERIFY(::kill(run.pid(), SIGKILL) == 0);
+    run.wait();
+    const Finished unread = outside::runProgram(
+        {text("evaluate"), out, text("-o"), folder.filePath(text("evaluated"))});
+    QCOMPARE(unread.exitCode, 2);
+    QCOMPARE(outside::runProgram(runWords("1", out)).exitCode, 0);
+    QCOMPARE(halfWritten(out), QStringList());
+    QVERIFY(!QFile::exists(out + text("/.lock")));
   }
 
   void run_trajectoryThatCannotBeWritten_leavesTheFormerRun() {
@@ -190,8 +220,8 @@ class BrokenRunsTest : public QObject {
         runWords("20000", out) + QStringList{text("--json")});
     const Finished found = run.wait();
     QVERIFY2(found.exitCode == 2, qPrintable(found.err));
-    QVERIFY2(found.err.contains(text("trajectory.csv")), qPrintable(found.err));
-    QVERIFY2(found.err.contains(text("its files are not complete")), qPrintable(found.err));
+    QVERIFY2(found.err.contains(out + text("/trajectory.csv: ")), qPrintable(found.err));
+    QVERIFY2(found.err.contains(text("its files could not be written")), qPrintable(found.err));
     const QJsonObject told = QJsonDocument::fromJson(found.out.toUtf8()).object();
     QVERIFY(told.value(text("metrics")).toObject().contains(text("path_length")));
     QCOMPARE(halfWritten(out), QStringList());

@@ -142,8 +142,10 @@ class EvaluateProgramTest : public QObject {
     QVERIFY(bytesOf(path("layout/metrics_2.csv"))
                 .startsWith("experiment_tag,run_id,path_length,spl\nreal,5,2.0,1.0"));
     words[words.indexOf(text("hunav2"))] = text("hunav1");
+    QCOMPARE(runProgram(words + QStringList{text("5")}).exitCode, 2);  // it has no rows of ours
+    words[words.indexOf(path("layout"))] = path("layout1");
     QCOMPARE(runProgram(words + QStringList{text("5")}).exitCode, 0);
-    QVERIFY(bytesOf(path("layout/metrics.txt")).startsWith("experiment_tag\t"));
+    QVERIFY(bytesOf(path("layout1/metrics.txt")).startsWith("experiment_tag\t"));
     // What was read is a record that can be measured again.
     const Finished again =
         runProgram({text("evaluate"), path("layout"), text("-o"), path("layout-again")});
@@ -267,7 +269,7 @@ class EvaluateProgramTest : public QObject {
     const QStringList words = {text("evaluate"), path("way.csv"), text("-o"), path("others")};
     const Finished finished = runProgram(words);
     QCOMPARE(finished.exitCode, 2);
-    QVERIFY2(finished.err.contains(text("trajectory.csv: error: this file is of something else")),
+    QVERIFY2(finished.err.contains(text("trajectory.csv: error: this was not written here")),
              qPrintable(finished.err));
     QCOMPARE(bytesOf(path("others/trajectory.csv")), mine);
     QVERIFY(QFile::remove(path("others/trajectory.csv")));
@@ -366,16 +368,35 @@ class EvaluateProgramTest : public QObject {
     QFETCH(QByteArray, from);
     QFETCH(QByteArray, to);
     QFETCH(QString, told);
+    const QString plain = path("plain ") + QString::fromUtf8(QTest::currentDataTag());
     outside::writeText(path("plain.csv"), "time,id,x,y\n0,1,0,0\n1,1,1,0\n2,1,2,0\n");
-    QCOMPARE(runProgram({text("evaluate"), path("plain.csv"), text("-o"), path("plain")}).exitCode,
-             0);
-    QByteArray rows = bytesOf(path("plain/trajectory.csv"));
+    QCOMPARE(runProgram({text("evaluate"), path("plain.csv"), text("-o"), plain}).exitCode, 0);
+    QByteArray rows = bytesOf(plain + text("/trajectory.csv"));
     QVERIFY2(rows.contains(from), rows.constData());
-    outside::writeText(path("plain/trajectory.csv"), rows.replace(from, to));
-    const Finished finished =
-        runProgram({text("evaluate"), path("plain"), text("-o"), path("broken")});
+    outside::writeText(plain + text("/trajectory.csv"), rows.replace(from, to));
+    const Finished finished = runProgram({text("evaluate"), plain, text("-o"), path("broken")});
     QCOMPARE(finished.exitCode, 2);
     QVERIFY2(finished.err.contains(told), qPrintable(finished.err));
+  }
+
+  /// Well-formed, but not what the manifest lists: a way of another run.
+  void evaluate_partOfAnotherRun_isRefused() {
+    const QString out = path("mixed");
+    for (const char* seed : {"1", "2"}) {
+      const Finished made =
+          runProgram({text("run"), text("corner_cafe_agents"), text("--duration"), text("1"),
+                      text("--seed"), text(seed), text("-q"), text("-o"), out + text(seed)});
+      QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    }
+    QVERIFY(QFile::remove(out + text("1/trajectory.csv")));
+    QVERIFY(QFile::copy(out + text("2/trajectory.csv"), out + text("1/trajectory.csv")));
+    const QStringList words{text("evaluate"), out + text("1"), text("-o"), path("of mixed")};
+    const Finished refused = runProgram(words);
+    QCOMPARE(refused.exitCode, 2);
+    QVERIFY2(refused.err.contains(text("1/trajectory.csv: error: is not the file")),
+             qPrintable(refused.err));
+    QVERIFY(QFile::remove(out + text("1/manifest.json")));
+    QCOMPARE(runProgram(words).exitCode, 0);
   }
 
   void evaluate_badInput_isTold_data() {

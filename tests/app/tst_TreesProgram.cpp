@@ -113,7 +113,11 @@ void TreesProgramTest::make_again_saysWhatBecameOfEachFile() {
   QVERIFY(!original.isEmpty());
   outside::writeText(edited, "<root/>");
   outside::writeText(folder.filePath(QStringLiteral("mine.xml")), "mine");
-  const Finished text = outside::runProgram(words);
+  const Finished refused = outside::runProgram(words);
+  QCOMPARE(refused.exitCode, 2);
+  QVERIFY2(refused.err.contains(edited + utf8(": error: ")), qPrintable(refused.err));
+  QCOMPARE(outside::bytesOf(edited), QByteArray("<root/>"));
+  const Finished text = outside::runProgram(words + QStringList{QStringLiteral("--force")});
   QVERIFY(text.out.contains(utf8("replaced  ") + edited));
   QCOMPARE(text.out.count(utf8("replaced")), 1);
   QVERIFY(text.out.contains(utf8("unchanged ")) && !text.out.contains(utf8("written")));

@@ -48,6 +48,7 @@ class TextTest : public QObject {
   void formatAndParse_commaLocale_usesThePoint();
   void nearestName_typing_findsTheMeantOne_data();
   void nearestName_typing_findsTheMeantOne();
+  void visible_controlCharacters_areEscaped();
   void trimmed_spacesAround_areRemoved();
   void split_separators_keepEmptyParts();
   void lowered_ascii_leavesOtherBytes();
@@ -192,6 +193,17 @@ void TextTest::nearestName_typing_findsTheMeantOne() {
   const std::optional<std::string> got =
       base::nearestName(bytes(word), {"radius", "max_vel", "id", "behavior"});
   QCOMPARE(QByteArray::fromStdString(got.value_or("")), meant);
+}
+
+void TextTest::visible_controlCharacters_areEscaped() {
+  using namespace std::string_literals;
+  QCOMPARE(base::visible("plain Ä€ 人"), std::string("plain Ä€ 人"));
+  QCOMPARE(base::visible("\x1b[2Jx\x7f\0\n\t"s), std::string("\\x1b[2Jx\\x7f\\x00\\x0a\\x09"));
+  QCOMPARE(base::visible("\xc2\x9b"
+                         "31m"),
+           std::string("\\x9b31m"));  // CSI as one character
+  QCOMPARE(base::visible("\xc2"), std::string("\xc2"));
+  QCOMPARE(base::visible("a\nb\r", "\n"), std::string("a\nb\\x0d"));
 }
 
 void TextTest::trimmed_spacesAround_areRemoved() {

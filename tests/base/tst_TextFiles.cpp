@@ -30,6 +30,8 @@ class TextFilesTest : public QObject {
   void growing_notFinished_leavesTheOldFile();
   void growing_cannotBeWritten_isToldByFinish();
   void read_missingOrDirectory_isAnErrorNamingTheFile();
+  void read_pipeOrDevice_isAnErrorAtOnce();
+  void read_moreThanAllowed_isAnError();
 
  private:
   std::string at(const char* name) const {
@@ -216,6 +218,26 @@ void TextFilesTest::read_missingOrDirectory_isAnErrorNamingTheFile() {
   QVERIFY(!directory);
   QVERIFY(directory.diagnostics()[0].message.find("Is a directory") != std::string::npos);
   QVERIFY(!base::readTextFile(""));
+}
+
+void TextFilesTest::read_pipeOrDevice_isAnErrorAtOnce() {
+  QVERIFY(::mkfifo(at("pipe").c_str(), 0600) == 0);
+  for (const std::string& path : {at("pipe"), std::string("/dev/zero"), std::string("/dev/tty")}) {
+    const base::Result<std::string> text = base::readTextFile(path);
+    QVERIFY2(!text, path.c_str());
+    QCOMPARE(text.diagnostics().front().file, path);
+  }
+}
+
+void TextFilesTest::read_moreThanAllowed_isAnError() {
+  QVERIFY(base::writeFileAtomically(at("large"), std::string(3U << 20U, 'x')).empty());
+  QVERIFY(base::readTextFile(at("large"), 3U << 20U));
+  const base::Result<std::string> cut = base::readTextFile(at("large"), (3U << 20U) - 1U);
+  QVERIFY(!cut);
+  QCOMPARE(cut.diagnostics().front().code, std::string("file.too-large"));
+  // A file without end, though its size says nothing.
+  QVERIFY(::truncate(at("large").c_str(), off_t{1} << 40U) == 0);
+  QVERIFY(!base::readTextFile(at("large")));
 }
 
 QTEST_GUILESS_MAIN(TextFilesTest)

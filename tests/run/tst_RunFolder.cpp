@@ -32,14 +32,19 @@ base::Diagnostics runInto(const std::string& folder, const std::vector<sim2d::Ro
   if (!verdict.world) {
     return verdict.problems;
   }
+  base::Result<std::unique_ptr<app::OutputFolder>> output = app::OutputFolder::open(folder, false);
+  if (!output) {
+    return output.diagnostics();
+  }
   metrics::Selection selection = verdict.metrics.selection;
   selection.everyRobot = true;
-  app::RunWriter writer(folder, *verdict.world, selection, verdict.metrics.parameters);
+  app::RunWriter writer((*output)->workshop(), *verdict.world, selection,
+                        verdict.metrics.parameters);
   app::Session session(sim2d::stopRuleOf(*bundle.scenario));
   sim2d::RunResult result = session.run(*verdict.world, &writer);
   const app::FinishedRun run{
       verdict.world->header(), std::move(result), {}, writer.evaluation(), {}, false};
-  return app::writeRunFolder(folder, run, writer, bundle, {"hunavsim"});
+  return app::writeRunFolder(**output, run, writer, bundle, {"hunavsim"});
 }
 
 }  // namespace

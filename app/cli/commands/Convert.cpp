@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -6,6 +8,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/Echoes.h"
 #include "app/run/Export.h"
+#include "app/run/OutputFolder.h"
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/base/JsonText.h"
 
@@ -19,8 +22,10 @@ struct ConvertOptions {
   std::string target;               // name of exportTargets()
   std::string dialect;              // B, C; empty: the target's
   std::string style = "corrected";  // of trees that are made: corrected, hunav2
+  bool force = false;               // files of others in the output folder may be replaced
 };
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 Json reportJson(const base::Diagnostics& report) {
@@ -75,7 +80,13 @@ int convertCommand(const ConvertOptions& options, const Invocation& given) {
   plan.report = notYetTold(source.diagnostics(), plan.report);
   requireFine(plan.report, ExitBadInput,
               given.quiet ? base::Severity::Warning : base::Severity::Info);
-  requireFine(writeExport(plan));
+  std::vector<base::FileContent> files;
+  files.reserve(plan.files.size());
+  for (const ExportPlan::File& file : plan.files) {
+    const fs::path name = fs::path(file.content.path).lexically_relative(options.output);
+    files.push_back({name.string(), file.content.content});
+  }
+  requireFine(writeIntoOthers(options.output, files, "convert", options.force));
   base::Diagnostics report = source.diagnostics();
   base::append(report, plan.report);
   printPlan(plan, report, options, given);
@@ -103,6 +114,7 @@ void addConvert(CommandRegistry& commands) {
   command.add_option("--style", options.style, "Of trees that are missing: corrected or hunav2")
       ->check(oneOf({"corrected", "hunav2"}));
   command.add_option("--map", options.source.map, "Map to use instead of the scenario's");
+  addForce(command, options.force);
   command.add_option("--trees", options.source.trees, "Folder with the behaviour trees");
 }
 

@@ -1,14 +1,18 @@
 #include <filesystem>
+#include <memory>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/run/Bundle.h"
+#include "app/run/DataPaths.h"
 #include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
 #include "editor/document/QtImageLoader.h"
 #include "metrics/ReportFiles.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/ForeignFiles.h"
 
@@ -32,6 +36,7 @@ struct EvaluateOptions {
   std::optional<double> framesPerSecond, step, radius;
   std::string robot;  // of a run: its robot; of a file: the id of who is the robot
   std::optional<std::string> robotGoal;
+  bool force = false;  // files of others in the output folder may be replaced
 };
 
 namespace fs = std::filesystem;
@@ -118,12 +123,7 @@ base::Result<sim2d::Trace> readSource(const std::string& source,
                                       const sim2d::ForeignOptions& reading,
                                       const sim2d::TrackOptions& tracks) {
   if (isRunFolder(source)) {
-    std::error_code ignored;
-    if (fs::exists(fs::path(source) / "trajectory.csv", ignored) &&
-        !fs::exists(fs::path(source) / "trace.json", ignored)) {
-      return base::error("trace.unfinished", {}, source);
-    }
-    return sim2d::readTrace(source);
+    return readRun(source);
   }
   const base::Result<sim2d::TrackFile> file = sim2d::readForeign(source, reading);
   if (!file) {
@@ -211,33 +211,51 @@ base::Result<metrics::TimedWay> readReference(const std::string& source,
   return {*way, trace.diagnostics()};
 }
 
-/// Tables of the robots beside the first.
-std::vector<std::string> robotFiles(const sim2d::TraceHeader& header) {
-  std::vector<std::string> files;
-  for (std::size_t k = 1; k < header.robots.size(); ++k) {
-    const std::string& name = header.robots[k].name;
-    if (name.find('/') == std::string::npos) {
-      files.push_back(metrics::robotFile("metrics", name));
-      files.push_back(metrics::robotFile("steps", name));
-    }
+constexpr const char* kWay[] = {"trajectory.csv", "events.csv", "trace.json"};
+
+/// All that may be written.
+std::vector<std::string> namesOfResults(const EvaluateOptions& options,
+                                        const sim2d::TraceHeader& header) {
+  std::vector<std::string> names = {"metrics.json", "steps.csv"};
+  if (options.layout != "hunav2") {  // else rows are added to the table of this name
+    names.emplace_back("metrics.csv");
   }
-  return files;
+  const std::vector<std::string> robots = metrics::robotNames(header.robots);
+  for (std::size_t k = 1; k < robots.size(); ++k) {
+    names.push_back(metrics::robotFile("metrics", robots[k]));
+    names.push_back(metrics::robotFile("steps", robots[k]));
+  }
+  if (!isRunFolder(options.source)) {
+    names.insert(names.end(), std::begin(kWay), std::end(kWay));
+  }
+  return names;
+}
+
+/// Into the folder of the run itself, whose other files stay.
+bool isIntoSource(const EvaluateOptions& options) {
+  std::error_code ignored;
+  return isRunFolder(options.source) && fs::equivalent(options.source, options.output, ignored);
+}
+
+std::string manifestOf(const EvaluateOptions& options, const Invocation& given) {
+  const nlohmann::ordered_json json = {
+      {"program", {{"version", programVersion()}, {"commit", programCommit()}}},
+      {"kind", "evaluation"},
+      {"command_line", given.words()},
+      {"source", options.source}};
+  return base::jsonText(json);
 }
 
 base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trace& trace,
-                               const metrics::Evaluation& evaluation) {
-  const fs::path folder = options.output;
+                               const metrics::Evaluation& evaluation, OutputFolder& output,
+                               const Invocation& given) {
   base::Diagnostics problems;
   const auto write = [&](const std::string& name, const std::string& content) {
-    base::append(problems, base::writeFileAtomically((folder / name).string(), content));
+    base::append(problems, output.write(name, content));
   };
   const bool isSecond = options.layout == "hunav2";
-  for (const std::string& file : robotFiles(trace.header)) {  // of another choice before
-    std::error_code ignored;
-    fs::remove(folder / file, ignored);
-  }
   write("metrics.json", metrics::toJson(evaluation));
-  if (!isSecond) {  // else rows are added to the table of this name
+  if (!isSecond) {
     write("metrics.csv", metrics::metricsCsv(evaluation));
   }
   write("steps.csv", metrics::stepsCsv(evaluation));
@@ -250,29 +268,39 @@ base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trac
     write("events.csv", sim2d::eventsCsv(trace));
     write("trace.json", sim2d::traceJson(trace.header));
   }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  problems = output.commit(manifestOf(options, given), isIntoSource(options)
+                                                           ? OutputFolder::Earlier::Kept
+                                                           : OutputFolder::Earlier::Removed);
   if (!options.layout.empty() && problems.empty()) {
     const auto files =
-        metrics::writeEvaluatorFiles(evaluation, (folder / "metrics").string(),
+        metrics::writeEvaluatorFiles(evaluation, (fs::path(options.output) / "metrics").string(),
                                      isSecond ? metrics::Layout::Hunav2 : metrics::Layout::Hunav1);
     base::append(problems, files.diagnostics());
   }
   return problems;
 }
 
-/// Files that are read and would be replaced by results of the same name; the run of a folder.
-base::Diagnostics lostInputs(const EvaluateOptions& options, const sim2d::TraceHeader& header) {
-  std::vector<std::string> written = {"metrics.json", "metrics.csv", "steps.csv", "metrics.yaml"};
-  const std::vector<std::string> ofRobots = robotFiles(header);
-  written.insert(written.end(), ofRobots.begin(), ofRobots.end());
-  if (!isRunFolder(options.source)) {
-    written.insert(written.end(), {"trajectory.csv", "events.csv", "trace.json"});
+/// Results of a run or a batch that `evaluate` would take away.
+base::Diagnostics otherRun(const EvaluateOptions& options) {
+  const std::string manifest = (fs::path(options.output) / "manifest.json").string();
+  std::error_code ignored;  // what is not there is not lost
+  if (!fs::exists(manifest, ignored) || isIntoSource(options) || options.force) {
+    return {};
   }
+  const base::Result<std::string> text = base::readTextFile(manifest);
+  const auto json = nlohmann::json::parse(text ? *text : "", nullptr, false);
+  return json.is_object() && json.value("kind", nlohmann::json()) == "evaluation"
+             ? base::Diagnostics()
+             : base::Diagnostics{base::error("file.other-run", {}, options.output)};
+}
+
+/// Files that are read and would be replaced by results of the same name.
+base::Diagnostics lostInputs(const EvaluateOptions& options,
+                             const std::vector<std::string>& written) {
   base::Diagnostics problems;
-  std::error_code none;  // what is not there is not lost
-  const fs::path folder = options.output;
-  if (fs::exists(folder / "manifest.json", none) && !fs::equivalent(options.source, folder, none)) {
-    problems.push_back(base::error("file.other-run", {}, options.output));
-  }
   for (const std::string& read :
        {options.source, options.reference, options.map, options.metrics.metrics}) {
     for (const std::string& name : written) {
@@ -283,13 +311,32 @@ base::Diagnostics lostInputs(const EvaluateOptions& options, const sim2d::TraceH
       }
     }
   }
-  const bool isOurs = isRunFolder(options.source) || fs::exists(folder / "trace.json", none);
-  for (const char* way : {"trajectory.csv", "events.csv"}) {  // which would be written anew
-    if (problems.empty() && !isOurs && fs::exists(folder / way, none)) {
-      problems.push_back(base::error("file.is-in-the-way", {}, (folder / way).string()));
-    }
-  }
   return problems;
+}
+
+/// Null when it cannot be written to, or would lose something: told.
+std::unique_ptr<OutputFolder> openResults(const EvaluateOptions& options,
+                                          const sim2d::TraceHeader& header,
+                                          base::Diagnostics& problems) {
+  std::vector<std::string> names = namesOfResults(options, header);
+  if (options.layout == "hunav1") {
+    names.emplace_back("metrics.yaml");
+  }
+  base::Diagnostics lost = otherRun(options);
+  base::append(lost, lostInputs(options, names));
+  if (base::hasErrors(lost)) {
+    base::append(problems, lost);
+    return nullptr;
+  }
+  base::Result<std::unique_ptr<OutputFolder>> opened =
+      OutputFolder::open(options.output, options.force);
+  base::append(problems, opened.diagnostics());
+  if (!opened) {
+    return nullptr;
+  }
+  lost = (*opened)->inTheWay(namesOfResults(options, header));
+  base::append(problems, lost);
+  return lost.empty() ? *std::move(opened) : nullptr;
 }
 
 int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
@@ -316,15 +363,15 @@ int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
       setup.selection.reference = *reference;
     }
   }
-  base::append(problems, lostInputs(options, trace ? trace->header : sim2d::TraceHeader()));
-  base::append(problems, checkWritableFolder(options.output));
+  const std::unique_ptr<OutputFolder> output =
+      openResults(options, trace ? trace->header : sim2d::TraceHeader(), problems);
   requireFine(problems, ExitBadInput, base::Severity::Warning);
   setup.selection.tag = options.tag.value_or(setup.selection.tag);
   setup.selection.runId = options.runId.value_or(setup.selection.runId);
   const base::Result<metrics::Evaluation> evaluation =
       metrics::evaluate(*trace, setup.selection, setup.parameters);
   requireFine(evaluation.diagnostics());
-  requireFine(writeResults(options, *trace, *evaluation));
+  requireFine(writeResults(options, *trace, *evaluation, *output, given));
   if (given.json) {
     print(metrics::toJson(*evaluation));
   } else if (!given.quiet) {
@@ -370,6 +417,7 @@ void addEvaluate(CommandRegistry& commands) {
   command.add_option("--reference", options.reference,
                      "Run to compare the robot's way with: a folder, or a file with one body");
   addForeignOptions(command, options);
+  addForce(command, options.force);
 }
 
 }  // namespace app

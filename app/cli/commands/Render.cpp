@@ -13,6 +13,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/report/Page.h"
+#include "app/run/RunFolder.h"
 #include "editor/look/FigurePainter.h"
 #include "editor/look/Theme.h"
 #include "sim2d/base/Text.h"
@@ -359,7 +360,7 @@ int renderCommand(const RenderOptions& options, const Invocation& given) {
     printError(base::error("option.picture-format", {ending}, options.output).text());
     return ExitWrongCommandLine;
   }
-  const base::Result<sim2d::Trace> trace = sim2d::readTrace(options.run);
+  const base::Result<sim2d::Trace> trace = readRun(options.run);
   requireFine(trace.diagnostics());
   if (ending == ".html") {
     const std::string& name = trace->header.scenario;

@@ -138,16 +138,29 @@ int exitCodeOf(const FinishedRun& run, const std::string& scenario) {
 
 /// Files and table of a run; returns the exit code.
 int conclude(const RunOptions& options, const Invocation& given, const Bundle& bundle,
-             RunWriter& writer, const FinishedRun& run) {
-  const bool isWritten =
-      options.output.empty() ||
-      printDiagnostics(writeRunFolder(options.output, run, writer, bundle, given.words()));
+             RunWriter& writer, const FinishedRun& run, OutputFolder* output) {
+  const bool isWritten = output == nullptr || printDiagnostics(writeRunFolder(
+                                                  *output, run, writer, bundle, given.words()));
   show(run, given);
   if (!isWritten) {
-    printError("after " + simulatedText(run) + " of the run: its files are not complete");
+    printError("after " + simulatedText(run) + " of the run: its files could not be written");
     return ExitBadInput;
   }
   return exitCodeOf(run, options.scenario);
+}
+
+/// Null when it cannot be written to, or would lose something: told in the verdict.
+std::unique_ptr<OutputFolder> openOutput(const RunOptions& options, Verdict& verdict) {
+  base::Result<std::unique_ptr<OutputFolder>> opened =
+      OutputFolder::open(options.output, options.force);
+  if (!opened) {
+    base::append(verdict.problems, opened.diagnostics());
+    return nullptr;
+  }
+  const std::vector<std::string> robots = metrics::robotNames(verdict.world->header().robots);
+  const base::Diagnostics lost = (*opened)->inTheWay(runFileNames(robots, options.totals));
+  base::append(verdict.problems, lost);
+  return lost.empty() ? *std::move(opened) : nullptr;
 }
 
 int runCommand(const RunOptions& options, const Invocation& given) {
@@ -157,8 +170,9 @@ int runCommand(const RunOptions& options, const Invocation& given) {
   bundle.left = interruptStop();
   Verdict verdict = check(bundle);
   requireFine(verdict.wrongWords, ExitWrongCommandLine);
+  std::unique_ptr<OutputFolder> output;
   if (!options.output.empty() && verdict.ok()) {  // else nothing will be written
-    base::append(verdict.problems, checkWritableFolder(options.output));
+    output = openOutput(options, verdict);
   }
   requireFine(verdict.problems, ExitBadInput, base::Severity::Warning);  // hints are for check
   printDiagnostics(verdict.worldRemarks);
@@ -166,8 +180,8 @@ int runCommand(const RunOptions& options, const Invocation& given) {
   catchInterrupts();
   const bool hasFiles = !options.totals && !options.output.empty();
   wantNoMore(hasFiles, hasFiles || (given.json && !options.totals), verdict.metrics.selection);
-  RunWriter writer(options.totals ? std::string() : options.output, world,
-                   verdict.metrics.selection, verdict.metrics.parameters);
+  RunWriter writer(hasFiles ? output->workshop() : std::string(), world, verdict.metrics.selection,
+                   verdict.metrics.parameters);
   Session session(sim2d::stopRuleOf(*bundle.scenario));
   if (options.counterfactual) {
     session.keepHistory(bundle.scenario->desktop.recordEvery.value_or(1));
@@ -184,7 +198,7 @@ int runCommand(const RunOptions& options, const Invocation& given) {
   if (options.counterfactual && run.result.status == sim2d::RunStatus::Finished) {
     isCompared = printDiagnostics(compareWithoutRobots(bundle, session, run));
   }
-  const int code = conclude(options, given, bundle, writer, run);
+  const int code = conclude(options, given, bundle, writer, run, output.get());
   return code == ExitFine && !isCompared ? ExitRunFailed : code;
 }
 
@@ -200,6 +214,7 @@ void addRun(CommandRegistry& commands) {
   addRunOptions(command, options);
   command.add_flag("--counterfactual", options.counterfactual,
                    "The same seed again without robots: what they did to people");
+  addForce(command, options.force);
   command.add_flag("--totals", options.totals,
                    "Only manifest.json and the totals of metrics.json, for many long runs");
 }

@@ -12,6 +12,7 @@
 #include "app/cli/Console.h"
 #include "app/run/DataPaths.h"
 #include "app/run/Export.h"
+#include "app/run/OutputFolder.h"
 #include "app/run/TreePlay.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/human/Templates.h"
@@ -34,6 +35,7 @@ struct TreesOptions {
   double dt = 0.05;  // [s]
   long long seed = 1;
   std::string compat;  // quirks of the original while playing
+  bool force = false;  // files of others in the output folder may be replaced
 };
 
 namespace fs = std::filesystem;
@@ -94,32 +96,27 @@ void printFiles(const std::vector<MadeFile>& files, const Invocation& given) {
   }
 }
 
-/// Each file beside itself, then renamed; says for each what became of it.
-int writeFiles(const std::vector<MadeFile>& files, const std::string& folder,
+/// All of them or none; says for each what became of it.
+int writeFiles(const std::vector<MadeFile>& files, const TreesOptions& options,
                const Invocation& given) {
   Json all = Json::array();
-  base::Diagnostics problems;
+  std::vector<base::FileContent> contents;
   for (const MadeFile& file : files) {
-    const std::string path = (fs::path(folder) / file.name).string();
-    const ExportPlan::State state = stateOf(path, file.text);
-    const base::Diagnostics failed = state == ExportPlan::State::Unchanged
-                                         ? base::Diagnostics()
-                                         : base::writeFileAtomically(path, file.text);
-    base::append(problems, failed);
-    if (!failed.empty()) {
-      continue;
-    }
-    all.push_back({{"file", path}, {"agent", agentJson(file)}, {"state", stateName(state)}});
-    if (!given.json && !given.quiet) {
-      std::string line = stateName(state);
-      line.resize(10, ' ');
-      printLine(line + path);
-    }
+    const std::string path = (fs::path(options.output) / file.name).string();
+    const std::string state = stateName(stateOf(path, file.text));
+    contents.push_back({file.name, file.text});
+    all.push_back({{"file", path}, {"agent", agentJson(file)}, {"state", state}});
+  }
+  requireFine(writeIntoOthers(options.output, contents, "trees", options.force));
+  for (const Json& file : given.json || given.quiet ? Json::array() : all) {
+    std::string line = file["state"].get<std::string>();
+    line.resize(10, ' ');
+    printLine(line + file["file"].get<std::string>());
   }
   if (given.json) {
     printLine(base::jsonText(all));
   }
-  return printDiagnostics(problems) ? ExitFine : ExitBadInput;
+  return ExitFine;
 }
 
 int generate(const TreesOptions& options, const Invocation& given) {
@@ -137,7 +134,7 @@ int generate(const TreesOptions& options, const Invocation& given) {
     printFiles(files, given);
     return ExitFine;
   }
-  return writeFiles(files, options.output, given);
+  return writeFiles(files, options, given);
 }
 
 const char* statusText(const LeafCall& call) {
@@ -240,6 +237,7 @@ void addTrees(CommandRegistry& commands) {
       command.add_option("scenario", options.scenario, "Scenario file")->transform(scenarioFile);
   CLI::Option* output =
       &addOutputFolder(command, options.output, "Folder for the trees; none: print them");
+  addForce(command, options.force);
   CLI::Option* style = command.add_option("--style", options.style, "corrected or hunav2");
   style->check(oneOf({"corrected", "hunav2"}));
   CLI::Option* play = command.add_option("--play", options.play, "Tree file to tick by itself");

@@ -15,7 +15,7 @@ using Matrix3 = std::array<std::array<double, 3>, 3>;
 
 std::optional<Matrix3> readHomography(const ForeignInput& input) {
   const std::string path = besideFile(input.path, "H.txt");
-  const base::Result<std::string> text = base::readTextFile(path);
+  const base::Result<std::string> text = base::readTextFile(path, base::kMostRecord);
   if (!text) {
     base::append(input.problems, text.diagnostics());
     input.problems.push_back(base::error("tracks.no-matrix", {}, input.path));

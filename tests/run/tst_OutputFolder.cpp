@@ -1,0 +1,297 @@
+#include <cerrno>
+#include <csignal>
+#include <dlfcn.h>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include <QDirIterator>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/run/OutputFolder.h"
+#include "sim2d/base/Text.h"
+
+namespace {
+
+int callsLeft = -1;  // until the process dies or, with `fault`, a call fails; < 0: never
+int fault = 0;       // errno of the failing call; 0: the process dies before it
+
+/// Whether this call is to fail.
+bool isStruck() {
+  if (callsLeft < 0 || --callsLeft >= 0) {
+    return false;
+  }
+  if (fault == 0) {
+    ::_exit(9);
+  }
+  errno = fault;
+  return true;
+}
+
+template <class Function>
+Function* systemCall(const char* name) {
+  return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
+
+// In the place of those of the C library, for this program.
+extern "C" int rename(const char* from, const char* to) noexcept {
+  static auto* const kReal = systemCall<int(const char*, const char*)>("rename");
+  return isStruck() ? -1 : kReal(from, to);
+}
+extern "C" int unlink(const char* path) noexcept {
+  static auto* const kReal = systemCall<int(const char*)>("unlink");
+  return isStruck() ? -1 : kReal(path);
+}
+extern "C" int fsync(int descriptor) {
+  static auto* const kReal = systemCall<int(int)>("fsync");
+  return isStruck() ? -1 : kReal(descriptor);
+}
+
+using app::OutputFolder;
+using Content = std::map<std::string, std::string>;  // by name, what the user would see
+
+/// Outputs that are whole or not there, whatever happens.
+class OutputFolderTest : public QObject {
+  Q_OBJECT
+
+ private:
+  const Content before_ = {{"a.csv", "old a"}, {"b.csv", "old b"}, {"gone.csv", "old c"}};
+  const Content after_ = {{"a.csv", "new a"}, {"b.csv", "old b"}, {"sub/d.csv", "new d"}};
+  std::unique_ptr<QTemporaryDir> place_;
+
+  std::string folder() const { return place_->path().toStdString() + "/out"; }
+  std::string at(const std::string& name) const { return folder() + "/" + name; }
+  void put(const std::string& name, const std::string& content) const {
+    QVERIFY(base::writeFileAtomically(at(name), content).empty());
+  }
+  /// Without manifest.json and what is of the work on the folder.
+  Content seen(bool withWork = false) const {
+    Content found;
+    QDirIterator files(QString::fromStdString(folder()),
+                       QDir::AllEntries | QDir::Hidden | QDir::System | QDir::NoDotAndDotDot,
+                       QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+      const std::string path = files.next().toStdString();
+      const std::string name = path.substr(folder().size() + 1);
+      const bool isWork = app::isRestOfOutput(name.substr(0, name.find('/')));
+      if (!files.fileInfo().isDir() && (withWork || !isWork) && name != "manifest.json") {
+        const base::Result<std::string> text = base::readTextFile(path);
+        found[name] = text ? *text : "?";
+      }
+    }
+    return found;
+  }
+  base::Diagnostics write(const Content& content, bool force = false) const {
+    const auto output = OutputFolder::open(folder(), force);
+    if (!output) {
+      return output.diagnostics();
+    }
+    for (const auto& [name, text] : content) {
+      const base::Diagnostics problems = (*output)->write(name, text);
+      if (!problems.empty()) {
+        return problems;
+      }
+    }
+    return (*output)->commit("{}", OutputFolder::Earlier::Removed);
+  }
+  /// In a process of its own; its exit code.
+  int elsewhere(const std::function<int()>& work) const {
+    const pid_t child = ::fork();
+    if (child == 0) {
+      ::_exit(work());
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  bool isOneOfBoth() const { return seen() == before_ || seen() == after_; }
+  base::Diagnostics checked() const {
+    return app::checkListed(folder(), {"a.csv", "b.csv", "gone.csv", "sub/d.csv"});
+  }
+
+ private Q_SLOTS:
+  void init() { place_ = std::make_unique<QTemporaryDir>(); }
+
+  void commit_newFolder_listsItsFiles() {
+    QVERIFY(write({{"x.csv", "abc"}}).empty());
+    QCOMPARE(seen(true), (Content{{"x.csv", "abc"}}));
+    const auto manifest = nlohmann::json::parse(*base::readTextFile(at("manifest.json")));
+    QCOMPARE(manifest["outputs"].size(), std::size_t{1});
+    QCOMPARE(manifest["outputs"][0]["path"].get<std::string>(), std::string("x.csv"));
+    // FIPS 180-2, appendix B.1
+    QCOMPARE(manifest["outputs"][0]["sha256"].get<std::string>(),
+             std::string("ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"));
+  }
+
+  void commit_overEarlier_takesItsOtherFilesAway() {
+    QVERIFY(write(before_).empty());
+    QVERIFY(base::writeFileAtomically(at("mine.txt"), "mine").empty());
+    QVERIFY(write(after_).empty());
+    Content all = after_;
+    all["mine.txt"] = "mine";
+    QCOMPARE(seen(true), all);
+  }
+
+  void commit_keepingEarlier_listsBoth() {
+    QVERIFY(write({{"a.csv", "a"}}).empty());
+    {
+      const auto output = OutputFolder::open(folder(), false);
+      QVERIFY((*output)->write("b.csv", "b").empty());
+      QVERIFY((*output)->commit("{}", OutputFolder::Earlier::Kept).empty());
+    }
+    QCOMPARE(seen(), (Content{{"a.csv", "a"}, {"b.csv", "b"}}));
+    QVERIFY(checked().empty());
+  }
+
+  void open_notCommitted_changesNothing() {
+    { QVERIFY((*OutputFolder::open(folder(), false))->write("a.csv", "a").empty()); }
+    QVERIFY(!QFile::exists(QString::fromStdString(folder())));  // it was made for this
+    QVERIFY(write(before_).empty());
+    { QVERIFY((*OutputFolder::open(folder(), false))->write("a.csv", "other").empty()); }
+    QCOMPARE(seen(true), before_);
+  }
+
+  void inTheWay_filesOfOthers_areToldAndStay() {
+    QVERIFY(write(before_).empty());
+    put("a.csv", "edited");       // ours, but changed
+    put("sub/d.csv", "by hand");  // never ours
+    QVERIFY(::unlink(at("b.csv").c_str()) == 0);
+    QVERIFY(::symlink("/etc/hostname", at("b.csv").c_str()) == 0);  // a link
+    const Content there = seen(true);
+    const base::Diagnostics told = write(after_);
+    QCOMPARE(told.size(), std::size_t{3});
+    for (const base::Diagnostic& problem : told) {
+      QCOMPARE(problem.code, std::string("file.is-in-the-way"));
+    }
+    QCOMPARE(told[0].file, at("a.csv"));
+    QCOMPARE(seen(true), there);
+    QVERIFY(write(after_, true).empty());
+    QCOMPARE(seen(true), after_);
+  }
+
+  void inTheWay_equalContent_isNot() {
+    put("x.csv", "same");
+    QVERIFY(write({{"x.csv", "same"}}).empty());
+  }
+
+  void inTheWay_folderOfThatName_isEvenWithForce() {
+    put("x.csv/y", "mine");
+    QCOMPARE(write({{"x.csv", "x"}}, true).size(), std::size_t{1});
+    QCOMPARE(seen(true), (Content{{"x.csv/y", "mine"}}));
+  }
+
+  void inTheWay_manifestOfOthers_isTold() {
+    put("manifest.json", "{\"name\": \"of a web page\"}");
+    QCOMPARE(write({{"x.csv", "x"}}).size(), std::size_t{1});
+  }
+
+  void open_whileAnotherHasIt_namesIt() {
+    const auto first = OutputFolder::open(folder(), false);
+    QVERIFY(first);
+    const int code = elsewhere([this] {
+      const auto second = OutputFolder::open(folder(), false);
+      const bool isTold = !second && second.diagnostics().front().code == "batch.locked" &&
+                          second.diagnostics().front().text().find(std::to_string(::getppid())) !=
+                              std::string::npos;
+      return isTold ? 0 : 1;
+    });
+    QCOMPARE(code, 0);
+  }
+
+  /// At each call that changes the folder.
+  void commit_killed_isAllOrNothing() {
+    int kills = 0;
+    int wasNew = 0;
+    for (int calls = 0;; ++calls) {
+      init();
+      QVERIFY(write(before_).empty());
+      const int code = elsewhere([&] {
+        callsLeft = calls;
+        fault = 0;
+        return write(after_).empty() ? 0 : 1;
+      });
+      QVERIFY(code == 0 || code == 9);
+      QVERIFY(app::settleFolder(folder()).empty());
+      QVERIFY2(isOneOfBoth(), QByteArray::number(calls));
+      QVERIFY(checked().empty());
+      wasNew += seen() == after_ ? 1 : 0;
+      QVERIFY(write(after_).empty());  // and it goes on
+      QCOMPARE(seen(true), after_);
+      if (code == 0) {
+        break;
+      }
+      ++kills;
+    }
+    QVERIFY2(kills >= 12 && wasNew >= 4, QByteArray::number(kills));
+  }
+
+  void commit_diskFails_isAllOrNothingAndTold() {
+    int faults = 0;
+    for (int calls = 0;; ++calls) {
+      init();
+      QVERIFY(write(before_).empty());
+      const int code = elsewhere([&] {
+        callsLeft = calls;
+        fault = calls % 2 == 0 ? EIO : ENOSPC;
+        const bool isFine = write(after_).empty();
+        const bool isStruckYet = callsLeft < 0;
+        callsLeft = -1;
+        return (isFine ? 0 : 1) + (isStruckYet ? 2 : 0);
+      });
+      if (code == 0) {
+        break;
+      }
+      ++faults;
+      QVERIFY(app::settleFolder(folder()).empty());
+      QVERIFY2(isOneOfBoth(), QByteArray::number(calls));
+      QVERIFY((code & 1) == 1 || seen() == after_);  // success is success
+      QVERIFY(checked().empty());
+    }
+    QVERIFY2(faults >= 12, QByteArray::number(faults));
+  }
+
+  void write_diskFull_changesNothingAndIsTold() {
+    Content large = after_;
+    large["b.csv"] = std::string(200000, 'x');
+    for (rlim_t limit = 0; limit < 200000; limit += 16384) {
+      init();
+      QVERIFY(write(before_).empty());
+      const int code = elsewhere([&] {
+        ::signal(SIGXFSZ, SIG_IGN);
+        const rlimit most = {limit, limit};
+        ::setrlimit(RLIMIT_FSIZE, &most);
+        return write(large).empty() ? 0 : 1;
+      });
+      QCOMPARE(code, 1);
+      QCOMPARE(seen(), before_);
+      QVERIFY(write(large).empty());
+    }
+  }
+
+  void checkListed_partsOfAnotherRun_areTold() {
+    QVERIFY(write(before_).empty());
+    QVERIFY(checked().empty());
+    put("b.csv", "of another");
+    QCOMPARE(checked().size(), std::size_t{1});
+    put("b.csv", before_.at("b.csv"));
+    put("sub/d.csv", "not listed");
+    QCOMPARE(checked().size(), std::size_t{1});
+    QVERIFY(::unlink(at("sub/d.csv").c_str()) == 0 && ::unlink(at("a.csv").c_str()) == 0);
+    QCOMPARE(checked().size(), std::size_t{1});
+    QVERIFY(::unlink(at("manifest.json").c_str()) == 0);  // nothing to compare with
+    QVERIFY(checked().empty());
+  }
+};
+
+QTEST_APPLESS_MAIN(OutputFolderTest)
+#include "tst_OutputFolder.moc"
