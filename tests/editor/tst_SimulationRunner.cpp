@@ -260,6 +260,27 @@ class SimulationRunnerTest : public QObject {
     QCOMPARE(runner.state(), SimulationRunner::State::Running);
   }
 
+  /// States are recorded, but none has come to the window yet.
+  void seek_beforeTheFirstState_showsNothing() {
+    SimulationRunner runner;
+    runner.setRequest([] { return request(1000); });
+    QSignalSpy shown(&runner, &SimulationRunner::frameShown);
+    runner.play();
+    while (runner.recording() == nullptr) {
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 10);
+    }
+    while (runner.recording()->size() < 2) {
+      QThread::msleep(1);  // nothing is delivered meanwhile
+    }
+    if (runner.newestFrame() == nullptr) {
+      runner.seek(0);
+      QVERIFY(runner.shownFrame() == nullptr && shown.isEmpty());
+    }
+    QTRY_VERIFY(runner.newestFrame() != nullptr);
+    runner.seek(0);
+    QCOMPARE(runner.shownFrame()->step, std::int64_t{0});
+  }
+
   void reset_duringARun_clearsAndLeavesTheRecording() {
     SimulationRunner runner;
     runner.setRequest([] { return request(1000); });
