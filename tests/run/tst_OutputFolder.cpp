@@ -97,7 +97,7 @@ class OutputFolderTest : public QObject {
       return output.diagnostics();
     }
     for (const auto& [name, text] : content) {
-      const base::Diagnostics problems = (*output)->write(name, text);
+      base::Diagnostics problems = (*output)->write(name, text);
       if (!problems.empty()) {
         return problems;
       }
