@@ -36,6 +36,16 @@ std::optional<std::size_t> runsOfBatchIn(const std::string& folder) {
              : std::nullopt;
 }
 
+/// results.csv is not what the batch of before has written: somebody has changed it.
+bool isChanged(const std::string& folder) {
+  const std::string results = fileIn(folder, "results.csv");
+  const base::Result<std::string> text = base::readTextFile(fileIn(folder, "manifest.json"));
+  const auto manifest = text ? nlohmann::json::parse(*text, nullptr, false) : nlohmann::json();
+  const nlohmann::json::json_pointer hash("/outputs/0/sha256");
+  return manifest.is_object() && manifest.contains(hash) && isThere(results) &&
+         sha256OfFile(results).value_or("") != manifest[hash];
+}
+
 /// What lies where the results will be written and is not of an earlier batch.
 base::Diagnostics strangersIn(const std::string& folder, std::size_t runCount) {
   constexpr std::size_t kMostTold = 5;
@@ -147,6 +157,9 @@ base::Result<std::unique_ptr<BatchFolder>> BatchFolder::open(const std::string& 
   }
   std::unique_ptr<BatchFolder> batch(new BatchFolder(folder, *std::move(lock)));
   problems = strangersIn(folder, study.runs);
+  if (earlier != Earlier::Replace && isChanged(folder)) {
+    problems.push_back(base::error("file.is-in-the-way", {}, batch->resultsFile()));
+  }
   if (!base::hasErrors(problems)) {
     problems = batch->takeEarlier(study, earlier);
   }
@@ -260,7 +273,7 @@ void BatchFolder::removeRests() const {
 base::Diagnostics BatchFolder::finish() {
   removeRests();
   base::Diagnostics problems = writeResults(*store_, resultsFile());
-  manifest_ = batchManifest(*store_);
+  manifest_ = batchManifest(*store_, sha256OfFile(resultsFile()).value_or(""));
   base::append(problems, base::writeFileAtomically(fileIn(folder_, "manifest.json"), manifest_));
   base::append(problems, store_->close());
   return problems;

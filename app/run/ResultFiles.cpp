@@ -171,8 +171,9 @@ std::string beginJson(const ResultStore& store) {
       .dump();
 }
 
-std::string batchManifest(const ResultStore& store) {
+std::string batchManifest(const ResultStore& store, const std::string& resultsHash) {
   Json json = manifestOf(store.study(), store.finished(), store.failed());
+  json["outputs"] = Json::array({{{"path", "results.csv"}, {"sha256", resultsHash}}});
   if (!store.study().drawn.empty()) {
     json["drawn"] = drawnJson(store);
   }

@@ -20,7 +20,7 @@ std::string beginJson(const ResultStore& store);
 
 /// manifest.json of a batch: the program, files that were read, how many runs there are, and what
 /// was drawn for each scenario and seed.
-std::string batchManifest(const ResultStore& store);
+std::string batchManifest(const ResultStore& store, const std::string& resultsHash);
 /// The same of one in which nothing has run.
 std::string emptyManifest(const Study& study);
 

@@ -177,6 +177,28 @@ class BatchProgramTest : public QObject {
     QVERIFY(!QFile::exists(out + QStringLiteral("/runs/0/trajectory.csv.new-1")));
   }
 
+  /// Somebody's work on the table is not lost.
+  void batch_overAChangedTable_isRefused() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("e.yaml"));
+    const QString out = folder.filePath(QStringLiteral("out"));
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nduration: 0.5\n");
+    const QStringList words{QStringLiteral("batch"), experiment, QStringLiteral("-q"),
+                            QStringLiteral("-o"), out};
+    QCOMPARE(outside::runProgram(words).exitCode, 0);
+    QCOMPARE(outside::runProgram(words).exitCode, 0);  // its own it writes again
+    const QString table = out + QStringLiteral("/results.csv");
+    const QByteArray changed = outside::bytesOf(table) + "my remark\n";
+    outside::writeText(table, changed);
+    const auto refused = outside::runProgram(words);
+    QCOMPARE(refused.exitCode, 2);
+    QVERIFY2(refused.err.contains(table + QStringLiteral(": error: ")), qPrintable(refused.err));
+    QCOMPARE(outside::bytesOf(table), changed);
+    QCOMPARE(outside::runProgram(words + QStringList{QStringLiteral("--force")}).exitCode, 0);
+    QVERIFY(outside::bytesOf(table) != changed);
+  }
+
   /// What a link points at is not of this folder.
   void batch_linkInPlaceOfRuns_isRefused() {
     QTemporaryDir folder;
