@@ -2,9 +2,23 @@
 
 #include <QAbstractItemView>
 #include <QAction>
+#include <QLineEdit>
 #include <QShortcut>
+#include <QToolButton>
 
 namespace editor {
+
+namespace {
+
+/// The name that is being typed in the list of files, of a new folder, is taken as it is.
+void takeName(const QAbstractItemView& files) {
+  for (QLineEdit* name : files.viewport()->findChildren<QLineEdit*>()) {
+    Q_EMIT files.itemDelegate()->commitData(name);
+    Q_EMIT files.itemDelegate()->closeEditor(name);
+  }
+}
+
+}  // namespace
 
 void keepFiles(QFileDialog& dialog, bool makesFolders) {
   if (!makesFolders) {
@@ -24,6 +38,10 @@ void keepFiles(QFileDialog& dialog, bool makesFolders) {
       files->setEditTriggers(
           QAbstractItemView::NoEditTriggers);  // a new folder is named all the same
       files->setDragDropMode(QAbstractItemView::NoDragDrop);
+      // Qt 5.15 reads freed memory when the folder is left meanwhile.
+      for (QToolButton* button : dialog.findChildren<QToolButton*>()) {
+        QObject::connect(button, &QToolButton::pressed, files, [files] { takeName(*files); });
+      }
     }
   }
 }

@@ -2,6 +2,7 @@
 #include <QStandardPaths>
 
 #include "app/window/FileDialogs.h"
+#include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/BehaviorPanel.h"
@@ -117,6 +118,35 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
     window_->actions().saveAs->trigger();
     QCOMPARE(outside::bytesOf(precious), QByteArray("mine"));
     QVERIFY(!isEdited && !isDeleteOffered);
+  }
+
+  /// The editor of the name is closed first: Qt would use it after it is gone.
+  void dialogs_forWriting_leavingTheFolderWhileANewOneIsNamed() {
+    for (const QFileDialog::ViewMode mode : {QFileDialog::Detail, QFileDialog::List}) {
+      QTemporaryDir top;
+      const QString below = top.filePath(QStringLiteral("below"));
+      QVERIFY(QDir().mkpath(below));
+      QFileDialog dialog(nullptr, {}, below);
+      dialog.setOption(QFileDialog::DontUseNativeDialog);
+      dialog.setAcceptMode(QFileDialog::AcceptSave);
+      dialog.setViewMode(mode);
+      editor::keepFiles(dialog, true);
+      dialog.show();
+      const auto button = [&dialog](const char* name) {
+        return dialog.findChild<QToolButton*>(QString::fromUtf8(name));
+      };
+      const auto* files = dialog.findChild<QAbstractItemView*>(
+          mode == QFileDialog::Detail ? QStringLiteral("treeView") : QStringLiteral("listView"));
+      const auto editors = [files] { return files->viewport()->findChildren<QLineEdit*>(); };
+      QTest::mouseClick(button("newFolderButton"), Qt::LeftButton);
+      QTRY_COMPARE(editors().size(), 1);
+      editors().front()->setText(QStringLiteral("mine"));
+      QTest::mousePress(button("toParentButton"), Qt::LeftButton);
+      QTRY_VERIFY(editors().isEmpty());
+      QTest::mouseRelease(button("toParentButton"), Qt::LeftButton);
+      QCOMPARE(dialog.directory().canonicalPath(), QFileInfo(top.path()).canonicalFilePath());
+      QVERIFY(QDir(below + QStringLiteral("/mine")).exists());
+    }
   }
 
   void treeDialogs_beginWithTheUsersFiles_data() {
