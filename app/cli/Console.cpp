@@ -77,17 +77,19 @@ bool isPrinted() {
 }
 
 void printTable(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::vector<std::string>> shown(rows);
   std::vector<std::size_t> widths;
-  for (const std::vector<std::string>& row : rows) {
+  for (std::vector<std::string>& row : shown) {
     widths.resize(std::max(widths.size(), row.size()), 0);
     for (std::size_t i = 0; i < row.size(); ++i) {
+      row[i] = base::visible(row[i]);
       widths[i] = std::max(widths[i], row[i].size());
     }
   }
-  for (const std::vector<std::string>& row : rows) {
+  for (const std::vector<std::string>& row : shown) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
-      line += base::visible(row[i]) + std::string(widths[i] - row[i].size() + 2, ' ');
+      line += row[i] + std::string(widths[i] - row[i].size() + 2, ' ');
     }
     printLine(line.substr(0, line.find_last_not_of(' ') + 1));
   }

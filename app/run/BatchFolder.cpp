@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/DataPaths.h"
+#include "app/run/ListedFiles.h"
+#include "app/run/OutputFolder.h"
 #include "app/run/ResultFiles.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Sha256.h"
@@ -38,12 +40,7 @@ std::optional<std::size_t> runsOfBatchIn(const std::string& folder) {
 
 /// results.csv is not what the batch of before has written: somebody has changed it.
 bool isChanged(const std::string& folder) {
-  const std::string results = fileIn(folder, "results.csv");
-  const base::Result<std::string> text = base::readTextFile(fileIn(folder, "manifest.json"));
-  const auto manifest = text ? nlohmann::json::parse(*text, nullptr, false) : nlohmann::json();
-  const nlohmann::json::json_pointer hash("/outputs/0/sha256");
-  return manifest.is_object() && manifest.contains(hash) && isThere(results) &&
-         sha256OfFile(results).value_or("") != manifest[hash];
+  return isThere(fileIn(folder, "results.csv")) && !checkListed(folder, {"results.csv"}).empty();
 }
 
 /// What lies where the results will be written and is not of an earlier batch.
@@ -94,6 +91,20 @@ base::Diagnostic otherText(const Study& was, const Study& now) {
 void removeQuietly(const std::string& path) {
   std::error_code ignored;  // what stays is replaced
   fs::remove(path, ignored);
+}
+
+/// What processes that are gone were about to write.
+void removeUnfinished(const std::string& folder) {
+  std::error_code error;
+  std::vector<std::string> unfinished;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const auto target = nameOfUnfinished(at->path().filename().string());
+    const bool isOurs = target && (*target == "manifest.json" || *target == "results.csv");
+    if (isOurs && fs::is_regular_file(at->symlink_status(error))) {
+      unfinished.push_back(at->path().string());
+    }
+  }
+  std::for_each(unfinished.begin(), unfinished.end(), removeQuietly);
 }
 
 }  // namespace
@@ -156,6 +167,7 @@ base::Result<std::unique_ptr<BatchFolder>> BatchFolder::open(const std::string& 
     return lock.diagnostics();
   }
   std::unique_ptr<BatchFolder> batch(new BatchFolder(folder, *std::move(lock)));
+  removeUnfinished(folder);
   problems = strangersIn(folder, study.runs);
   if (earlier != Earlier::Replace && isChanged(folder)) {
     problems.push_back(base::error("file.is-in-the-way", {}, batch->resultsFile()));
@@ -272,9 +284,20 @@ void BatchFolder::removeRests() const {
 
 base::Diagnostics BatchFolder::finish() {
   removeRests();
-  base::Diagnostics problems = writeResults(*store_, resultsFile());
-  manifest_ = batchManifest(*store_, sha256OfFile(resultsFile()).value_or(""));
-  base::append(problems, base::writeFileAtomically(fileIn(folder_, "manifest.json"), manifest_));
+  const std::string manifest = fileIn(folder_, "manifest.json");
+  // While the table is replaced nothing says which one it is: killed here, the batch can be
+  // resumed.
+  base::Diagnostics problems = base::writeFileAtomically(manifest, emptyManifest(store_->study()));
+  if (!base::hasErrors(problems)) {
+    problems = writeResults(*store_, resultsFile());
+  }
+  if (!base::hasErrors(problems)) {
+    const std::optional<std::string> hash = sha256OfFile(resultsFile());
+    manifest_ = batchManifest(*store_, hash.value_or(""));
+    problems = hash ? base::writeFileAtomically(manifest, manifest_)
+                    : base::Diagnostics{base::error("file.cannot-read", {"it is gone or damaged"},
+                                                    resultsFile())};
+  }
   base::append(problems, store_->close());
   return problems;
 }

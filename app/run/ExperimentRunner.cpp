@@ -97,7 +97,7 @@ base::Result<ResultRow> ExperimentRunner::run(std::size_t index) {
   if (!output) {
     return output.diagnostics();
   }
-  RunWriter writer(hasFiles ? (*output)->workshop() : std::string(), world,
+  RunWriter writer(hasFiles ? (*output)->staging() : std::string(), world,
                    verdict.metrics.selection, verdict.metrics.parameters);
   Session session(sim2d::stopRuleOf(*bundle.scenario));
   FinishedRun run = simulate(session, world, verdict.scenarioMetrics, writer,

@@ -102,7 +102,7 @@ class PlanMaker {
       return;
     }
     const ExportPlan::State state = stateOf(path, content);
-    plan_.files.push_back({{path, std::move(content)}, state});
+    plan_.files.push_back({name, {path, std::move(content)}, state});
   }
 
   void addTrees() {

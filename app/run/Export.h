@@ -22,6 +22,7 @@ struct ExportRequest {
 struct ExportPlan {
   enum class State { New, Replaced, Unchanged };
   struct File {
+    std::string name;  // in the folder of the request
     base::FileContent content;
     State state = State::New;
   };

@@ -47,7 +47,7 @@ bool isSame(int file, const std::string& path) {
 }  // namespace
 
 base::Result<std::unique_ptr<FolderLock>> FolderLock::take(const std::string& folder) {
-  const std::string path = (std::filesystem::path(folder) / ".lock").string();
+  const std::string path = (std::filesystem::path(folder) / kFile).string();
   while (true) {
     const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (file < 0) {

@@ -9,9 +9,11 @@
 namespace app {
 
 /// As long as it lives no other process of this program writes results into the folder. The end of
-/// the process, however it comes, is the end of the lock; its file `.lock` says who has it.
+/// the process, however it comes, is the end of the lock; its file says who has it.
 class FolderLock {
  public:
+  static constexpr const char* kFile = ".hunavsim-lock";
+
   /// Error: another process has it, which is named; or the folder cannot be written to.
   static base::Result<std::unique_ptr<FolderLock>> take(const std::string& folder);
   ~FolderLock();

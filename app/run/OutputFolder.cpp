@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
+#include <regex>
 #include <set>
 #include <system_error>
 #include <unistd.h>
@@ -12,7 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/run/RunFolder.h"
+#include "app/run/ListedFiles.h"
 #include "app/run/Sha256.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -24,8 +25,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kCommit = ".commit";
-constexpr const char* kWorkshop = ".new-";
+// Names that nobody else gives: what bears them is taken away.
+constexpr const char* kCommit = ".hunavsim-commit";
+constexpr const char* kStaging = ".hunavsim-new-";
 
 std::string inFolder(const std::string& folder, const std::string& name) {
   return (fs::path(folder) / name).string();
@@ -57,43 +59,6 @@ void flushFolder(const std::string& folder) {
   }
 }
 
-Json manifestIn(const std::string& folder, const char* name) {
-  const std::string path = inFolder(folder, name);
-  const base::Result<std::string> text = fs::is_regular_file(statusOf(path))
-                                             ? base::readTextFile(path)
-                                             : base::Result<std::string>("");
-  Json json = text ? Json::parse(*text, nullptr, false) : Json();
-  return json.is_object() ? json : Json::object();
-}
-
-/// A name that stays in the folder.
-bool isWithin(const std::string& name) {
-  const fs::path path(name);
-  return !name.empty() && path.is_relative() &&
-         std::none_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
-}
-
-std::map<std::string, std::string> listedIn(const Json& manifest) {
-  std::map<std::string, std::string> listed;
-  const auto outputs = manifest.find("outputs");
-  for (const Json& output : outputs != manifest.end() && outputs->is_array() ? *outputs : Json()) {
-    const Json path = output.is_object() ? output.value("path", Json()) : Json();
-    const Json hash = output.is_object() ? output.value("sha256", Json()) : Json();
-    if (path.is_string() && hash.is_string() && isWithin(path.get<std::string>())) {
-      listed[path.get<std::string>()] = hash.get<std::string>();
-    }
-  }
-  return listed;
-}
-
-bool isListed(const std::string& folder, const std::map<std::string, std::string>& listed,
-              const std::string& name) {
-  const auto found = listed.find(name);
-  const std::string path = inFolder(folder, name);
-  return found != listed.end() && fs::is_regular_file(statusOf(path)) &&
-         sha256OfFile(path) == found->second;
-}
-
 /// All files below a folder, by their names in it, in order.
 std::vector<std::string> filesBelow(const std::string& folder) {
   std::vector<std::string> names;
@@ -122,7 +87,7 @@ base::Diagnostics putInPlace(const std::string& folder, const std::string& name)
              : base::Diagnostics{writeProblem(to, systemError())};
 }
 
-/// What `.commit` holds goes to its places, what was listed and is no more is removed; the manifest
+/// What kCommit holds goes to its places, what was listed and is no more is removed; the manifest
 /// is the last. May be done again from any point.
 base::Diagnostics finishCommit(const std::string& folder) {
   const std::string from = inFolder(folder, kCommit);
@@ -140,11 +105,11 @@ base::Diagnostics finishCommit(const std::string& folder) {
     return problems;
   }
   if (manifest != nullptr) {
-    const std::map<std::string, std::string> before = listedIn(manifestIn(folder, manifest));
-    const std::map<std::string, std::string> now = listedIn(manifestIn(from, manifest));
+    const FileHashes before = listedFiles(folder, manifest);
+    const FileHashes now = listedFiles(from, manifest);
     for (const auto& [name, hash] : before) {
       const std::string path = inFolder(folder, name);
-      if (now.count(name) == 0 && isListed(folder, before, name) && ::unlink(path.c_str()) != 0) {
+      if (now.count(name) == 0 && isAsListed(folder, before, name) && ::unlink(path.c_str()) != 0) {
         return {base::error("file.cannot-remove", {systemError().message()}, path)};
       }
     }
@@ -159,12 +124,12 @@ base::Diagnostics finishCommit(const std::string& folder) {
 }
 
 /// What processes that are gone were about to make. The lock is held: none of them lives.
-void removeWorkshops(const std::string& folder) {
+void removeStaging(const std::string& folder) {
   std::error_code error;
   std::vector<fs::path> old;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     const std::string name = at->path().filename().string();
-    if (name.rfind(kWorkshop, 0) == 0 && fs::is_directory(at->symlink_status())) {
+    if (name.rfind(kStaging, 0) == 0 && fs::is_directory(at->symlink_status())) {
       old.push_back(at->path());
     }
   }
@@ -175,9 +140,22 @@ void removeWorkshops(const std::string& folder) {
 
 }  // namespace
 
+base::Diagnostics checkWritableFolder(const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder)) {
+    return {
+        base::error("file.cannot-make-folder", {error ? error.message() : std::string()}, folder)};
+  }
+  if (::access(folder.c_str(), W_OK) != 0) {
+    return {base::error("file.no-permission", {}, folder)};
+  }
+  return {};
+}
+
 OutputFolder::OutputFolder(std::string folder, bool force, bool isNew, const char* manifest)
     : folder_(std::move(folder)),
-      workshop_(inFolder(folder_, kWorkshop + std::to_string(::getpid()))),
+      staging_(inFolder(folder_, kStaging + std::to_string(::getpid()))),
       force_(force),
       isNew_(isNew),
       manifest_(manifest) {}
@@ -195,25 +173,25 @@ base::Result<std::unique_ptr<OutputFolder>> OutputFolder::open(const std::string
   }
   std::unique_ptr<OutputFolder> output(new OutputFolder(folder, force, isNew, manifest));
   output->lock_ = *std::move(lock);
-  if (stands(inFolder(folder, kCommit))) {
+  if (fs::is_directory(statusOf(inFolder(folder, kCommit)))) {
     const base::Diagnostics problems = finishCommit(folder);
     if (base::hasErrors(problems)) {
       return problems;
     }
   }
-  removeWorkshops(folder);
+  removeStaging(folder);
   std::error_code error;
-  fs::create_directory(output->workshop_, error);
+  fs::create_directory(output->staging_, error);
   if (error) {
-    return base::error("file.cannot-make-folder", {error.message()}, output->workshop_);
+    return base::error("file.cannot-make-folder", {error.message()}, output->staging_);
   }
-  output->listed_ = listedIn(manifestIn(folder, manifest));
+  output->listed_ = listedFiles(folder, manifest);
   return output;
 }
 
 OutputFolder::~OutputFolder() {
   std::error_code ignored;  // what stays is taken away the next time
-  fs::remove_all(workshop_, ignored);
+  fs::remove_all(staging_, ignored);
   lock_.reset();
   if (isNew_) {
     ::rmdir(folder_.c_str());  // where nothing was put into it
@@ -223,7 +201,7 @@ OutputFolder::~OutputFolder() {
 bool OutputFolder::isOurs(const std::string& name) const {
   const std::string path = inFolder(folder_, name);
   return name == manifest_ ? !listed_.empty() && fs::is_regular_file(statusOf(path))
-                           : isListed(folder_, listed_, name);
+                           : isAsListed(folder_, listed_, name);
 }
 
 /// Also what is as it would be after is in nobody's way.
@@ -233,7 +211,7 @@ bool OutputFolder::isInTheWay(const std::string& name) const {
   if (!fs::exists(status) || (!fs::is_directory(status) && (force_ || isOurs(name)))) {
     return false;
   }
-  const std::optional<std::string> made = sha256OfFile(inFolder(workshop_, name));
+  const std::optional<std::string> made = sha256OfFile(inFolder(staging_, name));
   return !fs::is_regular_file(status) || !made || sha256OfFile(path) != made;
 }
 
@@ -250,33 +228,39 @@ base::Diagnostics OutputFolder::inTheWay(const std::vector<std::string>& names) 
 }
 
 base::Diagnostics OutputFolder::write(const std::string& name, std::string_view content) {
-  return atTheirPlaces(base::writeFileAtomically(inFolder(workshop_, name), content));
+  if (!isWithin(name)) {
+    return {base::error("file.outside", {folder_}, name)};
+  }
+  return atTheirPlaces(base::writeFileAtomically(inFolder(staging_, name), content));
 }
 
 base::Diagnostics OutputFolder::atTheirPlaces(base::Diagnostics problems) const {
   for (base::Diagnostic& problem : problems) {
-    if (problem.file.rfind(workshop_, 0) == 0) {
-      problem.file = inFolder(folder_, problem.file.substr(workshop_.size() + 1));
+    if (problem.file.rfind(staging_, 0) == 0) {
+      problem.file = inFolder(folder_, problem.file.substr(staging_.size() + 1));
     }
   }
   return problems;
 }
 
 base::Diagnostics OutputFolder::commit(const std::string& manifest, Earlier earlier) {
-  const std::vector<std::string> names = filesBelow(workshop_);
+  const std::vector<std::string> names = filesBelow(staging_);
   base::Diagnostics problems = inTheWay(names);
   if (base::hasErrors(problems)) {
     return problems;
   }
-  Hashes hashes = earlier == Earlier::Kept ? listed_ : Hashes();
+  FileHashes hashes = earlier == Earlier::Kept ? listed_ : FileHashes();
+  for (const std::string& name : dropped_) {
+    hashes.erase(name);
+  }
   for (const std::string& name : names) {
-    const std::optional<std::string> hash = sha256OfFile(inFolder(workshop_, name));
+    const std::optional<std::string> hash = sha256OfFile(inFolder(staging_, name));
     if (!hash) {
       return {base::error("file.cannot-read", {"it is gone or damaged"}, inFolder(folder_, name))};
     }
     hashes[name] = *hash;
   }
-  Json json = earlier == Earlier::Kept ? manifestIn(folder_, manifest_) : Json::object();
+  Json json = earlier == Earlier::Kept ? Json::parse(manifestText(folder_, manifest_)) : Json();
   if (json.empty()) {
     json = Json::parse(manifest);
   }
@@ -288,9 +272,9 @@ base::Diagnostics OutputFolder::commit(const std::string& manifest, Earlier earl
   if (base::hasErrors(problems)) {
     return problems;
   }
-  flushFolder(workshop_);
+  flushFolder(staging_);
   const std::string commit = inFolder(folder_, kCommit);
-  if (::rename(workshop_.c_str(), commit.c_str()) != 0) {
+  if (::rename(staging_.c_str(), commit.c_str()) != 0) {
     return {writeProblem(commit, systemError())};
   }
   flushFolder(folder_);
@@ -315,28 +299,21 @@ base::Diagnostics writeIntoOthers(const std::string& folder,
 }
 
 bool isRestOfOutput(const std::string& name) {
-  return name == kCommit || name == ".lock" || name.rfind(kWorkshop, 0) == 0;
+  return name == kCommit || name == FolderLock::kFile || name.rfind(kStaging, 0) == 0;
+}
+
+std::optional<std::string> nameOfUnfinished(const std::string& name) {
+  static const std::regex kUnfinished(R"((.+)\.new-[0-9]+-[0-9]+)");
+  std::smatch parts;
+  return std::regex_match(name, parts, kUnfinished) ? std::optional(parts[1].str()) : std::nullopt;
 }
 
 base::Diagnostics settleFolder(const std::string& folder) {
-  if (!stands(inFolder(folder, kCommit))) {
+  if (!fs::is_directory(statusOf(inFolder(folder, kCommit)))) {
     return {};
   }
   const base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::take(folder);
   return lock ? finishCommit(folder) : lock.diagnostics();
-}
-
-base::Diagnostics checkListed(const std::string& folder, const std::vector<std::string>& names) {
-  const std::map<std::string, std::string> listed =
-      listedIn(manifestIn(folder, OutputFolder::kManifest));
-  base::Diagnostics problems;
-  for (const std::string& name : names) {
-    const bool isMeant = listed.count(name) != 0 || stands(inFolder(folder, name));
-    if (!listed.empty() && isMeant && !isListed(folder, listed, name)) {
-      problems.push_back(base::error("trace.other-run", {}, inFolder(folder, name)));
-    }
-  }
-  return problems;
 }
 
 }  // namespace app

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/run/FolderLock.h"
+#include "app/run/ListedFiles.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/Result.h"
 
@@ -15,15 +16,16 @@ namespace app {
 /// The files that one command writes into a folder: all of them or none, one process at a time, and
 /// nothing is lost that others put there.
 ///
-/// While they are made they lie in `.new-<process>` of the folder. commit() names that `.commit`:
-/// from this moment on the new files count. They are put in their places then, manifest.json last,
-/// which lists them with their hashes; what a killed process did not get done of that is done by
-/// whoever opens or reads the folder next. Only files that manifest.json lists, as it lists them,
-/// are ever replaced or removed. Names are relative to the folder. One thread.
+/// While they are made they lie in `.hunavsim-new-<process>` of the folder. commit() names that
+/// `.hunavsim-commit`: from this moment on the new files count. They are put in their places then,
+/// manifest.json last, which lists them with their hashes; what a killed process did not get done
+/// of that is done by whoever opens or reads the folder next. Only files that manifest.json lists,
+/// as it lists them, are ever replaced or removed. Names are relative to the folder. One thread.
 class OutputFolder {
  public:
   static constexpr const char* kManifest = "manifest.json";
-  static constexpr const char* kHiddenManifest = ".manifest.json";  // in folders of other programs
+  static constexpr const char* kHiddenManifest =
+      ".hunavsim-manifest.json";  // in folders of other programs
 
   /// Makes the folder and takes its lock. Error: another process has it, which is named, or the
   /// folder cannot be written to. `force`: files of others may be replaced.
@@ -40,29 +42,32 @@ class OutputFolder {
   base::Diagnostics inTheWay(const std::vector<std::string>& names) const;
   const std::string& path() const { return folder_; }
   /// Where the files are made until they are put in their places.
-  const std::string& workshop() const { return workshop_; }
+  const std::string& staging() const { return staging_; }
+  /// Error: a name that leaves the folder.
   base::Diagnostics write(const std::string& name, std::string_view content);
-  /// Problems with files of the workshop, told of the places that they are made for.
+  /// Problems with files of the staging folder, told of the places that they are made for.
   base::Diagnostics atTheirPlaces(base::Diagnostics problems) const;
 
   /// What becomes of the files that the manifest lists so far and that are not made anew.
   enum class Earlier { Removed, Kept };
-  /// Puts all that the workshop holds in its place. `manifest`: a JSON object, to which the list of
-  /// files is added; where earlier files are kept, the earlier manifest stays with another list.
-  /// Errors: nothing has changed, unless the disk fails in the midst of renaming.
+  /// Earlier files of these names do not stay, even where the others are kept, unless made anew.
+  void drop(const std::vector<std::string>& names) { dropped_ = names; }
+  /// Puts all that the staging folder holds in its place. `manifest`: a JSON object, to which the
+  /// list of files is added; where earlier files are kept, the earlier manifest stays with another
+  /// list. Errors: nothing has changed, unless the disk fails in the midst of renaming.
   base::Diagnostics commit(const std::string& manifest, Earlier earlier);
 
  private:
-  using Hashes = std::map<std::string, std::string>;  // by name
   OutputFolder(std::string folder, bool force, bool isNew, const char* manifest);
   bool isOurs(const std::string& name) const;
   bool isInTheWay(const std::string& name) const;
 
-  std::string folder_, workshop_;
+  std::string folder_, staging_;
   bool force_, isNew_;
   const char* manifest_;
   std::unique_ptr<FolderLock> lock_;
-  Hashes listed_;  // by the manifest that was there
+  FileHashes listed_;  // by the manifest that was there
+  std::vector<std::string> dropped_;
 };
 
 /// Files with names in a folder of another program, beside what is there: all of them or none.
@@ -74,12 +79,15 @@ base::Diagnostics writeIntoOthers(const std::string& folder,
 /// A name in a folder that is of the work of this program on it, not a result.
 bool isRestOfOutput(const std::string& name);
 
+/// What a file was to become that a killed process left unfinished, as base::GrowingFile names it;
+/// nothing for other names.
+std::optional<std::string> nameOfUnfinished(const std::string& name);
+
 /// Before a folder is read: ends what a killed process has begun there. Error: another process
 /// writes into it, or that cannot be done.
 base::Diagnostics settleFolder(const std::string& folder);
 
-/// Whether each of these files is the one that manifest.json lists, or not there and not listed.
-/// Fine without a manifest or a list in it.
-base::Diagnostics checkListed(const std::string& folder, const std::vector<std::string>& names);
+/// Makes the folder; an error if it cannot be made or written to.
+base::Diagnostics checkWritableFolder(const std::string& folder);
 
 }  // namespace app

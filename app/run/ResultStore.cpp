@@ -153,7 +153,9 @@ base::Diagnostics ResultStore::makeTables(const Study& study) {
 /// Made beside its place, so that a process that is killed meanwhile leaves no half of it.
 base::Result<std::unique_ptr<ResultStore>> ResultStore::create(const std::string& path,
                                                                const Study& study) {
-  const std::string beside = path + ".new";
+  const std::filesystem::path place(path);
+  const std::string beside =
+      (place.parent_path() / (".hunavsim-new-" + place.filename().string())).string();
   for (const char* ending : {"", "-journal", "-wal"}) {  // of a process that was
     std::error_code ignored;
     std::filesystem::remove(beside + ending, ignored);
@@ -309,6 +311,10 @@ base::Diagnostics ResultStore::close() {
   base::Diagnostics problems = isPlain ? base::Diagnostics() : trouble("batch.cannot-store");
   if (sqlite3_close(database_) == SQLITE_OK) {
     database_ = nullptr;
+  }
+  if (isPlain && database_ == nullptr) {  // all is in it: what a killed process left here is empty
+    std::error_code ignored;
+    std::filesystem::remove(path_ + "-journal", ignored);
   }
   return problems;
 }

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/DataPaths.h"
+#include "app/run/ListedFiles.h"
 #include "app/run/PlannerFiles.h"
-#include "app/run/Sha256.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/JsonText.h"
@@ -32,16 +32,6 @@ std::string pathIn(const std::string& folder, const std::string& name) {
 
 Json programJson() {
   return {{"version", programVersion()}, {"commit", programCommit()}};
-}
-
-/// Files that were read, with their SHA-256.
-Json inputsJson(const std::vector<std::string>& paths) {
-  Json inputs = Json::array();
-  for (const std::string& path : paths) {
-    const std::optional<std::string> hash = sha256OfFile(path);
-    inputs.push_back({{"path", path}, {"sha256", hash ? Json(*hash) : Json()}});
-  }
-  return inputs;
 }
 
 Json humanJson(const sim2d::TraceHuman& human) {
@@ -103,7 +93,7 @@ Json codeJson(const Bundle& bundle) {
   for (const ForeignCode& code : foreignCodeOf(*bundle.scenario)) {
     started.push_back({{"robot", code.robot},
                        {code.key, code.words},
-                       {"files", inputsJson(filesOf(code, bundle.path))}});
+                       {"files", inputHashes<Json>(filesOf(code, bundle.path))}});
   }
   return {{"allowed", bundle.settings.code == sim2d::CodeUse::Allowed}, {"started", started}};
 }
@@ -130,7 +120,7 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   json["command_line"] = commandLine;
   json["status"] = kStatusNames[static_cast<int>(result.status)];
   json["reason"] = result.reason;
-  json["inputs"] = inputsJson(inputsOf(bundle));
+  json["inputs"] = inputHashes<Json>(inputsOf(bundle));
   json["code"] = codeJson(bundle);
   json["seed"] = header.seed;
   json["dt"] = header.dt;
@@ -182,12 +172,12 @@ bool isOfRun(const fs::directory_entry& entry, bool isOurs = true) {
   if (isRestOfOutput(full)) {
     return fs::is_directory(status) || fs::is_regular_file(status);
   }
-  const std::size_t end = full.rfind(".new-");
-  const std::string name = full.substr(0, end);  // that it is or becomes
+  const std::optional<std::string> target = nameOfUnfinished(full);
+  const std::string name = target.value_or(full);  // that it is or becomes
   const bool isKnown =
       isOfFurtherRobot(name) ||
       std::find(std::begin(kRunFiles), std::end(kRunFiles), name) != std::end(kRunFiles);
-  return fs::is_regular_file(status) && isKnown && (isOurs || end != std::string::npos);
+  return fs::is_regular_file(status) && isKnown && (isOurs || target);
 }
 
 }  // namespace
@@ -406,7 +396,7 @@ base::Diagnostics writeRunFolder(OutputFolder& output, const FinishedRun& run, R
   const auto writeTables = [&](const metrics::Evaluation& evaluation, const std::string& table,
                                const std::string& steps) {
     write(table, metrics::metricsCsv(evaluation));
-    const std::string place = pathIn(output.workshop(), steps);
+    const std::string place = pathIn(output.staging(), steps);
     base::append(problems, output.atTheirPlaces(writer.writeSteps(place, evaluation)));
   };
   if (run.evaluation) {
@@ -448,19 +438,6 @@ base::Result<sim2d::Trace> readRun(const std::string& runFolder) {
   base::Result<sim2d::Trace> trace = sim2d::readTrace(runFolder);
   problems = trace ? checkParts(runFolder) : base::Diagnostics();
   return problems.empty() ? std::move(trace) : base::Result<sim2d::Trace>(problems);
-}
-
-base::Diagnostics checkWritableFolder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) {
-    return {
-        base::error("file.cannot-make-folder", {error ? error.message() : std::string()}, folder)};
-  }
-  if (access(folder.c_str(), W_OK) != 0) {
-    return {base::error("file.no-permission", {}, folder)};
-  }
-  return {};
 }
 
 }  // namespace app

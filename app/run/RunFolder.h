@@ -71,8 +71,8 @@ struct FinishedRun {
   bool totalsOnly = false;  // nothing per step is written
 };
 
-/// The files of a run (FORMAT.md), beside those that `writer` makes in the workshop of the output,
-/// put in their places together; those of a former run are taken away.
+/// The files of a run (FORMAT.md), beside those that `writer` makes in the staging folder of the
+/// output, put in their places together; those of a former run are taken away.
 base::Diagnostics writeRunFolder(OutputFolder& output, const FinishedRun& run, RunWriter& writer,
                                  const Bundle& bundle, const std::vector<std::string>& commandLine);
 /// All that a run may write. `robots`: their names, as metrics::robotNames gives them.
@@ -92,8 +92,5 @@ std::vector<std::string> inputsOf(const Bundle& bundle);
 std::optional<std::string> strangerIn(const std::string& runFolder, bool isOurs);
 /// Removes the files of a run, and the folder when nothing else is in it.
 void removeRun(const std::string& runFolder);
-
-/// Makes the folder; an error if it cannot be made or written to.
-base::Diagnostics checkWritableFolder(const std::string& folder);
 
 }  // namespace app

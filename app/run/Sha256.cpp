@@ -10,6 +10,8 @@
 
 #include <openssl/evp.h>
 
+#include "sim2d/base/Text.h"
+
 namespace app {
 
 namespace {
@@ -49,6 +51,10 @@ std::string sha256Of(const std::string& bytes) {
 }
 
 std::optional<std::string> sha256OfFile(const std::string& path) {
+  if (path == "-") {
+    const base::Result<std::string> text = base::readTextFile(path);
+    return text ? std::optional(sha256Of(*text)) : std::nullopt;
+  }
   constexpr std::size_t kPiece = std::size_t{1} << 16U;  // [B]
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) {

@@ -281,8 +281,8 @@ constexpr ProblemText kTexts[] = {
     {"file.is-read", "this file is read: results would take its place, write elsewhere"},
     {"file.is-in-the-way",
      "this was not written here by this program, or was changed, and would be lost: write "
-     "elsewhere "
-     "(--force: replace it)"},
+     "elsewhere (--force: replace it)"},
+    {"file.outside", "this name leads out of the folder {folder}"},
     {"file.other-run", "holds a run or a batch: results would take the place of its files"},
     {"file.not-there", "there is no such file"},
     {"file.unknown-scenario",

@@ -3,6 +3,13 @@
 
 #include "tests/app/RunFiles.h"
 
+namespace {
+
+constexpr const char* kShortRun =
+    "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nduration: 0.5\n";
+
+}  // namespace
+
 /// `hunavsim batch` from outside.
 class BatchProgramTest : public QObject {
   Q_OBJECT
@@ -144,8 +151,7 @@ class BatchProgramTest : public QObject {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("e.yaml"));
     const QString out = folder.filePath(QStringLiteral("out"));
-    outside::writeText(experiment,
-                       "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nduration: 0.5\n");
+    outside::writeText(experiment, kShortRun);
     const auto tried = [&] {
       return outside::runProgram({QStringLiteral("batch"), experiment, QStringLiteral("-o"), out});
     };
@@ -171,10 +177,10 @@ class BatchProgramTest : public QObject {
       QVERIFY(QFile::remove(out + QLatin1String(file)));
     }
     // Leftovers of a run are no strangers: they are removed.
-    outside::writeText(out + QStringLiteral("/runs/0/trajectory.csv.new-1"), "cut");
+    outside::writeText(out + QStringLiteral("/runs/0/trajectory.csv.new-1-0"), "cut");
     finished = tried();
     QVERIFY2(finished.exitCode == 0, qPrintable(finished.err));
-    QVERIFY(!QFile::exists(out + QStringLiteral("/runs/0/trajectory.csv.new-1")));
+    QVERIFY(!QFile::exists(out + QStringLiteral("/runs/0/trajectory.csv.new-1-0")));
   }
 
   /// Somebody's work on the table is not lost.
@@ -182,8 +188,7 @@ class BatchProgramTest : public QObject {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("e.yaml"));
     const QString out = folder.filePath(QStringLiteral("out"));
-    outside::writeText(experiment,
-                       "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nduration: 0.5\n");
+    outside::writeText(experiment, kShortRun);
     const QStringList words{QStringLiteral("batch"), experiment, QStringLiteral("-q"),
                             QStringLiteral("-o"), out};
     QCOMPARE(outside::runProgram(words).exitCode, 0);
@@ -205,8 +210,7 @@ class BatchProgramTest : public QObject {
     const QString experiment = folder.filePath(QStringLiteral("e.yaml"));
     const QString out = folder.filePath(QStringLiteral("out"));
     const QString elsewhere = folder.filePath(QStringLiteral("elsewhere"));
-    outside::writeText(experiment,
-                       "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nduration: 0.5\n");
+    outside::writeText(experiment, kShortRun);
     outside::writeText(elsewhere + QStringLiteral("/trajectory.csv"), "mine");
     for (const char* link : {"/runs/0", "/runs"}) {
       QDir(out).removeRecursively();

@@ -194,7 +194,7 @@ class BrokenRunsTest : public QObject {
     QCOMPARE(unread.exitCode, 2);
     QCOMPARE(outside::runProgram(runWords("1", out)).exitCode, 0);
     QCOMPARE(halfWritten(out), QStringList());
-    QVERIFY(!QFile::exists(out + text("/.lock")));
+    QVERIFY(!QFile::exists(out + text("/.hunavsim-lock")));
   }
 
   void run_trajectoryThatCannotBeWritten_leavesTheFormerRun() {

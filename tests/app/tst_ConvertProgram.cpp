@@ -31,6 +31,7 @@ class ConvertProgramTest : public QObject {
   void convert_blankInTheName_standsInQuotes();
   void convert_again_saysWhatBecameOfEachFile();
   void convert_fileInTheWay_writesNothing();
+  void convert_folderByWayOfAnother_isThatFolder();
   void convert_ontoItself_isRefused();
   void convert_badInput_isTold_data();
   void convert_badInput_isTold();
@@ -345,6 +346,18 @@ void ConvertProgramTest::convert_fileInTheWay_writesNothing() {
   QDirIterator files(folder.filePath(QStringLiteral("out")), QDir::Files | QDir::Hidden,
                      QDirIterator::Subdirectories);
   QVERIFY(!files.hasNext());
+}
+
+void ConvertProgramTest::convert_folderByWayOfAnother_isThatFolder() {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("odd.yaml"));
+  outside::writeText(path, kOdd);
+  QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("other")));
+  const Finished found = convert(path, folder.path() + QStringLiteral("/./other/../out"), "isaac");
+  QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+  const QDir out(folder.filePath(QStringLiteral("out")));
+  QCOMPARE(out.entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+           (QStringList{QStringLiteral("behavior_trees"), QStringLiteral("scenarios")}));
 }
 
 void ConvertProgramTest::convert_ontoItself_isRefused() {

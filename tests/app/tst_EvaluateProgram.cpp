@@ -202,6 +202,16 @@ class EvaluateProgramTest : public QObject {
     for (const char* key : {"ade", "fde", "dtw", "path_deviation"}) {
       QCOMPARE(valueOf(metricsOf(path("pair-itself")), text(key)), 0.0);
     }
+    // Into its own folder: what is of the other robot is of another evaluation.
+    QVERIFY(QFile::exists(path("pair/metrics_far.csv")));
+    const Finished own = runProgram(
+        {text("evaluate"), path("pair"), text("-o"), path("pair"), text("--robot"), text("far")});
+    QVERIFY2(own.exitCode == 0, qPrintable(own.err));
+    QVERIFY(!QFile::exists(path("pair/metrics_far.csv")));
+    QVERIFY(!QFile::exists(path("pair/steps_far.csv")));
+    QVERIFY(QFile::exists(path("pair/trees.csv")));
+    QCOMPARE(runProgram({text("evaluate"), path("pair"), text("-o"), path("pair")}).exitCode, 0);
+    QVERIFY(QFile::exists(path("pair/metrics_far.csv")));
     const Finished wrong = runProgram(
         {text("evaluate"), path("pair"), text("-o"), path("none"), text("--robot"), text("3")});
     QCOMPARE(wrong.exitCode, 64);
@@ -306,6 +316,11 @@ class EvaluateProgramTest : public QObject {
     QVERIFY2(checked.exitCode == 0, qPrintable(checked.err));
     const Finished run = through(scenario, {text("run"), text("-"), text("--duration"), text("1")});
     QVERIFY2(run.exitCode == 0, qPrintable(run.err));
+    const Finished kept = through(scenario, {text("run"), text("-"), text("--duration"), text("1"),
+                                             text("-o"), path("kept")});
+    QVERIFY2(kept.exitCode == 0, qPrintable(kept.err));
+    const auto hash = QCryptographicHash::hash(scenario, QCryptographicHash::Sha256).toHex();
+    QVERIFY(bytesOf(path("kept/manifest.json")).contains(hash));
     const Finished converted = through(scenario, {text("convert"), text("-"), text("-o"),
                                                   path("conv"), text("--target"), text("native")});
     QVERIFY2(converted.exitCode == 0, qPrintable(converted.err));

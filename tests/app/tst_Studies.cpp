@@ -33,7 +33,7 @@ class StudiesTest : public QObject {
         runProgram(StudyFolder::words(folder_.study(), undisturbed(), {text("--jobs"), text("1")}));
     QVERIFY2(found.exitCode == 0, qPrintable(found.err));
     QCOMPARE(StudyFolder::runFolders(undisturbed()).size(), 24);
-    QVERIFY(!QFile::exists(undisturbed() + text("/.lock")));
+    QVERIFY(!QFile::exists(undisturbed() + text("/.hunavsim-lock")));
     QVERIFY(!QFile::exists(undisturbed() + text("/results.sqlite-wal")));
   }
 

@@ -1,13 +1,9 @@
-#include <cerrno>
 #include <csignal>
-#include <dlfcn.h>
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
@@ -18,44 +14,7 @@
 
 #include "app/run/OutputFolder.h"
 #include "sim2d/base/Text.h"
-
-namespace {
-
-int callsLeft = -1;  // until the process dies or, with `fault`, a call fails; < 0: never
-int fault = 0;       // errno of the failing call; 0: the process dies before it
-
-/// Whether this call is to fail.
-bool isStruck() {
-  if (callsLeft < 0 || --callsLeft >= 0) {
-    return false;
-  }
-  if (fault == 0) {
-    ::_exit(9);
-  }
-  errno = fault;
-  return true;
-}
-
-template <class Function>
-Function* systemCall(const char* name) {
-  return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
-}
-
-}  // namespace
-
-// In the place of those of the C library, for this program.
-extern "C" int rename(const char* from, const char* to) noexcept {
-  static auto* const kReal = systemCall<int(const char*, const char*)>("rename");
-  return isStruck() ? -1 : kReal(from, to);
-}
-extern "C" int unlink(const char* path) noexcept {
-  static auto* const kReal = systemCall<int(const char*)>("unlink");
-  return isStruck() ? -1 : kReal(path);
-}
-extern "C" int fsync(int descriptor) {
-  static auto* const kReal = systemCall<int(int)>("fsync");
-  return isStruck() ? -1 : kReal(descriptor);
-}
+#include "tests/support/StruckCalls.h"
 
 using app::OutputFolder;
 using Content = std::map<std::string, std::string>;  // by name, what the user would see
@@ -104,16 +63,6 @@ class OutputFolderTest : public QObject {
     }
     return (*output)->commit("{}", OutputFolder::Earlier::Removed);
   }
-  /// In a process of its own; its exit code.
-  int elsewhere(const std::function<int()>& work) const {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      ::_exit(work());
-    }
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
   bool isOneOfBoth() const { return seen() == before_ || seen() == after_; }
   base::Diagnostics checked() const {
     return app::checkListed(folder(), {"a.csv", "b.csv", "gone.csv", "sub/d.csv"});
@@ -151,6 +100,41 @@ class OutputFolderTest : public QObject {
     }
     QCOMPARE(seen(), (Content{{"a.csv", "a"}, {"b.csv", "b"}}));
     QVERIFY(checked().empty());
+  }
+
+  void commit_droppedNames_goThoughOthersStay() {
+    QVERIFY(write(before_).empty());
+    put("b.csv", "edited");
+    {
+      const auto output = OutputFolder::open(folder(), false);
+      QVERIFY((*output)->write("a.csv", "new a").empty());
+      (*output)->drop({"a.csv", "b.csv", "gone.csv"});
+      QVERIFY((*output)->commit("{}", OutputFolder::Earlier::Kept).empty());
+    }
+    QCOMPARE(seen(), (Content{{"a.csv", "new a"}, {"b.csv", "edited"}}));  // not ours any more
+  }
+
+  void write_nameThatLeavesTheFolder_isRefused() {
+    const auto output = OutputFolder::open(folder(), true);
+    for (const char* name : {"../a.csv", "sub/../../a.csv", "/tmp/a.csv", ""}) {
+      QVERIFY2(base::hasErrors((*output)->write(name, "x")), name);
+    }
+    QVERIFY((*output)->write("a..b/c..csv", "x").empty());
+  }
+
+  /// Whatever a user keeps beside the results, hidden or not.
+  void commit_filesBesideIt_stay() {
+    const Content mine = {{".lock", "a"},          {".commit/b", "b"},     {".new-ideas/c", "c"},
+                          {".manifest.json", "d"}, {"a.csv.new-1-1", "e"}, {".new-1/f", "f"}};
+    for (const auto& [name, text] : mine) {
+      put(name, text);
+    }
+    QVERIFY(write(before_).empty());
+    QVERIFY(write(after_).empty());
+    QVERIFY(app::settleFolder(folder()).empty());
+    Content all = after_;
+    all.insert(mine.begin(), mine.end());
+    QCOMPARE(seen(true), all);
   }
 
   void open_notCommitted_changesNothing() {
@@ -198,7 +182,7 @@ class OutputFolderTest : public QObject {
   void open_whileAnotherHasIt_namesIt() {
     const auto first = OutputFolder::open(folder(), false);
     QVERIFY(first);
-    const int code = elsewhere([this] {
+    const int code = struck::elsewhere([this] {
       const auto second = OutputFolder::open(folder(), false);
       const bool isTold = !second && second.diagnostics().front().code == "batch.locked" &&
                           second.diagnostics().front().text().find(std::to_string(::getppid())) !=
@@ -215,9 +199,9 @@ class OutputFolderTest : public QObject {
     for (int calls = 0;; ++calls) {
       init();
       QVERIFY(write(before_).empty());
-      const int code = elsewhere([&] {
-        callsLeft = calls;
-        fault = 0;
+      const int code = struck::elsewhere([&] {
+        struck::callsLeft = calls;
+        struck::fault = 0;
         return write(after_).empty() ? 0 : 1;
       });
       QVERIFY(code == 0 || code == 9);
@@ -240,12 +224,12 @@ class OutputFolderTest : public QObject {
     for (int calls = 0;; ++calls) {
       init();
       QVERIFY(write(before_).empty());
-      const int code = elsewhere([&] {
-        callsLeft = calls;
-        fault = calls % 2 == 0 ? EIO : ENOSPC;
+      const int code = struck::elsewhere([&] {
+        struck::callsLeft = calls;
+        struck::fault = calls % 2 == 0 ? EIO : ENOSPC;
         const bool isFine = write(after_).empty();
-        const bool isStruckYet = callsLeft < 0;
-        callsLeft = -1;
+        const bool isStruckYet = struck::callsLeft < 0;
+        struck::callsLeft = -1;
         return (isFine ? 0 : 1) + (isStruckYet ? 2 : 0);
       });
       if (code == 0) {
@@ -266,7 +250,7 @@ class OutputFolderTest : public QObject {
     for (rlim_t limit = 0; limit < 200000; limit += 16384) {
       init();
       QVERIFY(write(before_).empty());
-      const int code = elsewhere([&] {
+      const int code = struck::elsewhere([&] {
         ::signal(SIGXFSZ, SIG_IGN);
         const rlimit most = {limit, limit};
         ::setrlimit(RLIMIT_FSIZE, &most);

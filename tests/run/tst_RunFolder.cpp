@@ -38,7 +38,7 @@ base::Diagnostics runInto(const std::string& folder, const std::vector<sim2d::Ro
   }
   metrics::Selection selection = verdict.metrics.selection;
   selection.everyRobot = true;
-  app::RunWriter writer((*output)->workshop(), *verdict.world, selection,
+  app::RunWriter writer((*output)->staging(), *verdict.world, selection,
                         verdict.metrics.parameters);
   app::Session session(sim2d::stopRuleOf(*bundle.scenario));
   sim2d::RunResult result = session.run(*verdict.world, &writer);

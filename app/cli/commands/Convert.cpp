@@ -1,5 +1,3 @@
-#include <filesystem>
-
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -25,7 +23,6 @@ struct ConvertOptions {
   bool force = false;               // files of others in the output folder may be replaced
 };
 
-namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 Json reportJson(const base::Diagnostics& report) {
@@ -83,8 +80,7 @@ int convertCommand(const ConvertOptions& options, const Invocation& given) {
   std::vector<base::FileContent> files;
   files.reserve(plan.files.size());
   for (const ExportPlan::File& file : plan.files) {
-    const fs::path name = fs::path(file.content.path).lexically_relative(options.output);
-    files.push_back({name.string(), file.content.content});
+    files.push_back({file.name, file.content.content});
   }
   requireFine(writeIntoOthers(options.output, files, "convert", options.force));
   base::Diagnostics report = source.diagnostics();

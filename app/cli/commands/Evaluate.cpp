@@ -8,6 +8,7 @@
 #include "app/cli/Console.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
+#include "app/run/ListedFiles.h"
 #include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
 #include "editor/document/QtImageLoader.h"
@@ -237,12 +238,29 @@ bool isIntoSource(const EvaluateOptions& options) {
   return isRunFolder(options.source) && fs::equivalent(options.source, options.output, ignored);
 }
 
+/// The files that were read, but for that of the map's image.
+std::vector<std::string> inputsOf(const EvaluateOptions& options) {
+  std::vector<std::string> inputs;
+  for (const std::string& read :
+       {options.source, options.reference, options.map, options.metrics.metrics}) {
+    if (isRunFolder(read)) {
+      for (const char* name : kWay) {
+        inputs.push_back((fs::path(read) / name).string());
+      }
+    } else if (std::error_code ignored; read == "-" || fs::is_regular_file(read, ignored)) {
+      inputs.push_back(read);
+    }
+  }
+  return inputs;
+}
+
 std::string manifestOf(const EvaluateOptions& options, const Invocation& given) {
   const nlohmann::ordered_json json = {
       {"program", {{"version", programVersion()}, {"commit", programCommit()}}},
       {"kind", "evaluation"},
       {"command_line", given.words()},
-      {"source", options.source}};
+      {"source", options.source},
+      {"inputs", inputHashes<nlohmann::ordered_json>(inputsOf(options))}};
   return base::jsonText(json);
 }
 
@@ -271,6 +289,7 @@ base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trac
   if (base::hasErrors(problems)) {
     return problems;
   }
+  output.drop(namesOfResults(options, trace.header));
   problems = output.commit(manifestOf(options, given), isIntoSource(options)
                                                            ? OutputFolder::Earlier::Kept
                                                            : OutputFolder::Earlier::Removed);

@@ -180,7 +180,7 @@ int runCommand(const RunOptions& options, const Invocation& given) {
   catchInterrupts();
   const bool hasFiles = !options.totals && !options.output.empty();
   wantNoMore(hasFiles, hasFiles || (given.json && !options.totals), verdict.metrics.selection);
-  RunWriter writer(hasFiles ? output->workshop() : std::string(), world, verdict.metrics.selection,
+  RunWriter writer(hasFiles ? output->staging() : std::string(), world, verdict.metrics.selection,
                    verdict.metrics.parameters);
   Session session(sim2d::stopRuleOf(*bundle.scenario));
   if (options.counterfactual) {

@@ -1,0 +1,71 @@
+#include "app/run/ListedFiles.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+
+fs::file_status statusIn(const std::string& folder, const std::string& name) {
+  std::error_code ignored;  // what cannot be looked at is not there
+  return fs::symlink_status(fs::path(folder) / name, ignored);
+}
+
+}  // namespace
+
+bool isWithin(const std::string& name) {
+  const fs::path path(name);
+  return !name.empty() && path.is_relative() &&
+         std::none_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
+}
+
+std::string manifestText(const std::string& folder, const char* name) {
+  const base::Result<std::string> text =
+      fs::is_regular_file(statusIn(folder, name))
+          ? base::readTextFile((fs::path(folder) / name).string())
+          : base::Result<std::string>("");
+  return text && Json::parse(*text, nullptr, false).is_object() ? *text : "{}";
+}
+
+FileHashes listedFiles(const std::string& folder, const char* name) {
+  const Json manifest = Json::parse(manifestText(folder, name));
+  FileHashes listed;
+  const auto outputs = manifest.find("outputs");
+  for (const Json& output : outputs != manifest.end() && outputs->is_array() ? *outputs : Json()) {
+    const Json path = output.is_object() ? output.value("path", Json()) : Json();
+    const Json hash = output.is_object() ? output.value("sha256", Json()) : Json();
+    if (path.is_string() && hash.is_string() && isWithin(path.get<std::string>())) {
+      listed[path.get<std::string>()] = hash.get<std::string>();
+    }
+  }
+  return listed;
+}
+
+bool isAsListed(const std::string& folder, const FileHashes& listed, const std::string& name) {
+  const auto found = listed.find(name);
+  return found != listed.end() && fs::is_regular_file(statusIn(folder, name)) &&
+         sha256OfFile((fs::path(folder) / name).string()) == found->second;
+}
+
+base::Diagnostics checkListed(const std::string& folder, const std::vector<std::string>& names) {
+  const FileHashes listed = listedFiles(folder, "manifest.json");
+  base::Diagnostics problems;
+  for (const std::string& name : names) {
+    const bool isMeant = listed.count(name) != 0 || fs::exists(statusIn(folder, name));
+    if (!listed.empty() && isMeant && !isAsListed(folder, listed, name)) {
+      problems.push_back(base::error("trace.other-run", {}, (fs::path(folder) / name).string()));
+    }
+  }
+  return problems;
+}
+
+}  // namespace app

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/run/Sha256.h"
+#include "sim2d/base/Result.h"
+
+namespace app {
+
+/// Names of the files that a manifest lists in `outputs`, relative to its folder, with their
+/// SHA-256.
+using FileHashes = std::map<std::string, std::string>;
+
+/// Whether a name stays in the folder that it is relative to.
+bool isWithin(const std::string& name);
+
+/// The text of the manifest of this name in a folder, an object; "{}" where none can be read.
+std::string manifestText(const std::string& folder, const char* name);
+FileHashes listedFiles(const std::string& folder, const char* manifest);
+
+/// Files that were read, for a manifest: [{"path", "sha256"}]; null where one is gone.
+template <class Json>
+Json inputHashes(const std::vector<std::string>& paths) {
+  Json inputs = Json::array();
+  for (const std::string& path : paths) {
+    const std::optional<std::string> hash = sha256OfFile(path);
+    inputs.push_back({{"path", path}, {"sha256", hash ? Json(*hash) : Json()}});
+  }
+  return inputs;
+}
+
+/// Whether a regular file is there as it is listed.
+bool isAsListed(const std::string& folder, const FileHashes& listed, const std::string& name);
+
+/// Whether each of these files is the one that manifest.json lists, or not there and not listed.
+/// Fine without a manifest or a list in it.
+base::Diagnostics checkListed(const std::string& folder, const std::vector<std::string>& names);
+
+}  // namespace app
