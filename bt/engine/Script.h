@@ -91,6 +91,7 @@ class ScriptRunner {
   bool load(const Value& value, Value& result);
   bool assign(Slot& slot, ScriptSign sign, Value& value);
   bool combine(ScriptSign sign, Value& left, const Value& right);
+  bool join(Value& left, const Value& right);
   bool arithmetic(ScriptSign sign, Value& left, const Value& right);
   bool bits(ScriptSign sign, Value& left, const Value& right);
   bool unary(ScriptSign sign, Value& value);

@@ -9,6 +9,8 @@ namespace {
 
 using Kind = ScriptExpression::Kind;
 
+constexpr std::size_t kMostText = std::size_t{1} << 20U;  // [B] a script that doubles a text ends
+
 void setNumber(Value& value, double number) {
   value.type = ValueType::Double;
   value.real = number;
@@ -190,9 +192,7 @@ bool ScriptRunner::assign(Slot& slot, ScriptSign sign, Value& value) {
 bool ScriptRunner::combine(ScriptSign sign, Value& left, const Value& right) {
   switch (sign) {
     case ScriptSign::Concat:
-      left.text = left.toText() + right.toText();
-      left.type = ValueType::String;
-      return true;
+      return join(left, right);
     case ScriptSign::And:
     case ScriptSign::Or: {
       const std::optional<bool> a = left.isNumber() ? truthOf(left) : std::nullopt;
@@ -212,11 +212,17 @@ bool ScriptRunner::combine(ScriptSign sign, Value& left, const Value& right) {
   }
 }
 
+bool ScriptRunner::join(Value& left, const Value& right) {
+  left.text = left.toText();
+  left.text += right.toText();
+  left.type = ValueType::String;
+  return left.text.size() <= kMostText || fail("a text of more than 1 MB");
+}
+
 bool ScriptRunner::arithmetic(ScriptSign sign, Value& left, const Value& right) {
   if (sign == ScriptSign::Add && left.type == ValueType::String &&
       right.type == ValueType::String) {
-    left.text += right.text;
-    return true;
+    return join(left, right);
   }
   if (!left.isNumber() || !right.isNumber()) {
     return fail("arithmetic with text (join it with '..')");

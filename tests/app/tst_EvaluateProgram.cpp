@@ -48,6 +48,19 @@ class EvaluateProgramTest : public QObject {
   QTemporaryDir folder_;
   QString path(const char* name) const { return folder_.filePath(text(name)); }
 
+  /// A run of two robots on the open plane, with ways of other lengths.
+  void makePair(const char* name) {
+    outside::writeText(path("pair.yaml"),
+                       "hunav_loader:\n  ros__parameters:\n    agents: []\n"
+                       "hunavsim_desktop:\n  ros__parameters:\n    format: 1\n"
+                       "    map_file: none\n    duration: 8.0\n    robots: [near, far]\n"
+                       "    near: {start: {x: 0.0, y: 0.0, h: 0.0}, goal: {x: 2.0, y: 0.0}}\n"
+                       "    far: {start: {x: 0.0, y: 9.0, h: 0.0}, goal: {x: 5.0, y: 9.0}}\n");
+    const Finished made = runProgram({text("run"), path("pair.yaml"), text("-o"), path(name)});
+    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    QVERIFY2(made.err.isEmpty(), qPrintable(made.err));
+  }
+
  private Q_SLOTS:
   void evaluate_runFolder_equalsRun_data() {
     QTest::addColumn<QStringList>("scenario");
@@ -153,17 +166,21 @@ class EvaluateProgramTest : public QObject {
     QCOMPARE(valueOf(metricsOf(path("layout-again")), text("path_length")), 2.0);
   }
 
-  /// Two robots on the open plane, with ways of other lengths.
+  void evaluate_ofOneRobotIntoItsRun_leavesNoTableOfTheOther() {
+    makePair("own");
+    QVERIFY(QFile::exists(path("own/metrics_far.csv")));
+    const Finished own = runProgram(
+        {text("evaluate"), path("own"), text("-o"), path("own"), text("--robot"), text("far")});
+    QVERIFY2(own.exitCode == 0, qPrintable(own.err));
+    QVERIFY(!QFile::exists(path("own/metrics_far.csv")));
+    QVERIFY(!QFile::exists(path("own/steps_far.csv")));
+    QVERIFY(QFile::exists(path("own/trees.csv")));
+    QCOMPARE(runProgram({text("evaluate"), path("own"), text("-o"), path("own")}).exitCode, 0);
+    QVERIFY(QFile::exists(path("own/metrics_far.csv")));
+  }
+
   void evaluate_robot_isMeasured() {
-    outside::writeText(path("pair.yaml"),
-                       "hunav_loader:\n  ros__parameters:\n    agents: []\n"
-                       "hunavsim_desktop:\n  ros__parameters:\n    format: 1\n"
-                       "    map_file: none\n    duration: 8.0\n    robots: [near, far]\n"
-                       "    near: {start: {x: 0.0, y: 0.0, h: 0.0}, goal: {x: 2.0, y: 0.0}}\n"
-                       "    far: {start: {x: 0.0, y: 9.0, h: 0.0}, goal: {x: 5.0, y: 9.0}}\n");
-    const Finished made = runProgram({text("run"), path("pair.yaml"), text("-o"), path("pair")});
-    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
-    QVERIFY2(made.err.isEmpty(), qPrintable(made.err));
+    makePair("pair");
     const auto lengthOf = [this](const QString& id) {  // until it arrived, by code of this test
       int end = 0;
       for (const auto& row : outside::readCsv(path("pair/events.csv"))) {
@@ -202,16 +219,6 @@ class EvaluateProgramTest : public QObject {
     for (const char* key : {"ade", "fde", "dtw", "path_deviation"}) {
       QCOMPARE(valueOf(metricsOf(path("pair-itself")), text(key)), 0.0);
     }
-    // Into its own folder: what is of the other robot is of another evaluation.
-    QVERIFY(QFile::exists(path("pair/metrics_far.csv")));
-    const Finished own = runProgram(
-        {text("evaluate"), path("pair"), text("-o"), path("pair"), text("--robot"), text("far")});
-    QVERIFY2(own.exitCode == 0, qPrintable(own.err));
-    QVERIFY(!QFile::exists(path("pair/metrics_far.csv")));
-    QVERIFY(!QFile::exists(path("pair/steps_far.csv")));
-    QVERIFY(QFile::exists(path("pair/trees.csv")));
-    QCOMPARE(runProgram({text("evaluate"), path("pair"), text("-o"), path("pair")}).exitCode, 0);
-    QVERIFY(QFile::exists(path("pair/metrics_far.csv")));
     const Finished wrong = runProgram(
         {text("evaluate"), path("pair"), text("-o"), path("none"), text("--robot"), text("3")});
     QCOMPARE(wrong.exitCode, 64);

@@ -160,6 +160,11 @@ void ScriptsTest::run_badScript_fails_data() {
   row("unknown += 1", "does not exist");
   row("s + 1", "arithmetic with text");
   row("s - s", "arithmetic with text");
+  QByteArray doubling("t := 'x'");  // 2^21 bytes
+  for (int k = 0; k < 21; ++k) {
+    doubling += "; t := t + t";
+  }
+  row(doubling, "more than 1 MB");
   row("s -= 'a'", "arithmetic with text");
   row("1 && 's'", "take numbers");
   row("0 / 0 || 1", "take numbers");
