@@ -158,17 +158,13 @@ base::Diagnostics differences(const Study& was, const Study& now) {
 
 base::Result<std::unique_ptr<BatchFolder>> BatchFolder::open(const std::string& folder,
                                                              const Study& study, Earlier earlier) {
-  base::Diagnostics problems = checkWritableFolder(folder);
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::take(folder);
+  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::makeAndTake(folder);
   if (!lock) {
     return lock.diagnostics();
   }
   std::unique_ptr<BatchFolder> batch(new BatchFolder(folder, *std::move(lock)));
   removeUnfinished(folder);
-  problems = strangersIn(folder, study.runs);
+  base::Diagnostics problems = strangersIn(folder, study.runs);
   if (earlier != Earlier::Replace && isChanged(folder)) {
     problems.push_back(base::error("file.is-in-the-way", {}, batch->resultsFile()));
   }

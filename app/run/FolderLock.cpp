@@ -70,6 +70,19 @@ base::Result<std::unique_ptr<FolderLock>> FolderLock::take(const std::string& fo
   }
 }
 
+base::Result<std::unique_ptr<FolderLock>> FolderLock::makeAndTake(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder, error)) {
+    return base::error("file.cannot-make-folder", {error ? error.message() : std::string()},
+                       folder);
+  }
+  if (::access(folder.c_str(), W_OK) != 0) {
+    return base::error("file.no-permission", {}, folder);
+  }
+  return take(folder);
+}
+
 FolderLock::~FolderLock() {
   if (!path_.empty()) {
     ::unlink(path_.c_str());

@@ -16,6 +16,8 @@ class FolderLock {
 
   /// Error: another process has it, which is named; or the folder cannot be written to.
   static base::Result<std::unique_ptr<FolderLock>> take(const std::string& folder);
+  /// The folder is made first where it is not there.
+  static base::Result<std::unique_ptr<FolderLock>> makeAndTake(const std::string& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

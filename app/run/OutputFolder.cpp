@@ -140,19 +140,6 @@ void removeStaging(const std::string& folder) {
 
 }  // namespace
 
-base::Diagnostics checkWritableFolder(const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) {
-    return {
-        base::error("file.cannot-make-folder", {error ? error.message() : std::string()}, folder)};
-  }
-  if (::access(folder.c_str(), W_OK) != 0) {
-    return {base::error("file.no-permission", {}, folder)};
-  }
-  return {};
-}
-
 OutputFolder::OutputFolder(std::string folder, bool force, bool isNew, const char* manifest)
     : folder_(std::move(folder)),
       staging_(inFolder(folder_, kStaging + std::to_string(::getpid()))),
@@ -163,11 +150,7 @@ OutputFolder::OutputFolder(std::string folder, bool force, bool isNew, const cha
 base::Result<std::unique_ptr<OutputFolder>> OutputFolder::open(const std::string& folder,
                                                                bool force, const char* manifest) {
   const bool isNew = !stands(folder);
-  const base::Diagnostics unwritable = checkWritableFolder(folder);
-  if (base::hasErrors(unwritable)) {
-    return unwritable;
-  }
-  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::take(folder);
+  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::makeAndTake(folder);
   if (!lock) {
     return lock.diagnostics();
   }

@@ -87,7 +87,4 @@ std::optional<std::string> nameOfUnfinished(const std::string& name);
 /// writes into it, or that cannot be done.
 base::Diagnostics settleFolder(const std::string& folder);
 
-/// Makes the folder; an error if it cannot be made or written to.
-base::Diagnostics checkWritableFolder(const std::string& folder);
-
 }  // namespace app

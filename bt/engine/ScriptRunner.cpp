@@ -213,9 +213,10 @@ bool ScriptRunner::combine(ScriptSign sign, Value& left, const Value& right) {
 }
 
 bool ScriptRunner::join(Value& left, const Value& right) {
-  left.text = left.toText();
+  if (left.type != ValueType::String) {
+    left = Value::of(std::string_view(left.toText()));
+  }
   left.text += right.toText();
-  left.type = ValueType::String;
   return left.text.size() <= kMostText || fail("a text of more than 1 MB");
 }
 
