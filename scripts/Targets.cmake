@@ -66,7 +66,9 @@ function(hunav_precompile target)
     list(APPEND headers <QtTest>)
   endif()
   target_precompile_headers(${target} PRIVATE ${headers})
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)  # ccache
+  target_compile_options(${target} PRIVATE  # for ccache
+    $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+    "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 endfunction()
 
 # hunav_collect(<target> <namespace> <argument type> <header of that type> <files…>): each file
