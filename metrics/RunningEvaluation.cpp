@@ -238,10 +238,11 @@ std::vector<std::string> robotNames(const std::vector<sim2d::TraceRobot>& robots
 }
 
 FrameEvaluation::OfRobot::OfRobot(std::string its, const sim2d::TraceHeader& header,
-                                  const Selection& selection, const MetricParameters& parameters)
+                                  const Selection& selection, const MetricParameters& parameters,
+                                  const std::shared_ptr<KnownRoutes>& known)
     : name(std::move(its)),
       id(selection.robotId),
-      builder(header, selection.robotId),
+      builder(header, selection.robotId, known),
       running(builder.context(), selection, parameters) {}
 
 base::Result<Evaluation> FrameEvaluation::OfRobot::finish(const RobotSeriesSink& sink) const {
@@ -274,20 +275,21 @@ Evaluation FrameEvaluation::OfRobot::without(const Evaluation& first,
 }
 
 FrameEvaluation::FrameEvaluation(const sim2d::TraceHeader& header, const Selection& selection,
-                                 const MetricParameters& parameters) {
+                                 const MetricParameters& parameters,
+                                 const std::shared_ptr<KnownRoutes>& known) {
   const std::vector<std::string> names = robotNames(header.robots);
   robots_.reserve(header.robots.size() + 1);
   std::string chosen;
   for (std::size_t k = 0; k < names.size(); ++k) {
     chosen = header.robots[k].id == selection.robotId ? names[k] : chosen;
   }
-  robots_.emplace_back(chosen, header, selection, parameters);
+  robots_.emplace_back(chosen, header, selection, parameters, known);
   for (std::size_t k = 0; selection.everyRobot && k < names.size(); ++k) {
     if (header.robots[k].id != selection.robotId) {
       Selection other = selection;
       other.robotId = header.robots[k].id;
       other.reference.clear();  // of another robot
-      robots_.emplace_back(names[k], header, other, parameters);
+      robots_.emplace_back(names[k], header, other, parameters, known);
     }
   }
 }

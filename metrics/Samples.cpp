@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "sim2d/map/TautWay.h"
+#include "metrics/Routes.h"
 
 namespace metrics {
 
@@ -83,68 +82,13 @@ const sim2d::TraceRobot* robotOf(const sim2d::TraceHeader& header, int id) {
 
 }  // namespace
 
-/// Shortest ways of the robot. The planner is made at the first question that needs it.
-class Routes {
- public:
-  /// `obstacles` hold the walls of the map too.
-  Routes(sim2d::OccupancyGrid map, std::shared_ptr<const sim2d::Obstacles> obstacles,
-         double robotRadius)
-      : map_(std::move(map)), obstacles_(std::move(obstacles)), robotRadius_(robotRadius) {}
-
-  /// Some keys ask the same: the last few answers are kept.
-  std::vector<Vec2> shortest(const Vec2& from, const Vec2& to) {
-    constexpr std::size_t kMostKept = 4;
-    for (const Answer& known : known_) {
-      if (known.from == from && known.to == to) {
-        return known.way;
-      }
-    }
-    if (known_.size() >= kMostKept) {
-      known_.erase(known_.begin());
-    }
-    known_.push_back({from, to, search(from, to)});
-    return known_.back().way;
-  }
-
- private:
-  struct Answer {
-    Vec2 from = Vec2::Zero(), to = Vec2::Zero();
-    std::vector<Vec2> way;
-  };
-
-  std::vector<Vec2> search(const Vec2& from, const Vec2& to) {
-    const double room =
-        std::min({robotRadius_, obstacles_->clearance(from), obstacles_->clearance(to)});
-    if (sim2d::isWayClear(from, to, *obstacles_, std::max(room, 0.0))) {
-      return {from, to};
-    }
-    if (!planner_) {
-      const std::vector<Vec2> bounds = {from, to};
-      planner_ = std::make_unique<sim2d::PathPlanner>(
-          std::make_shared<const sim2d::DistanceField>(map_, *obstacles_, bounds,
-                                                       std::numeric_limits<double>::infinity()),
-          robotRadius_, sim2d::Prices::Length);
-    }
-    // The field of distances is kept per goal, and it is the start that stays the same.
-    std::vector<Vec2> path = planner_->plan(to, from);
-    std::reverse(path.begin(), path.end());
-    return path.empty() ? std::vector<Vec2>{from, to}
-                        : sim2d::tautened(path, *obstacles_, robotRadius_);
-  }
-
-  sim2d::OccupancyGrid map_;
-  std::shared_ptr<const sim2d::Obstacles> obstacles_;
-  double robotRadius_;
-  std::unique_ptr<sim2d::PathPlanner> planner_;
-  std::vector<Answer> known_;  // the oldest first
-};
-
 std::vector<Vec2> shortestPath(const RunContext& context, const Vec2& from, const Vec2& to) {
   return context.routes ? context.routes->shortest(from, to) : std::vector<Vec2>{from, to};
 }
 
-SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId)
-    : robotId_(robotId), header_(header) {
+SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId,
+                             std::shared_ptr<KnownRoutes> known)
+    : robotId_(robotId), header_(header), knownRoutes_(std::move(known)) {
   addHumans(header.humans);
   header_.humans.clear();
   for (const sim2d::TraceObstacle& obstacle : header_.obstacles) {
@@ -191,7 +135,9 @@ RunContext SampleBuilder::context() const {
   context.robotStartTime = robot->startTime;
   context.robotMaxSpeed = robot->maxVel;
   context.goals = robot->goals;
-  context.routes = std::make_shared<Routes>(header_.map, context.walls, robot->radius);
+  context.routes = knownRoutes_ != nullptr
+                       ? knownRoutes_->of(header_, context.walls, robot->radius)
+                       : std::make_shared<Routes>(header_.map, context.walls, robot->radius);
   return context;
 }
 

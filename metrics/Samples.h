@@ -10,7 +10,6 @@
 
 #include "metrics/MetricParameters.h"
 #include "sim2d/map/Obstacles.h"
-#include "sim2d/map/PathPlanner.h"
 #include "sim2d/trace/Trace.h"
 
 namespace metrics {
@@ -78,6 +77,7 @@ void workOutPairs(Sample& sample, const sim2d::OccupancyGrid* map,
 using TimedWay = std::vector<std::pair<double, Vec2>>;  // time [s], place
 
 class Routes;
+class KnownRoutes;
 
 /// A corridor whose ends are joined (wrap_x): who leaves at one end comes in at the other.
 struct Seam {
@@ -113,7 +113,9 @@ bool hasJumped(const Vec2& before, const Person& now, const Seam& seam);
 class SampleBuilder {
  public:
   /// The robot with this id, by default the first; no such robot: people only.
-  explicit SampleBuilder(const sim2d::TraceHeader& header, int robotId = -1);
+  /// `known`: routes of runs before; null: none.
+  explicit SampleBuilder(const sim2d::TraceHeader& header, int robotId = -1,
+                         std::shared_ptr<KnownRoutes> known = nullptr);
   /// People that arrived after the header was made.
   void addHumans(const std::vector<sim2d::TraceHuman>& humans);
   RunContext context() const;
@@ -134,6 +136,7 @@ class SampleBuilder {
 
   int robotId_;
   sim2d::TraceHeader header_;  // without people
+  std::shared_ptr<KnownRoutes> knownRoutes_;
   std::map<int, sim2d::TraceHuman> humans_;
   sim2d::Obstacles all_, drawn_;
   bool hasDrawn_ = false;

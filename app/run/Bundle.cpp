@@ -28,6 +28,7 @@ void readMapOf(Bundle& bundle, const sim2d::FilePlaces& places, KnownFiles& file
   base::append(bundle.remarks, map->problems);
   bundle.map = map->grid;
   bundle.known = map->surroundings;
+  bundle.routes = map->routes;
   bundle.mapPath = map->path;
   if (!map->path.empty()) {
     bundle.inputs.insert(bundle.inputs.end(), {map->path, map->imagePath});

@@ -20,6 +20,7 @@ struct Bundle {
   bool isBeginning = false;  // of a damaged file: what that means alone would mislead
   std::shared_ptr<const sim2d::OccupancyGrid> map;  // null: there should be one; empty: open plane
   std::shared_ptr<KnownSurroundings> known = std::make_shared<KnownSurroundings>();  // of both
+  std::shared_ptr<metrics::KnownRoutes> routes;  // of runs before on the map; null: none
   base::StopFlagPtr stop = std::make_shared<const base::StopFlag>();  // of the work on the map
   base::StopFlagPtr left = std::make_shared<const base::StopFlag>();  // of one run: ends its making
                                                                       // and the waiting in it

@@ -98,7 +98,7 @@ base::Result<ResultRow> ExperimentRunner::run(std::size_t index) {
     return output.diagnostics();
   }
   RunWriter writer(hasFiles ? (*output)->staging() : std::string(), world,
-                   verdict.metrics.selection, verdict.metrics.parameters);
+                   verdict.metrics.selection, verdict.metrics.parameters, bundle.routes);
   Session session(sim2d::stopRuleOf(*bundle.scenario));
   FinishedRun run = simulate(session, world, verdict.scenarioMetrics, writer,
                              [](const sim2d::Frame&) { return false; });

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "metrics/Routes.h"
 #include "sim2d/base/Stop.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -37,6 +38,7 @@ struct KnownMap {
   std::string path, imagePath;
   std::shared_ptr<const sim2d::OccupancyGrid> grid;  // null: it cannot be read
   std::shared_ptr<KnownSurroundings> surroundings = std::make_shared<KnownSurroundings>();
+  std::shared_ptr<metrics::KnownRoutes> routes = std::make_shared<metrics::KnownRoutes>();
 };
 
 /// Scenarios and maps that many runs have in common: each is read when it is first asked for. Of

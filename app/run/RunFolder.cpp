@@ -247,11 +247,12 @@ void RunWriter::begin(File file, std::string_view head) {
 
 RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
                      const metrics::Selection& selection,
-                     const metrics::MetricParameters& parameters)
+                     const metrics::MetricParameters& parameters,
+                     const std::shared_ptr<metrics::KnownRoutes>& known)
     : world_(world),
       dt_(world.dt()),
       folder_(folder),
-      evaluation_(world.header(), selection, parameters) {
+      evaluation_(world.header(), selection, parameters, known) {
   const sim2d::TraceHeader header = world.header();
   recordEvery_ = header.recordEvery;
   for (const sim2d::TraceHuman& human : header.humans) {

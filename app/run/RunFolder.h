@@ -21,9 +21,10 @@ namespace app {
 /// folder, the metrics are fed. Of past steps nothing stays in memory but their times.
 class RunWriter : public sim2d::FrameSink {
  public:
-  /// An empty folder: no files. The world must outlive the writer.
+  /// An empty folder: no files. The world must outlive the writer. `known`: routes of runs before.
   RunWriter(const std::string& folder, const sim2d::World& world,
-            const metrics::Selection& selection, const metrics::MetricParameters& parameters);
+            const metrics::Selection& selection, const metrics::MetricParameters& parameters,
+            const std::shared_ptr<metrics::KnownRoutes>& known = nullptr);
   void append(const sim2d::Frame& frame) override;
 
   /// Once, at the end. Its results have no series: those are for writeSteps().

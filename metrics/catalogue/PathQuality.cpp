@@ -3,6 +3,7 @@
 
 #include "metrics/Motion.h"
 #include "metrics/TermSums.h"
+#include "sim2d/map/PathPlanner.h"
 
 /// The robot's way: how long, how direct, how bent.
 namespace metrics {

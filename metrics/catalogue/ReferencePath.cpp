@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "metrics/Motion.h"
+#include "sim2d/map/PathPlanner.h"
 
 /// The robot against a reference: a recorded run, else the shortest way to its goal, driven at full
 /// speed.

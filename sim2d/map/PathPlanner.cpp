@@ -21,13 +21,23 @@ bool meets(const Polygons& polygons, const Vec2& from, const Vec2& to) {
   });
 }
 
-/// Cells of a terrain but for those in polygons.
+/// A rectangle of cells, both corners included.
+struct CellBox {
+  Cell low, high;
+};
+
+/// Cells of a terrain that lie in a box, but for those in polygons.
 class TerrainAround {
  public:
   using Index = Terrain::Index;
 
-  TerrainAround(const Terrain& terrain, const OccupancyGrid& grid, const Polygons& closed)
-      : terrain_(terrain), isClosed_(terrain.size(), 0) {
+  TerrainAround(const Terrain& terrain, const CellBox& box, const OccupancyGrid& grid,
+                const Polygons& closed)
+      : terrain_(terrain), isClosed_(terrain.size(), 1) {
+    for (int row = box.low.row; row <= box.high.row; ++row) {
+      std::fill(isClosed_.begin() + terrain.indexOf({box.low.column, row}),
+                isClosed_.begin() + terrain.indexOf({box.high.column, row}) + 1, 0);
+    }
     for (const std::vector<Vec2>& polygon : closed) {
       close(grid, polygon);
     }
@@ -73,6 +83,19 @@ class TerrainAround {
   const Terrain& terrain_;
   std::vector<char> isClosed_;
 };
+
+/// The cells within kAroundReach of two.
+CellBox boxAround(const OccupancyGrid& grid, Cell a, Cell b) {
+  const int margin = static_cast<int>(PathPlanner::kAroundReach / grid.resolution());
+  return {{std::max(0, std::min(a.column, b.column) - margin),
+           std::max(0, std::min(a.row, b.row) - margin)},
+          {std::min(grid.width() - 1, std::max(a.column, b.column) + margin),
+           std::min(grid.height() - 1, std::max(a.row, b.row) + margin)}};
+}
+
+double cellsIn(const CellBox& box) {
+  return double(box.high.column - box.low.column + 1) * double(box.high.row - box.low.row + 1);
+}
 
 /// The places of a way over cells, to be pulled straight.
 class CellWay {
@@ -219,27 +242,31 @@ std::vector<Vec2> PathPlanner::plan(const Vec2& start, const Vec2& goal) {
   return way;
 }
 
+/// The prices of a finder that goes by cells are those of the box as well.
+const Terrain* PathPlanner::knownTerrain() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Terrain* const terrain = finder().roomTerrain();
+  bytes_ = finder_->bytes();
+  return terrain;
+}
+
 std::vector<Vec2> PathPlanner::planAround(const Vec2& start, const Vec2& goal,
-                                          const Polygons& closed) const {
+                                          const Polygons& closed) {
   const std::optional<WalkSpace::Anchor> from = space_.anchorOf(start);
   const std::optional<WalkSpace::Anchor> to = space_.anchorOf(goal);
   if (!from || !to) {
     return {};
   }
-  const OccupancyGrid& grid = space_.grid();
-  const int margin = static_cast<int>(kAroundReach / grid.resolution());
-  const auto low = [margin](int a, int b) { return std::max(0, std::min(a, b) - margin); };
-  const auto high = [margin](int a, int b, int size) {
-    return std::min(size - 1, std::max(a, b) + margin);
-  };
-  const Cell first{low(from->cell.column, to->cell.column), low(from->cell.row, to->cell.row)};
-  const Cell last{high(from->cell.column, to->cell.column, grid.width()),
-                  high(from->cell.row, to->cell.row, grid.height())};
-  if (double(last.column - first.column + 1) * double(last.row - first.row + 1) > kMostAround) {
+  const CellBox box = boxAround(space_.grid(), from->cell, to->cell);
+  if (cellsIn(box) > kMostAround) {
     return {};
   }
-  const Terrain terrain(space_.field(), space_.radius(), first, last);
-  const TerrainAround open(terrain, grid, closed);
+  const Terrain* const known = knownTerrain();
+  const std::optional<Terrain> own =
+      known != nullptr ? std::optional<Terrain>()
+                       : Terrain(space_.field(), space_.radius(), box.low, box.high);
+  const Terrain& terrain = known != nullptr ? *known : *own;
+  const TerrainAround open(terrain, box, space_.grid(), closed);
   const Terrain::Index begin = terrain.indexOf(from->cell);
   GoalSearch<TerrainAround> search(open, terrain.indexOf(to->cell));
   if (open.isClosed(begin) || open.isClosed(search.goal()) || !search.reach(begin)) {
@@ -247,10 +274,10 @@ std::vector<Vec2> PathPlanner::planAround(const Vec2& start, const Vec2& goal,
   }
   CellWay way(space_, closed);
   way.append(from->place);
-  way.append(grid.cellToWorld(from->cell));
+  way.append(space_.grid().cellToWorld(from->cell));
   for (Terrain::Index at = begin; at != search.goal();) {
     at = search.next(at);
-    way.append(grid.cellToWorld(terrain.cellOf(at)));
+    way.append(space_.grid().cellToWorld(terrain.cellOf(at)));
   }
   way.append(to->place);
   return way.pulled();

@@ -39,7 +39,7 @@ class PathPlanner {
   /// what stands for a while, so nothing of the search is kept. By cells within `kAroundReach` of
   /// the two; empty as well where that are more than 4 million cells.
   std::vector<Vec2> planAround(const Vec2& start, const Vec2& goal,
-                               const std::vector<std::vector<Vec2>>& closed) const;
+                               const std::vector<std::vector<Vec2>>& closed);
   static constexpr double kAroundReach = 25.0;  // [m]
   bool isReachable(const Vec2& start, const Vec2& goal);
   /// The straight line keeps the clearance all along.
@@ -55,6 +55,7 @@ class PathPlanner {
 
  private:
   WayFinder& finder();
+  const Terrain* knownTerrain();
   std::vector<Cell> cellsOfWay(Cell from, Cell to);
   std::vector<Vec2> planRound(const WalkSpace::Anchor& from, const WalkSpace::Anchor& to);
 

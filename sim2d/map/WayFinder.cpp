@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <type_traits>
 
 #include "sim2d/map/BlockGraph.h"
 #include "sim2d/map/GoalField.h"
@@ -126,6 +127,9 @@ class CellWays : public WayFinder {
   int searches() const override { return searches_.made(); }
   std::size_t bytes() const override {
     return terrain_.size() + sizeof(std::int32_t) * parts_.size() + searches_.bytes();
+  }
+  const Terrain* roomTerrain() const override {
+    return std::is_same_v<Ground, Terrain> ? &terrain_ : nullptr;
   }
 
  private:

@@ -20,6 +20,8 @@ class WayFinder {
   /// Goals from which has been searched so far, those forgotten included.
   virtual int searches() const = 0;
   virtual std::size_t bytes() const = 0;
+  /// All cells with their prices by room, where it goes by these; else null. It stays.
+  virtual const Terrain* roomTerrain() const { return nullptr; }
 };
 
 /// Over all cells, or over blocks of them where the map is large and not the length alone counts.

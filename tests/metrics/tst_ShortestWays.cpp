@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "metrics/Samples.h"
+#include "sim2d/map/PathPlanner.h"
 #include "tests/map/MapSketch.h"
 
 using namespace sketch;

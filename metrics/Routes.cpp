@@ -1,0 +1,92 @@
+#include "metrics/Routes.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "sim2d/map/TautWay.h"
+
+namespace metrics {
+
+namespace {
+
+constexpr std::size_t kMostEntries = 8;
+constexpr std::size_t kMostCells = 16'000'000;  // of the maps of all entries; some 10 bytes each
+
+/// What a robot goes round when all doors are open.
+std::vector<sim2d::Outline> wallsOf(const sim2d::TraceHeader& header) {
+  std::vector<sim2d::Outline> walls;
+  for (const sim2d::TraceObstacle& obstacle : header.obstacles) {
+    if (!obstacle.isDoor) {
+      walls.insert(walls.end(), obstacle.outlines.begin(), obstacle.outlines.end());
+    }
+  }
+  return walls;
+}
+
+}  // namespace
+
+std::vector<Vec2> Routes::shortest(const Vec2& from, const Vec2& to) {
+  constexpr std::size_t kMostKept = 4;
+  for (const Answer& known : known_) {
+    if (known.from == from && known.to == to) {
+      return known.way;
+    }
+  }
+  if (known_.size() >= kMostKept) {
+    known_.erase(known_.begin());
+  }
+  known_.push_back({from, to, search(from, to)});
+  return known_.back().way;
+}
+
+std::vector<Vec2> Routes::search(const Vec2& from, const Vec2& to) {
+  const double room =
+      std::min({robotRadius_, obstacles_->clearance(from), obstacles_->clearance(to)});
+  if (sim2d::isWayClear(from, to, *obstacles_, std::max(room, 0.0))) {
+    return {from, to};
+  }
+  if (!planner_) {
+    const std::vector<Vec2> bounds = {from, to};
+    planner_ = std::make_unique<sim2d::PathPlanner>(
+        std::make_shared<const sim2d::DistanceField>(map_, *obstacles_, bounds,
+                                                     std::numeric_limits<double>::infinity()),
+        robotRadius_, sim2d::Prices::Length);
+  }
+  // The field of distances is kept per goal, and it is the start that stays the same.
+  std::vector<Vec2> path = planner_->plan(to, from);
+  std::reverse(path.begin(), path.end());
+  return path.empty() ? std::vector<Vec2>{from, to}
+                      : sim2d::tautened(path, *obstacles_, robotRadius_);
+}
+
+std::shared_ptr<Routes> KnownRoutes::of(const sim2d::TraceHeader& header,
+                                        const std::shared_ptr<const sim2d::Obstacles>& walls,
+                                        double robotRadius) {
+  if (header.map.isEmpty()) {  // the plane that is searched depends on the first question
+    return std::make_shared<Routes>(header.map, walls, robotRadius);
+  }
+  std::vector<sim2d::Outline> outlines = wallsOf(header);
+  const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+    return entry.robotRadius == robotRadius && entry.map == header.map && entry.walls == outlines;
+  });
+  if (found != entries_.end()) {
+    entries_.splice(entries_.begin(), entries_, found);
+  } else {
+    entries_.push_front({header.map, std::move(outlines), robotRadius,
+                         std::make_shared<Routes>(header.map, walls, robotRadius)});
+  }
+  std::shared_ptr<Routes> routes = entries_.front().routes;
+  while (entries_.size() > kMostEntries || cells() > kMostCells) {
+    entries_.pop_back();
+  }
+  return routes;
+}
+
+std::size_t KnownRoutes::cells() const {
+  return std::accumulate(
+      entries_.begin(), entries_.end(), std::size_t{0},
+      [](std::size_t sum, const Entry& entry) { return sum + entry.map.cells().size(); });
+}
+
+}  // namespace metrics
