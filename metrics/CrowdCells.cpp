@@ -144,7 +144,8 @@ void CellAreas::cut(const Vec2& other) {
   cell_.swap(part_);
 }
 
-/// Walls, and their images beyond the seam, as far as others may take a share.
+/// Walls, and their images beyond the seam, as far as others may take a share. From what is free
+/// none is seen from behind: its outline is closed.
 std::vector<sim2d::Segment> CellAreas::wallsAround(const Vec2& point,
                                                    const RunContext& context) const {
   std::vector<sim2d::Segment> walls;
@@ -153,12 +154,16 @@ std::vector<sim2d::Segment> CellAreas::wallsAround(const Vec2& point,
   }
   const double reach = 2.0 * radius_;
   const double turn = context.seam.length;
+  const bool seesFrontsOnly = !context.seam.isThere() && !context.walls->isInside(point);
   std::vector<sim2d::Segment> found;
   for (const double shift : {0.0, turn, -turn}) {
     const Vec2 centre = point - Vec2(shift, 0.0);
     found.clear();
     context.walls->segmentsNear(centre, reach, found);
     for (const sim2d::Segment& segment : found) {
+      if (seesFrontsOnly && base::cross(segment.a - centre, segment.b - centre) >= 0.0) {
+        continue;  // solid on the left
+      }
       const std::optional<sim2d::Segment> wall = within(context.seam, segment);
       if (wall && sim2d::distanceToSegment(*wall, centre) < reach) {
         walls.push_back({wall->a - centre, wall->b - centre});

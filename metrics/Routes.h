@@ -59,4 +59,10 @@ class KnownRoutes {
   std::list<Entry> entries_;  // last used first
 };
 
+/// What the evaluation of a run need not work out itself.
+struct KnownScene {
+  std::shared_ptr<KnownRoutes> routes;          // of runs before; null: none
+  const sim2d::Obstacles* obstacles = nullptr;  // of the header, part by part; null: to be built
+};
+
 }  // namespace metrics

@@ -239,7 +239,7 @@ std::vector<std::string> robotNames(const std::vector<sim2d::TraceRobot>& robots
 
 FrameEvaluation::OfRobot::OfRobot(std::string its, const sim2d::TraceHeader& header,
                                   const Selection& selection, const MetricParameters& parameters,
-                                  const std::shared_ptr<KnownRoutes>& known)
+                                  const KnownScene& known)
     : name(std::move(its)),
       id(selection.robotId),
       builder(header, selection.robotId, known),
@@ -275,8 +275,7 @@ Evaluation FrameEvaluation::OfRobot::without(const Evaluation& first,
 }
 
 FrameEvaluation::FrameEvaluation(const sim2d::TraceHeader& header, const Selection& selection,
-                                 const MetricParameters& parameters,
-                                 const std::shared_ptr<KnownRoutes>& known) {
+                                 const MetricParameters& parameters, const KnownScene& known) {
   const std::vector<std::string> names = robotNames(header.robots);
   robots_.reserve(header.robots.size() + 1);
   std::string chosen;

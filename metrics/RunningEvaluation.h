@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "metrics/Routes.h"
 #include "metrics/SampleFeed.h"
 
 namespace metrics {
@@ -69,10 +70,8 @@ using RobotSeriesSink =
 /// the selection asks for it, of each.
 class FrameEvaluation {
  public:
-  /// `known`: routes of runs before; null: none.
   FrameEvaluation(const sim2d::TraceHeader& header, const Selection& selection,
-                  const MetricParameters& parameters,
-                  const std::shared_ptr<KnownRoutes>& known = nullptr);
+                  const MetricParameters& parameters, const KnownScene& known = {});
   /// People that arrived since the header was made; before the first frame with them.
   void addHumans(const std::vector<sim2d::TraceHuman>& humans);
   void note(double time, const sim2d::Event& event);
@@ -87,7 +86,7 @@ class FrameEvaluation {
  private:
   struct OfRobot {
     OfRobot(std::string its, const sim2d::TraceHeader& header, const Selection& selection,
-            const MetricParameters& parameters, const std::shared_ptr<KnownRoutes>& known);
+            const MetricParameters& parameters, const KnownScene& known);
     base::Result<Evaluation> finish(const RobotSeriesSink& sink) const;
     Evaluation without(const Evaluation& first, const base::Diagnostics& why) const;
 

@@ -86,9 +86,11 @@ std::vector<Vec2> shortestPath(const RunContext& context, const Vec2& from, cons
   return context.routes ? context.routes->shortest(from, to) : std::vector<Vec2>{from, to};
 }
 
-SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId,
-                             std::shared_ptr<KnownRoutes> known)
-    : robotId_(robotId), header_(header), knownRoutes_(std::move(known)) {
+SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId)
+    : SampleBuilder(header, robotId, {}) {}
+
+SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId, const KnownScene& known)
+    : robotId_(robotId), header_(header), knownRoutes_(known.routes) {
   addHumans(header.humans);
   header_.humans.clear();
   for (const sim2d::TraceObstacle& obstacle : header_.obstacles) {
@@ -104,7 +106,11 @@ SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId,
       doors_.push_back(door);
     }
   }
-  all_.build();
+  if (known.obstacles != nullptr) {
+    all_ = *known.obstacles;
+  } else {
+    all_.build();
+  }
   drawn_.build();
 }
 
@@ -156,7 +162,7 @@ void SampleBuilder::addObstaclePoints(Body& body) {
   if (header_.obstaclePoints == "rays") {
     all_.rayPoints(body.position, buffer_);
   } else {
-    all_.boundaryPoints(body.position, buffer_);
+    all_.boundaryPoints(body.position, buffer_, kObstacleReach, sim2d::Obstacles::Answer::Keep);
   }
   body.obstacles = buffer_;
 }

@@ -78,6 +78,7 @@ using TimedWay = std::vector<std::pair<double, Vec2>>;  // time [s], place
 
 class Routes;
 class KnownRoutes;
+struct KnownScene;
 
 /// A corridor whose ends are joined (wrap_x): who leaves at one end comes in at the other.
 struct Seam {
@@ -113,9 +114,8 @@ bool hasJumped(const Vec2& before, const Person& now, const Seam& seam);
 class SampleBuilder {
  public:
   /// The robot with this id, by default the first; no such robot: people only.
-  /// `known`: routes of runs before; null: none.
-  explicit SampleBuilder(const sim2d::TraceHeader& header, int robotId = -1,
-                         std::shared_ptr<KnownRoutes> known = nullptr);
+  explicit SampleBuilder(const sim2d::TraceHeader& header, int robotId = -1);
+  SampleBuilder(const sim2d::TraceHeader& header, int robotId, const KnownScene& known);
   /// People that arrived after the header was made.
   void addHumans(const std::vector<sim2d::TraceHuman>& humans);
   RunContext context() const;

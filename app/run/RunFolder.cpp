@@ -252,7 +252,7 @@ RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
     : world_(world),
       dt_(world.dt()),
       folder_(folder),
-      evaluation_(world.header(), selection, parameters, known) {
+      evaluation_(world.header(), selection, parameters, {known, &world.obstacles()}) {
   const sim2d::TraceHeader header = world.header();
   recordEvery_ = header.recordEvery;
   for (const sim2d::TraceHuman& human : header.humans) {

@@ -1,6 +1,7 @@
 // Rules by which obstacles act on bodies: the two queries of Obstacles that yield points.
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "sim2d/map/Obstacles.h"
@@ -31,6 +32,43 @@ bool isNearer(const Obstacles::Point& a, const Obstacles::Point& b) {
                                           : a.position.y() < b.position.y();
 }
 
+/// The last answers that were to be kept, few enough to stay near at hand.
+class KeptAnswers {
+ public:
+  struct Slot {
+    std::uint64_t version = 0;  // of nothing that was built
+    Vec2 position = Vec2::Zero();
+    double range = 0.0;  // [m]
+    std::vector<Obstacles::Point> points;
+
+    bool isOf(std::uint64_t itsVersion, const Vec2& itsPosition, double itsRange) const {
+      return version == itsVersion && version != 0 && range == itsRange &&
+             std::memcmp(position.data(), itsPosition.data(), sizeof(Vec2)) == 0;
+    }
+  };
+
+  Slot& slotOf(std::uint64_t version, const Vec2& position, double range) {
+    std::uint64_t words[3] = {};
+    std::memcpy(words, position.data(), 2 * sizeof(double));
+    std::memcpy(words + 2, &range, sizeof(double));
+    std::uint64_t mixed = version;
+    for (const std::uint64_t word : words) {
+      mixed = (mixed ^ word) * 0x9E3779B97F4A7C15U;
+      mixed ^= mixed >> 32U;
+    }
+    return slots_[mixed % kSlots];
+  }
+
+ private:
+  static constexpr std::size_t kSlots = 1024;
+  std::vector<Slot> slots_ = std::vector<Slot>(kSlots);
+};
+
+KeptAnswers& keptAnswers() {
+  thread_local KeptAnswers answers;
+  return answers;
+}
+
 }  // namespace
 
 struct Obstacles::PointQuery {
@@ -45,8 +83,25 @@ struct Obstacles::PointQuery {
   std::vector<Candidate>& candidates;
 };
 
-void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
-                               double range) const {
+void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points, double range,
+                               Answer answer) const {
+  KeptAnswers::Slot& slot = keptAnswers().slotOf(version_, position, range);
+  if (slot.isOf(version_, position, range)) {
+    points.insert(points.end(), slot.points.begin(), slot.points.end());
+    return;
+  }
+  const auto first = static_cast<std::ptrdiff_t>(points.size());
+  findBoundaryPoints(position, points, range);
+  if (answer == Answer::Keep) {
+    slot.version = version_;
+    slot.position = position;
+    slot.range = range;
+    slot.points.assign(points.begin() + first, points.end());
+  }
+}
+
+void Obstacles::findBoundaryPoints(const Vec2& position, std::vector<Point>& points,
+                                   double range) const {
   if (isInside(position)) {
     points.push_back(nearestWayOut(position));
     return;

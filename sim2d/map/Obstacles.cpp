@@ -1,6 +1,7 @@
 #include "sim2d/map/Obstacles.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "sim2d/base/Math.h"
@@ -27,7 +28,20 @@ bool isWestOf(const Segment& segment, const Vec2& point) {
   return isLeftOf(segment, point) == (segment.b.y() > segment.a.y());
 }
 
+std::uint64_t newVersion() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
 }  // namespace
+
+void Obstacles::setEnabled(int part, bool enabled) {
+  char& now = enabled_.at(static_cast<std::size_t>(part));
+  if ((now != 0) != enabled) {
+    now = enabled ? 1 : 0;
+    version_ = newVersion();
+  }
+}
 
 int Obstacles::add(std::vector<Outline> outlines, bool enabled, bool isOfMap) {
   double area = 0.0;
@@ -42,6 +56,7 @@ int Obstacles::add(std::vector<Outline> outlines, bool enabled, bool isOfMap) {
 }
 
 void Obstacles::build(const base::StopFlag& stop) {
+  version_ = newVersion();
   segments_.clear();
   edges_.clear();
   for (int part = 0; part < partCount(); ++part) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -18,9 +19,7 @@ class Obstacles {
   /// those of the map's own walls.
   int add(std::vector<Outline> outlines, bool enabled = true, bool isOfMap = false);
   void build(const base::StopFlag& stop = {});  // after the last add
-  void setEnabled(int part, bool enabled) {
-    enabled_.at(static_cast<std::size_t>(part)) = enabled ? 1 : 0;
-  }
+  void setEnabled(int part, bool enabled);
   bool isEnabled(int part) const { return enabled_.at(static_cast<std::size_t>(part)) != 0; }
   bool isOfMap(int part) const { return ofMap_.at(static_cast<std::size_t>(part)) != 0; }
   int partCount() const { return static_cast<int>(parts_.size()); }
@@ -38,8 +37,12 @@ class Obstacles {
     bool inside = false;    // the position is inside the obstacle: the force points to the point
     int part = -1;
   };
-  /// A point of one outline that another obstacle covers is no boundary and left out.
-  void boundaryPoints(const Vec2& position, std::vector<Point>& points, double range = 5.0) const;
+  /// A point of one outline that another obstacle covers is no boundary and left out. `Keep`: the
+  /// answer stays for who asks the same of this or a copy next, on the same thread, as a world does
+  /// after its metrics.
+  enum class Answer { Forget, Keep };
+  void boundaryPoints(const Vec2& position, std::vector<Point>& points, double range = 5.0,
+                      Answer answer = Answer::Forget) const;
   /// Rule "rays": the hits of 90 rays, 4 degrees apart from +x, up to 4 m. Appends in that order;
   /// from inside an obstacle the rays meet its border and the points are marked.
   void rayPoints(const Vec2& position, std::vector<Point>& points) const;
@@ -89,6 +92,7 @@ class Obstacles {
   void findBare(const base::StopFlag& stop);
   bool isApart(int edge) const;
   Point nearestWayOut(const Vec2& position) const;
+  void findBoundaryPoints(const Vec2& position, std::vector<Point>& points, double range) const;
   struct PointQuery;
   void addFoot(int edge, const PointQuery& query) const;
   void addCorner(int edge, const PointQuery& query) const;
@@ -97,6 +101,7 @@ class Obstacles {
   void improveWayOut(int edge, const Vec2& position, Point& best) const;
   Hit firstHit(const Vec2& from, const Vec2& direction, double range) const;
 
+  std::uint64_t version_ = 0;  // another one whenever anything changes; copies have the same
   std::vector<std::vector<Outline>> parts_;
   std::vector<char> enabled_, ofMap_;
   std::vector<int> background_;  // of each part: winding far away, 1 where all around is solid

@@ -1,6 +1,7 @@
 #include "sim2d/nav/FootprintGap.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -155,13 +156,18 @@ std::vector<Vec2> outlineAround(const Footprint& footprint, const Pose2& pose, d
   const double radius = (distance + (footprint.isDisc() ? footprint.radius : 0.0)) * kOutlineExcess;
   const std::vector<Vec2> middles =
       footprint.isDisc() ? std::vector<Vec2>{Vec2::Zero()} : footprint.corners;
+  std::array<Vec2, kCorners> round;
+  for (int k = 0; k < kCorners; ++k) {
+    const double turn = 2.0 * base::kPi * k / kCorners;
+    round[static_cast<std::size_t>(k)] =
+        radius * base::directionOf(base::wrapToPi(pose.heading + turn));
+  }
   std::vector<Vec2> points;
   points.reserve(middles.size() * kCorners);
   for (const Vec2& middle : middles) {
     const Vec2 centre = pose.toWorld(middle);
-    for (int k = 0; k < kCorners; ++k) {
-      points.emplace_back(centre + radius * base::directionOf(base::wrapToPi(
-                                                pose.heading + 2.0 * base::kPi * k / kCorners)));
+    for (const Vec2& offset : round) {
+      points.emplace_back(centre + offset);
     }
   }
   return convexHull(std::move(points));

@@ -86,6 +86,7 @@ class World {
   virtual std::optional<double> arrivedAt() const = 0;
   virtual std::vector<RobotOnWay> robotsOnWay() const = 0;  // -1, -2 …
   virtual TraceHeader header() const = 0;                   // as of now
+  virtual const Obstacles& obstacles() const = 0;           // now; parts as in the header
   virtual const WorldView& view() const = 0;
   virtual HumanBehavior& behavior() = 0;
 };

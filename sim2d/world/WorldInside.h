@@ -73,6 +73,7 @@ class RunningWorld : public World {
   std::optional<double> arrivedAt() const override;
   std::vector<RobotOnWay> robotsOnWay() const override;
   TraceHeader header() const override { return makeHeader(model_, surroundings_); }
+  const Obstacles& obstacles() const override { return surroundings_.obstacles; }
   const WorldView& view() const override { return view_; }
   HumanBehavior& behavior() override { return *behavior_; }
 
