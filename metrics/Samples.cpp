@@ -162,7 +162,7 @@ void SampleBuilder::addObstaclePoints(Body& body) {
   if (header_.obstaclePoints == "rays") {
     all_.rayPoints(body.position, buffer_);
   } else {
-    all_.boundaryPoints(body.position, buffer_, kObstacleReach, sim2d::Obstacles::Answer::Keep);
+    all_.boundaryPoints(body.position, buffer_);
   }
   body.obstacles = buffer_;
 }

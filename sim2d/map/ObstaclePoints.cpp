@@ -1,6 +1,9 @@
 // Rules by which obstacles act on bodies: the two queries of Obstacles that yield points.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -32,14 +35,15 @@ bool isNearer(const Obstacles::Point& a, const Obstacles::Point& b) {
                                           : a.position.y() < b.position.y();
 }
 
-/// The last answers that were to be kept, few enough to stay near at hand.
-class KeptAnswers {
+/// The last answers that are not too long, few enough to stay near at hand.
+class LastAnswers {
  public:
   struct Slot {
     std::uint64_t version = 0;  // of nothing that was built
     Vec2 position = Vec2::Zero();
     double range = 0.0;  // [m]
-    std::vector<Obstacles::Point> points;
+    std::size_t count = 0;
+    std::array<Obstacles::Point, 32> points;
 
     bool isOf(std::uint64_t itsVersion, const Vec2& itsPosition, double itsRange) const {
       return version == itsVersion && version != 0 && range == itsRange &&
@@ -60,12 +64,12 @@ class KeptAnswers {
   }
 
  private:
-  static constexpr std::size_t kSlots = 1024;
+  static constexpr std::size_t kSlots = 256;
   std::vector<Slot> slots_ = std::vector<Slot>(kSlots);
 };
 
-KeptAnswers& keptAnswers() {
-  thread_local KeptAnswers answers;
+LastAnswers& lastAnswers() {
+  thread_local LastAnswers answers;
   return answers;
 }
 
@@ -83,20 +87,23 @@ struct Obstacles::PointQuery {
   std::vector<Candidate>& candidates;
 };
 
-void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points, double range,
-                               Answer answer) const {
-  KeptAnswers::Slot& slot = keptAnswers().slotOf(version_, position, range);
+void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
+                               double range) const {
+  LastAnswers::Slot& slot = lastAnswers().slotOf(version_, position, range);
   if (slot.isOf(version_, position, range)) {
-    points.insert(points.end(), slot.points.begin(), slot.points.end());
+    points.insert(points.end(), slot.points.begin(),
+                  slot.points.begin() + static_cast<std::ptrdiff_t>(slot.count));
     return;
   }
-  const auto first = static_cast<std::ptrdiff_t>(points.size());
+  const std::size_t first = points.size();
   findBoundaryPoints(position, points, range);
-  if (answer == Answer::Keep) {
+  if (points.size() - first <= slot.points.size()) {
     slot.version = version_;
     slot.position = position;
     slot.range = range;
-    slot.points.assign(points.begin() + first, points.end());
+    slot.count = points.size() - first;
+    std::copy(points.end() - static_cast<std::ptrdiff_t>(slot.count), points.end(),
+              slot.points.begin());
   }
 }
 

@@ -37,12 +37,10 @@ class Obstacles {
     bool inside = false;    // the position is inside the obstacle: the force points to the point
     int part = -1;
   };
-  /// A point of one outline that another obstacle covers is no boundary and left out. `Keep`: the
-  /// answer stays for who asks the same of this or a copy next, on the same thread, as a world does
-  /// after its metrics.
-  enum class Answer { Forget, Keep };
-  void boundaryPoints(const Vec2& position, std::vector<Point>& points, double range = 5.0,
-                      Answer answer = Answer::Forget) const;
+  /// A point of one outline that another obstacle covers is no boundary and left out. The last
+  /// answers stay for who asks the same of this or a copy on the same thread: metrics ask what
+  /// their world has asked, and who stands asks the same again.
+  void boundaryPoints(const Vec2& position, std::vector<Point>& points, double range = 5.0) const;
   /// Rule "rays": the hits of 90 rays, 4 degrees apart from +x, up to 4 m. Appends in that order;
   /// from inside an obstacle the rays meet its border and the points are marked.
   void rayPoints(const Vec2& position, std::vector<Point>& points) const;

@@ -1,7 +1,6 @@
 #include "sim2d/nav/FootprintGap.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -151,23 +150,26 @@ double gapToDisc(const Footprint& footprint, const Pose2& pose, const Vec2& cent
   return signedDistanceToEdges(footprint.corners, pose.toLocal(centre)) - radius;
 }
 
-std::vector<Vec2> outlineAround(const Footprint& footprint, const Pose2& pose, double distance) {
-  constexpr int kCorners = 12;  // of the polygon round a circle
+OutlineDirections outlineDirections(double heading) {
+  OutlineDirections directions;
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const double turn = 2.0 * base::kPi * static_cast<double>(k) / double(directions.size());
+    directions[k] = base::directionOf(base::wrapToPi(heading + turn));
+  }
+  return directions;
+}
+
+std::vector<Vec2> outlineAround(const Footprint& footprint, const Pose2& pose, double distance,
+                                const OutlineDirections& directions) {
   const double radius = (distance + (footprint.isDisc() ? footprint.radius : 0.0)) * kOutlineExcess;
   const std::vector<Vec2> middles =
       footprint.isDisc() ? std::vector<Vec2>{Vec2::Zero()} : footprint.corners;
-  std::array<Vec2, kCorners> round;
-  for (int k = 0; k < kCorners; ++k) {
-    const double turn = 2.0 * base::kPi * k / kCorners;
-    round[static_cast<std::size_t>(k)] =
-        radius * base::directionOf(base::wrapToPi(pose.heading + turn));
-  }
   std::vector<Vec2> points;
-  points.reserve(middles.size() * kCorners);
+  points.reserve(middles.size() * directions.size());
   for (const Vec2& middle : middles) {
     const Vec2 centre = pose.toWorld(middle);
-    for (const Vec2& offset : round) {
-      points.emplace_back(centre + offset);
+    for (const Vec2& direction : directions) {
+      points.emplace_back(centre + radius * direction);
     }
   }
   return convexHull(std::move(points));

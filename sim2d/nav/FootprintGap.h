@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "sim2d/map/Obstacles.h"
 #include "sim2d/nav/Body.h"
 
@@ -16,10 +19,14 @@ double inscribedRadius(const Footprint& footprint);
 /// ones). Allocates nothing.
 double gapToDisc(const Footprint& footprint, const Pose2& pose, const Vec2& centre, double radius);
 
+/// Unit vectors all round from a heading on [rad], by which an outline is drawn.
+using OutlineDirections = std::array<Vec2, 12>;
+OutlineDirections outlineDirections(double heading);
 /// A convex polygon round the footprint, world frame: no place outside of it is nearer to the
 /// footprint than `distance` [m] (> 0), none of its corners farther away than `distance` times
-/// `kOutlineExcess` but for those round notches.
-std::vector<Vec2> outlineAround(const Footprint& footprint, const Pose2& pose, double distance);
+/// `kOutlineExcess` but for those round notches. `directions`: of the pose's heading.
+std::vector<Vec2> outlineAround(const Footprint& footprint, const Pose2& pose, double distance,
+                                const OutlineDirections& directions);
 constexpr double kOutlineExcess = 1.0353;  // 1 / cos(15 degrees)
 
 /// To the nearest wall, `limit` (>= 0) when none is nearer. Exact apart; overlapping it is minus

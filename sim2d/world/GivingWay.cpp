@@ -78,12 +78,14 @@ void GivingWay::update(const FrozenWorld& world) {
   }
   memory_.resize(state.present.size());
   movedAt_.resize(state.robots.size(), state.time);
+  directions_.resize(state.robots.size());
   for (std::size_t robot = 0; robot < state.robots.size(); ++robot) {
     const ResolvedRobot& constants = world.model.robots[robot];
     if (footprints_.size() == robot) {
       footprints_.push_back({constants.radius, constants.footprint});
     }
     const RobotState& now = state.robots[robot];
+    directions_[robot] = outlineDirections(now.pose.heading);
     movedAt_[robot] = now.velocity.norm() < kRobotStands ? movedAt_[robot] : state.time;
     world.grid.forEachNear(now.pose.position, kSight + reachOf(constants), [&](int human) {
       const auto at = static_cast<std::size_t>(human);
@@ -143,7 +145,8 @@ void GivingWay::draw(std::vector<Met>& met, const Walking& who, double room) con
     const double apart = gapToDisc(footprint, item.pose, who.position, 0.0) + own;
     const double most = apart / kOutlineExcess - own - kOutside;
     const double wide = std::min(who.radius + room, most);
-    item.outline = wide > 0.0 ? outlineAround(footprint, item.pose, wide) : std::vector<Vec2>();
+    item.outline = wide > 0.0 ? outlineAround(footprint, item.pose, wide, directions_[item.robot])
+                              : std::vector<Vec2>();
     if (!item.outline.empty() && isInside(item.outline, who.position)) {
       item.outline.clear();  // in a notch
     }

@@ -95,6 +95,7 @@ class GivingWay {
                                    const Vec2& velocity) const;
 
   std::vector<Footprint> footprints_;                      // of the robots
+  std::vector<OutlineDirections> directions_;              // of their headings, now
   std::vector<double> movedAt_;                            // idem, last [s]
   std::vector<std::pair<std::size_t, std::size_t>> near_;  // person, robot; ascending
   std::vector<std::size_t> people_;                        // of these

@@ -56,7 +56,8 @@ std::optional<HalfPlane> GivingWay::boundBy(const FrozenWorld& world, std::size_
   if (apart.norm() > kNearby + reachOf(footprints_[robot])) {
     return std::nullopt;
   }
-  const std::vector<Vec2> outline = outlineAround(footprints_[robot], now.pose, radius + kKept);
+  const std::vector<Vec2> outline =
+      outlineAround(footprints_[robot], now.pose, radius + kKept, directions_[robot]);
   const Obstacles::Point nearest = nearestPointOf(world.model.robots[robot], now.pose, place);
   const Vec2 arm = nearest.position - now.pose.position;
   Vec2 drives = now.velocity + now.omega * Vec2(-arm.y(), arm.x());

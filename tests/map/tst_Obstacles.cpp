@@ -104,6 +104,7 @@ class ObstaclesTest : public QObject {
   void boundaryPoints_existing_areKept();
   void boundaryPoints_finerCut_isTheSame();
   void boundaryPoints_closedDoor_counts();
+  void boundaryPoints_askedAgain_areThoseOfNow();
   void rayPoints_box_countsHits();
   void isInside_random_agrees();
   void clearance_random_agrees();
@@ -371,6 +372,39 @@ void ObstaclesTest::segmentsNear_openDoor_areThoseOfTheRestOnceInOrder() {
   for (std::size_t i = 0; i < found.size(); ++i) {
     QVERIFY(found[i].a == expected[i].a && found[i].b == expected[i].b);
   }
+}
+
+/// The last answers stay, but neither for a door that was switched since nor for another world.
+void ObstaclesTest::boundaryPoints_askedAgain_areThoseOfNow() {
+  Obstacles obstacles;
+  obstacles.add({boxOutline({{3, 0}, 0}, 1, 1)});
+  const int door = obstacles.add({boxOutline({{-2, 0}, 0}, 1, 1)});
+  obstacles.build();
+  const auto placesOf = [](const Obstacles& of, double range) {
+    std::vector<Obstacles::Point> points;
+    of.boundaryPoints({0, 0}, points, range);
+    std::vector<double> places;
+    for (const Obstacles::Point& point : points) {
+      places.push_back(point.position.x());
+    }
+    return places;
+  };
+  const std::vector<double> both = {-1.5, 2.5};
+  const std::vector<double> box = {2.5};
+  QCOMPARE(placesOf(obstacles, 5.0), both);
+  QCOMPARE(placesOf(obstacles, 5.0), both);
+  QCOMPARE(placesOf(obstacles, 2.0), std::vector<double>{-1.5});
+  Obstacles open = obstacles;
+  open.setEnabled(door, false);
+  QCOMPARE(placesOf(open, 5.0), box);
+  QCOMPARE(placesOf(obstacles, 5.0), both);
+  open.setEnabled(door, true);
+  QCOMPARE(placesOf(open, 5.0), both);
+  Obstacles other;
+  other.add({boxOutline({{4, 0}, 0}, 1, 1)});
+  other.build();
+  QCOMPARE(placesOf(other, 5.0), std::vector<double>{3.5});
+  QCOMPARE(placesOf(obstacles, 5.0), both);
 }
 
 void ObstaclesTest::segmentsNear_enoughRoom_takesNoMemory() {
