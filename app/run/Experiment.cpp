@@ -77,7 +77,10 @@ class Reader {
       }
       experiment_.options["--metrics-profile"] = profile->text;
     }
-    readValues(root.find("values"));
+    const YamlNode* const seeds = root.find("seeds");
+    if (isCountPossible(seeds != nullptr ? *seeds : root)) {
+      readValues(root.find("values"));
+    }
     warnOfSeeds(root.find("seeds"));
     readRecord(root.find("record"));
   }
@@ -138,7 +141,11 @@ class Reader {
     }
     if (node->isScalar()) {
       const std::optional<long long> count = base::parseInt(node->text);
-      for (long long seed = 1; count && *count <= kMaximumRuns && seed <= *count; ++seed) {
+      if (count && *count > kMaximumRuns) {
+        error(*node, "experiment.too-many-runs", {*count, kMaximumRuns});
+        return;
+      }
+      for (long long seed = 1; count && seed <= *count; ++seed) {
         experiment_.seeds.push_back(seed);
       }
     }
@@ -260,22 +267,28 @@ class Reader {
         errors_.push_back(std::move(problem));
       }
       if (value) {
-        tryValues(*value, item);
         experiment_.values.push_back(*value);
       }
+      if (!isCountPossible(item)) {
+        return;  // nor tried
+      }
+      if (value) {
+        tryValues(*value, item);
+      }
     }
-    checkCount(*node);
   }
 
-  void checkCount(const YamlNode& node) {
+  bool isCountPossible(const YamlNode& node) {
     double count = static_cast<double>(experiment_.scenarios.size()) *
                    static_cast<double>(experiment_.seeds.size());
     for (const ExperimentValue& value : experiment_.values) {
       count *= value.isDrawn() ? 1.0 : static_cast<double>(value.texts.size());
     }
-    if (count > static_cast<double>(kMaximumRuns)) {
+    const bool isPossible = count <= static_cast<double>(kMaximumRuns);
+    if (!isPossible) {
       error(node, "experiment.too-many-runs", {count, kMaximumRuns});
     }
+    return isPossible;
   }
 
   void readRecord(const YamlNode* node) {

@@ -191,6 +191,8 @@ constexpr ProblemText kTexts[] = {
     {"world.start-taken", "{place} is taken by another body, {taken} is used"},
     {"world.start-crowded",
      "{place} is taken by another body and no place is free within 1 m; they are pushed apart"},
+    {"world.too-many-crowded",
+     "more than {most} bodies start where others stand: so many cannot be pushed apart"},
     {"world.pose-too-far", "init pose is not finite or beyond 1e6 m"},
     {"world.robot-too-far", "start or goal is not finite or beyond 1e6 m"},
     {"world.goal-too-far", "goal {goal} is not finite or beyond 1e6 m"},
@@ -633,7 +635,9 @@ constexpr ProblemText kTexts[] = {
     {"experiment.unknown-draw",
      "there is no way '{found}' to give values (known: {known}){nearest}"},
     {"experiment.bad-range",
-     "range takes [FROM, TO, STEP]: three numbers, TO at least FROM, STEP above 0"},
+     "range takes [FROM, TO, STEP]: three numbers, TO at least FROM, STEP above 0; 1000000 values "
+     "at "
+     "most"},
     {"experiment.bad-normal",
      "normal takes [MEAN, DEVIATION, LEAST, MOST]: four numbers, DEVIATION above 0, LEAST below "
      "MOST"},

@@ -18,6 +18,7 @@ constexpr double kOverlap = 0.01;   // [m] that starts may stand in each other
 constexpr double kReach = 1.0;      // [m] that a start may be moved
 constexpr double kRing = 0.05;      // [m] between the places tried
 constexpr int kPlacesOnRing = 24;
+constexpr int kMostCrowded = 1000;  // starts that stay in others: each pair is pushed apart
 
 /// Moves the point where a body of this radius fits; `what` names it in messages.
 void fit(Vec2& point, double radius, const std::string& what, EntityId entity,
@@ -130,8 +131,10 @@ std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start,
   return std::nullopt;
 }
 
-void put(PlacedStarts& placed, const Start& start, const NavigationMap& navigation,
+/// False: it stays in another body.
+bool put(PlacedStarts& placed, const Start& start, const NavigationMap& navigation,
          base::Diagnostics& problems) {
+  bool isParted = true;
   if (!placed.isFree(start, *start.position)) {
     const std::string place = "start of '" + start.name + "' " + base::pointText(*start.position);
     ProblemsOf found(start.key, {}, problems);
@@ -140,9 +143,11 @@ void put(PlacedStarts& placed, const Start& start, const NavigationMap& navigati
       found.add(base::warning("world.start-taken", {place, base::pointText(*taken)}));
     } else {
       found.add(base::warning("world.start-crowded", {place}));
+      isParted = false;
     }
   }
   placed.add(start);
+  return isParted;
 }
 
 /// Of starts that would stand in each other the later one (robots come after people) is moved to
@@ -165,8 +170,14 @@ void partStarts(WorldModel& model, const NavigationMap& navigation, base::Diagno
     largest = std::max(largest, start.radius);
   }
   PlacedStarts placed(largest);
+  int crowded = 0;
   for (const Start& start : starts) {
-    put(placed, start, navigation, problems);
+    crowded += put(placed, start, navigation, problems) ? 0 : 1;
+    if (crowded > kMostCrowded) {
+      ProblemsOf(start.key, {}, problems)
+          .add(base::error("world.too-many-crowded", {kMostCrowded}));
+      return;
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "app/run/Experiment.h"
 #include "app/run/ExperimentValues.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
@@ -148,6 +149,34 @@ class ExperimentValuesTest : public QObject {
     QCOMPARE(QString::fromUtf8(said.code.data(), static_cast<int>(said.code.size())), code);
     QCOMPARE(said.line, 1);
     QCOMPARE(said.column, column);
+  }
+
+  /// Refused before any value is tried, with the count and the limit.
+  void tooManyRuns_areRefused_data() {
+    QTest::addColumn<QString>("yaml");
+    QTest::addColumn<int>("line");
+    QTest::newRow("seeds") << "seeds: 6000000000" << 3;
+    QTest::newRow("more than fit in 64 bits") << "seeds: 99999999999999999999" << 3;
+    QTest::newRow("seeds x values") << "seeds: 9000000\nvalues:\n  seed: [1, 2]" << 5;
+    QTest::newRow("values x values")
+        << "values:\n  seed: {range: [1, 900000, 1]}\n  duration: {range: [1, 900000, 1]}" << 5;
+  }
+  void tooManyRuns_areRefused() {
+    QFETCH(QString, yaml);
+    QFETCH(int, line);
+    const QTemporaryDir folder;
+    const std::string file = folder.filePath(QStringLiteral("e.yaml")).toStdString();
+    const std::string text =
+        "hunavsim_experiment: 1\nscenarios: [crossing_agents]\n" + yaml.toStdString() + "\n";
+    QVERIFY(base::writeFileAtomically(file, text).empty());
+    const base::Result<app::Experiment> experiment = app::readExperiment(file);
+    QVERIFY(!experiment);
+    QCOMPARE(experiment.diagnostics().size(), std::size_t{1});
+    const base::Diagnostic& said = experiment.diagnostics().front();
+    QVERIFY2(said.text().find("seeds") != std::string::npos ||
+                 said.text().find("at most 10000000") != std::string::npos,
+             said.text().c_str());
+    QCOMPARE(said.line, line);
   }
 
   /// Moments of the normal distribution between two ends (Johnson, Kotz & Balakrishnan 1994,

@@ -16,6 +16,7 @@ class StartPlacesTest : public QObject {
   void create_crowdedStarts_nobodyStandsInAnother();
   void create_farApart_staysWhereItIs();
   void create_tooManyInOnePlace_aWarningSaysSo();
+  void create_farTooManyInOnePlace_isRefused();
 };
 
 namespace {
@@ -106,6 +107,22 @@ void StartPlacesTest::create_tooManyInOnePlace_aWarningSaysSo() {
         return said.message.find("no place is free within 1 m") != std::string::npos;
       });
   QVERIFY(isTold);
+}
+
+/// 5000 are 12 million pairs: memory and time without end.
+void StartPlacesTest::create_farTooManyInOnePlace_isRefused() {
+  Scenario scenario;
+  for (int i = 0; i < 5000; ++i) {
+    addPerson(scenario, i + 1, Vec2(3.0, 4.0));
+  }
+  const base::Result<std::unique_ptr<World>> world = create(scenario);
+  QVERIFY(!world);
+  const auto refused = std::count_if(
+      world.diagnostics().begin(), world.diagnostics().end(), [](const base::Diagnostic& said) {
+        return said.severity == base::Severity::Error &&
+               said.message.find("more than 1000 bodies start where others stand") == 0;
+      });
+  QCOMPARE(static_cast<int>(refused), 1);
 }
 
 QTEST_APPLESS_MAIN(StartPlacesTest)
