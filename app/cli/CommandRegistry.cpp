@@ -211,10 +211,10 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
     return tellWrongWords(commands, problem.what());
   } catch (const std::exception& problem) {  // no memory, a file that nobody foresaw
     if (commands.wantsJson()) {
-      printJson({base::error("program.failed", {problem.what()})});
+      printJson({base::error("program.failed", {reasonOf(problem)})});
     }
-    printError(std::string("error: ") + problem.what());
-    return ExitBadInput;
+    printError("error: " + reasonOf(problem));
+    return ExitRunFailed;
   }
 }
 

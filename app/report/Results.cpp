@@ -29,7 +29,7 @@ class ResultsReader {
     }
     sim2d::CsvRow row;
     sim2d::CsvField last;  // at the end there is no row
-    while (problems_.size() < kMostTold && reader_.next(row)) {
+    while (problems_.size() < kMostTold && nextRow(row)) {
       readRow(row);
       last = row.back();
     }
@@ -51,9 +51,17 @@ class ResultsReader {
   }
 
   /// run,scenario,seed,<value paths>,status,reason,simulated,<metric keys>
+  bool nextRow(sim2d::CsvRow& row) {
+    const bool hasRow = reader_.next(row);
+    for (sim2d::CsvField& field : row) {
+      sim2d::takeMarkFromCsvField(field.text);
+    }
+    return hasRow;
+  }
+
   bool readColumns() {
     sim2d::CsvRow row;
-    const bool hasRow = reader_.next(row);
+    const bool hasRow = nextRow(row);
     const auto is = [&row](std::size_t at, const char* name) {
       return at < row.size() && row[at].text == name;
     };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <clocale>
 #include <cmath>
+#include <cstdlib>
+#include <exception>
 #include <functional>
 #include <memory>
 
@@ -15,8 +17,11 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include "app/cli/Console.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
+#include "app/window/DocumentGuard.h"
+#include "app/window/GuardedApplication.h"
 #include "app/window/MainWindow.h"
 #include "editor/canvas/RouteModel.h"
 #include "editor/look/Form.h"
@@ -221,6 +226,24 @@ base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& option
 
 namespace {
 
+/// What could not be foreseen: unsaved work is kept for the next start.
+[[noreturn]] void endBroken(MainWindow& window, const std::string& why) {
+  bool isKept = false;
+  try {
+    if (editor::Autosave* const autosave = window.guard().autosave()) {
+      autosave->writeNow();
+      isKept = !autosave->folder().isEmpty();
+    }
+  } catch (const std::exception&) {
+    isKept = false;  // there is nothing left to do it with
+  }
+  printError("error: " + why);
+  if (isKept) {
+    printError("note: unsaved work is kept; the next start of the window offers it");
+  }
+  std::_Exit(ExitRunFailed);  // in order the copy would go away
+}
+
 int windowCommand(const Invocation& given, const RunOptions& run, const WindowOptions& options,
                   const std::vector<std::string>& commands) {
   base::Diagnostics wrongWords = checkWords(options);
@@ -241,7 +264,7 @@ int windowCommand(const Invocation& given, const RunOptions& run, const WindowOp
   }
   prepareScreen(options);
   int argc = given.argc;
-  QApplication application(argc, given.argv);
+  GuardedApplication application(argc, given.argv);
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setApplicationName(QStringLiteral("HuNavSim Desktop"));
   QApplication::setApplicationVersion(QString::fromStdString(programVersion()));
@@ -263,6 +286,7 @@ int windowCommand(const Invocation& given, const RunOptions& run, const WindowOp
   if (picture || !options.size.empty()) {  // whatever the screen
     window.resize(sizeFromText(options.size).value_or(MainWindow::usualSize()));
   }
+  application.whenBroken([&window](const std::string& why) { endBroken(window, why); });
   window.show();
   const bool isOpened = scenario.isEmpty() || window.open(scenario);
   if (!isOpened && (picture || QFileInfo(scenario).isDir())) {  // broken ones are for the window

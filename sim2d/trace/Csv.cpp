@@ -4,12 +4,37 @@
 
 namespace sim2d {
 
+namespace {
+
+constexpr char kMark = '\'';
+
+/// A formula to spreadsheets, with marks before it or without; they take a number for one.
+bool looksLikeFormula(std::string_view field) {
+  const std::size_t first = field.find_first_not_of(kMark);
+  return first != std::string_view::npos &&
+         std::string_view("=+-@").find(field[first]) != std::string_view::npos &&
+         (first > 0 || !base::parseDouble(field));
+}
+
+}  // namespace
+
+void takeMarkFromCsvField(std::string& field) {
+  if (!field.empty() && field.front() == kMark && looksLikeFormula(field)) {
+    field.erase(0, 1);
+  }
+}
+
 void appendCsvField(std::string& to, std::string_view field) {
+  const bool isMarked = looksLikeFormula(field);
   if (field.find_first_of(",\"\r\n") == std::string_view::npos) {
+    to += isMarked ? std::string_view(&kMark, 1) : std::string_view();
     to += field;
     return;
   }
   to += '"';
+  if (isMarked) {
+    to += kMark;
+  }
   for (const char c : field) {
     if (c == '"') {
       to += '"';
@@ -109,6 +134,9 @@ bool CsvTable::next() {
     } else if (row_.size() != names_.size()) {
       error(row_.back(), "trace.field-count", {row_.size(), names_.size()});
     } else {
+      for (CsvField& field : row_) {
+        takeMarkFromCsvField(field.text);
+      }
       return true;
     }
   }

@@ -12,8 +12,12 @@
 
 namespace sim2d {
 
-/// Appends a field as RFC 4180 wants it: in quotes when it holds a comma, a quote or a line end.
+/// Appends a field as RFC 4180 wants it: in quotes when it holds a comma, a quote or a line end. A
+/// text that a spreadsheet would work out as a formula (it begins with = + - @, and is no number)
+/// gets a ' in front, as does one that looks as if it had got one.
 void appendCsvField(std::string& to, std::string_view field);
+/// Takes that ' away again.
+void takeMarkFromCsvField(std::string& field);
 
 struct CsvField {
   std::string text;
