@@ -67,7 +67,7 @@ void print(const std::string& text) {
   std::cout << text << std::flush;
 }
 void printLine(const std::string& line) {
-  std::cout << line << '\n' << std::flush;
+  std::cout << base::visible(line, "\n\t") << '\n' << std::flush;
 }
 void printError(const std::string& line) {
   std::cerr << base::visible(line, "\n\t") << '\n';

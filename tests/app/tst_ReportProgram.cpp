@@ -82,6 +82,25 @@ class ReportProgramTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// Its own files are replaced, those of others and what somebody changed are not.
+  void report_again_replacesItsOwnFilesOnly() {
+    QTemporaryDir folder;
+    copyResults(folder.path());
+    const QString own = folder.filePath(text("own.txt"));
+    outside::writeText(own, "mine");
+    QCOMPARE(report(folder.path(), {text("--no-pdf")}).exitCode, 0);
+    const outside::Finished again = report(folder.path(), {text("--no-pdf")});
+    QVERIFY2(again.exitCode == 0, qPrintable(again.err));
+    const QString table = folder.filePath(text("tables/results.csv"));
+    outside::writeText(table, "edited");
+    const outside::Finished refused = report(folder.path(), {text("--no-pdf")});
+    QCOMPARE(refused.exitCode, 2);
+    QVERIFY2(refused.err.contains(text("tables/results.csv")), qPrintable(refused.err));
+    QCOMPARE(outside::bytesOf(table), QByteArray("edited"));
+    QCOMPARE(report(folder.path(), {text("--no-pdf"), text("--force")}).exitCode, 0);
+    QVERIFY(outside::bytesOf(table) != QByteArray("edited"));
+    QCOMPARE(outside::bytesOf(own), QByteArray("mine"));
+  }
   void report_handMade_numbersAreThoseByHand() {
     QTemporaryDir folder;
     copyResults(folder.path());

@@ -394,7 +394,7 @@ int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
   if (given.json) {
     print(metrics::toJson(*evaluation));
   } else if (!given.quiet) {
-    print(metrics::tableText(*evaluation));
+    print(base::visible(metrics::tableText(*evaluation), "\n"));
   }
   return ExitFine;
 }

@@ -12,6 +12,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/report/Page.h"
+#include "app/run/OutputFolder.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -26,6 +27,7 @@ struct ReportOptions {
   report::Wishes wishes;
   std::string metrics, pareto, weights;  // words with commas
   bool noPdf = false;
+  bool force = false;
 };
 
 /// "path_length=2,success=1". What is no number above 0 is told.
@@ -97,24 +99,22 @@ std::string pdfOf(const std::string& svg) {
   return bytes.toStdString();
 }
 
-/// All files of a report, with their paths.
-std::vector<base::FileContent> filesOf(const report::Report& report, const ReportOptions& options) {
-  const fs::path folder = options.wishes.folder;
-  std::vector<base::FileContent> files = {{(folder / "report.html").string(), report.html}};
+/// All files of a report, named in its folder.
+std::vector<base::FileContent> filesOf(const report::Report& report, bool withPdf) {
+  std::vector<base::FileContent> files = {{"report.html", report.html}};
   for (const report::Figure& figure : report.figures) {
     const std::string svg = figure.standalone();
-    files.push_back({(folder / "figures" / (figure.name() + ".svg")).string(), svg});
-    if (!options.noPdf) {
-      files.push_back({(folder / "figures" / (figure.name() + ".pdf")).string(), pdfOf(svg)});
+    files.push_back({"figures/" + figure.name() + ".svg", svg});
+    if (withPdf) {
+      files.push_back({"figures/" + figure.name() + ".pdf", pdfOf(svg)});
     }
   }
   for (const report::Table& table : report.tables) {
-    const fs::path place = folder / "tables" / table.name;
-    files.push_back({place.string() + ".csv", report::tableCsv(table)});
-    files.push_back({place.string() + ".tex", report::tableLatex(table)});
+    files.push_back({"tables/" + table.name + ".csv", report::tableCsv(table)});
+    files.push_back({"tables/" + table.name + ".tex", report::tableLatex(table)});
   }
   for (const auto& [name, text] : report.moreTables) {
-    files.push_back({(folder / "tables" / (name + ".csv")).string(), text});
+    files.push_back({"tables/" + name + ".csv", text});
   }
   return files;
 }
@@ -128,12 +128,12 @@ int reportCommand(const ReportOptions& options, const Invocation& given) {
   words.front() = "hunavsim";
   const report::Report report = report::makeReport(*study, wishes.weights, words);
   requireFine(report.problems);
-  const std::vector<base::FileContent> files = filesOf(report, options);
-  requireFine(base::writeFilesTogether(files));
+  const std::vector<base::FileContent> files = filesOf(report, !options.noPdf);
+  requireFine(writeIntoOthers(options.wishes.folder, files, "report", options.force));
   if (given.json) {
     nlohmann::ordered_json written = nlohmann::ordered_json::array();
     for (const base::FileContent& file : files) {
-      written.push_back(file.path);
+      written.push_back((fs::path(options.wishes.folder) / file.path).string());
     }
     printLine(base::jsonText(nlohmann::ordered_json{{"written", written}}));
   } else if (!given.quiet) {
@@ -166,6 +166,7 @@ void addReport(CommandRegistry& commands) {
   command.add_option("--resamples", options.wishes.resamples, "Of the bootstrap (2000)")
       ->check(CLI::Range(100, 100000));
   command.add_flag("--no-pdf", options.noPdf, "Figures as SVG alone");
+  addForce(command, options.force);
 }
 
 }  // namespace app

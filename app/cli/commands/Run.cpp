@@ -117,7 +117,7 @@ void show(const FinishedRun& run, const Invocation& given) {
     print(metrics::toJson(*run.evaluation));
   } else if (!given.quiet && !given.json) {
     if (run.evaluation) {
-      print(metrics::tableText(withPlanningTime(run)));
+      print(base::visible(metrics::tableText(withPlanningTime(run)), "\n"));
     }
     printLine(lastLine(run));
   }

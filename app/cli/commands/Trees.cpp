@@ -88,7 +88,7 @@ void printFiles(const std::vector<MadeFile>& files, const Invocation& given) {
     if (given.json) {
       all.push_back({{"file", file.name}, {"agent", agentJson(file)}, {"text", file.text}});
     } else {
-      print("==> " + file.name + " <==\n" + file.text + (file.agent ? "\n" : ""));
+      print("==> " + base::visible(file.name) + " <==\n" + file.text + (file.agent ? "\n" : ""));
     }
   }
   if (given.json) {
