@@ -122,28 +122,56 @@ std::optional<std::string> nearestName(std::string_view word,
   return nearest;
 }
 
+namespace {
+
+/// Bytes of the character of UTF-8 that begins there (RFC 3629); 0: none does.
+std::size_t lengthOfCharacter(std::string_view text) {
+  const auto byteAt = [text](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const unsigned first = byteAt(0);
+  if (first < 0x80U) {
+    return 1;
+  }
+  const std::size_t length = first >= 0xf0U ? 4 : first >= 0xe0U ? 3 : 2;
+  unsigned code = first & (0x7fU >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byteAt(i) & 0xc0U) != 0x80U) {
+      return 0;
+    }
+    code = (code << 6U) | (byteAt(i) & 0x3fU);
+  }
+  constexpr std::array<unsigned, 5> kLeast = {0, 0, 0x80U, 0x800U, 0x10000U};
+  const bool isSurrogate = code >= 0xd800U && code < 0xe000U;
+  return first < 0xc0U || first > 0xf4U || code < kLeast[length] || code > 0x10ffffU || isSurrogate
+             ? 0
+             : length;
+}
+
+}  // namespace
+
 std::string visible(std::string_view text, std::string_view kept) {
   constexpr const char* kDigits = "0123456789abcdef";
   std::string shown;
   shown.reserve(text.size());
-  const auto byteAt = [text](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  const auto escape = [&](unsigned byte) {
+  const auto escape = [&](char c) {
+    const auto byte = static_cast<unsigned char>(c);
     shown += "\\x";
     shown += kDigits[byte >> 4U];
     shown += kDigits[byte & 15U];
   };
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const unsigned byte = byteAt(i);
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = lengthOfCharacter(text.substr(i));
+    const auto byte = static_cast<unsigned char>(text[i]);
     const bool isControl = byte < 0x20U || byte == 0x7fU;
-    if (byte == 0xc2U && byteAt(i + 1) >= 0x80U && byteAt(i + 1) < 0xa0U) {  // U+0080 to U+009F
-      escape(byteAt(++i));
-    } else if (isControl && kept.find(text[i]) == std::string_view::npos) {
-      escape(byte);
+    if (length == 2 && byte == 0xc2U && static_cast<unsigned char>(text[i + 1]) < 0xa0U) {
+      escape(text[i + 1]);  // U+0080 to U+009F
+    } else if (length == 0 || (isControl && kept.find(text[i]) == std::string_view::npos)) {
+      escape(text[i]);
     } else {
-      shown += text[i];
+      shown += text.substr(i, length);
     }
+    i += std::max<std::size_t>(length, 1);
   }
   return shown;
 }

@@ -202,7 +202,14 @@ void TextTest::visible_controlCharacters_areEscaped() {
   QCOMPARE(base::visible("\xc2\x9b"
                          "31m"),
            std::string("\\x9b31m"));  // CSI as one character
-  QCOMPARE(base::visible("\xc2"), std::string("\xc2"));
+  // What is no UTF-8: cut, stray, longer than needed, a surrogate, beyond U+10FFFF.
+  QCOMPARE(base::visible("\xc2"), std::string("\\xc2"));
+  QCOMPARE(base::visible("\xe4\xba|"), std::string("\\xe4\\xba|"));
+  QCOMPARE(base::visible("\x80\xff"), std::string("\\x80\\xff"));
+  QCOMPARE(base::visible("\xc0\xaf"), std::string("\\xc0\\xaf"));
+  QCOMPARE(base::visible("\xed\xa0\x80"), std::string("\\xed\\xa0\\x80"));
+  QCOMPARE(base::visible("\xf4\x90\x80\x80"), std::string("\\xf4\\x90\\x80\\x80"));
+  QCOMPARE(base::visible("\xf4\x8f\xbf\xbf\xc3\xa4"), std::string("\xf4\x8f\xbf\xbf\xc3\xa4"));
   QCOMPARE(base::visible("a\nb\r", "\n"), std::string("a\nb\\x0d"));
 }
 

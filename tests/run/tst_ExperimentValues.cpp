@@ -166,8 +166,9 @@ class ExperimentValuesTest : public QObject {
     QFETCH(int, line);
     const QTemporaryDir folder;
     const std::string file = folder.filePath(QStringLiteral("e.yaml")).toStdString();
-    const std::string text =
-        "hunavsim_experiment: 1\nscenarios: [crossing_agents]\n" + yaml.toStdString() + "\n";
+    const std::string text = "hunavsim_experiment: 1\nscenarios: [" SOURCE_DIR
+                             "/maps/planners/crossing_agents.yaml]\n" +
+                             yaml.toStdString() + "\n";
     QVERIFY(base::writeFileAtomically(file, text).empty());
     const base::Result<app::Experiment> experiment = app::readExperiment(file);
     QVERIFY(!experiment);

@@ -1,0 +1,269 @@
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/cli/CommandRegistry.h"
+#include "app/window/WindowCommand.h"
+#include "tests/app/RunFiles.h"
+#include "tests/support/Mutator.h"
+#include "tests/support/Sanitizers.h"
+
+using outside::text;
+
+// Findings of the sanitizers are told apart from what the program says.
+extern "C" const char* __asan_default_options() {
+  return "exitcode=99:hard_rss_limit_mb=6000";
+}
+extern "C" const char* __ubsan_default_options() {
+  return "print_stacktrace=1";
+}
+
+/// Files with damage in them, handed to every command that reads such files. Whatever they hold:
+/// nothing crashes, hangs or takes all memory, each refusal says what is wrong in words that a
+/// terminal can show, and what was read stays as it was.
+///
+/// HUNAV_MUTATIONS="FIRST COUNT" makes other ones than the usual.
+class MutationsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase();
+  void damaged_isReadOrRefused();
+};
+
+namespace {
+
+struct Ended {
+  int status = 0;  // of waitpid
+  QString out, err;
+};
+
+/// The program in a child of this process, which costs a tenth of starting it.
+Ended runForked(const QString& folder, const QStringList& words, unsigned seconds) {
+  const QByteArray outPath = QFile::encodeName(folder + text(".out"));
+  const QByteArray errPath = QFile::encodeName(folder + text(".err"));
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const int flags = O_WRONLY | O_CREAT | O_TRUNC;
+    ::dup2(::open(outPath.constData(), flags, 0600), STDOUT_FILENO);
+    ::dup2(::open(errPath.constData(), flags, 0600), STDERR_FILENO);
+    if (::chdir(QFile::encodeName(folder).constData()) != 0) {
+      ::_exit(98);
+    }
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_CORE, &none);
+    const rlimit bytes{std::size_t{4} << 30U, std::size_t{4} << 30U};
+    if (!kIsSanitized) {
+      ::setrlimit(RLIMIT_AS, &bytes);
+    }
+    ::alarm(seconds);
+    std::vector<QByteArray> given = {"hunavsim"};
+    for (const QString& word : words) {
+      given.push_back(word.toUtf8());
+    }
+    std::vector<char*> argv;
+    argv.reserve(given.size() + 1);
+    for (QByteArray& word : given) {
+      argv.push_back(word.data());
+    }
+    argv.push_back(nullptr);
+    const int code = app::runProgram(static_cast<int>(given.size()), argv.data(), app::addWindow);
+    std::fflush(nullptr);
+    ::_exit(code);
+  }
+  Ended ended;
+  ::waitpid(child, &ended.status, 0);
+  ended.out = QString::fromUtf8(outside::bytesOf(QString::fromLocal8Bit(outPath)));
+  ended.err = QString::fromUtf8(outside::bytesOf(QString::fromLocal8Bit(errPath)));
+  return ended;
+}
+
+/// Files that belong together, one of which gets damaged, and what reads them.
+struct Kind {
+  const char* file;                 // that is damaged
+  std::vector<QStringList> usual;   // commands
+  std::vector<QStringList> seldom;  // costly ones
+};
+
+QStringList words(const char* line) {
+  return text(line).split(QLatin1Char(' '));
+}
+
+const std::vector<Kind>& kinds() {
+  static const QStringList kRun = words("run s/two_workers_agents.yaml -q -o o --duration 0.3");
+  static const QStringList kCheck = words("check s/two_workers_agents.yaml");
+  static const QStringList kWindow =
+      words("s/two_workers_agents.yaml --screenshot p.png --size 640x400");
+  static const QStringList kEvaluate = words("evaluate r -q -o o");
+  static const QStringList kPlay = words("render r -o p.html");
+  static const QStringList kReplay = words("r --screenshot p.png --size 640x400 --at 0.5");
+  static const std::vector<Kind> kKinds = {
+      {"s/two_workers_agents.yaml",
+       {kRun, kCheck, words("trees s/two_workers_agents.yaml -o o"),
+        words("convert s/two_workers_agents.yaml --target isaac -o o"),
+        words("check --json s/two_workers_agents.yaml")},
+       {kWindow}},
+      {"s/corner_cafe_agents.yaml",
+       {words("run s/corner_cafe_agents.yaml -q -o o --duration 0.2"),
+        words("check s/corner_cafe_agents.yaml"),
+        words("convert s/corner_cafe_agents.yaml --target webots -o o")},
+       {words("s/corner_cafe_agents.yaml --screenshot p.png --size 640x400")}},
+      {"s/two_workers_agents__agent_1_bt.xml",
+       {kRun, kCheck, words("check s/two_workers_agents__agent_1_bt.xml"),
+        words("trees --play s/two_workers_agents__agent_1_bt.xml --ticks 50")},
+       {kWindow}},
+      {"s/two_workers.yaml", {kRun, kCheck, words("check s/two_workers.yaml")}, {kWindow}},
+      {"s/two_workers.pgm", {kRun, kCheck}, {kWindow}},
+      {"m.yaml",
+       {words("evaluate r -q -o o --metrics m.yaml"),
+        words("run s/two_workers_agents.yaml -q --duration 0.1 --metrics m.yaml")},
+       {}},
+      {"e.yaml", {words("check e.yaml")}, {words("batch e.yaml --shard 1/1000 -q -o o")}},
+      {"r/trajectory.csv", {kEvaluate, kPlay}, {kReplay}},
+      {"r/events.csv", {kEvaluate, kPlay}, {kReplay}},
+      {"r/trace.json", {kEvaluate, kPlay}, {kReplay}},
+      {"r/trees.csv", {kPlay}, {kReplay}},
+      {"r/manifest.json", {kEvaluate, kPlay, words("run s/two_workers_agents.yaml -q -o r")}, {}},
+      {"b/results.csv", {words("report b --no-pdf -q")}, {}},
+      {"b/manifest.json", {words("report b --no-pdf -q"), words("merge b -o o")}, {}},
+      {"b/results.sqlite", {words("batch e.yaml -q -o b --resume"), words("merge b -o o")}, {}},
+      {"t.csv", {words("evaluate t.csv -q -o o")}, {}},
+      {"obsmat.txt",
+       {words("evaluate obsmat.txt -q -o o"), words("evaluate obsmat.txt --format eth -q -o o")},
+       {}},
+  };
+  return kKinds;
+}
+
+QTemporaryDir& corpus() {
+  static QTemporaryDir folder;
+  return folder;
+}
+
+void copyFolder(const QString& from, const QString& to) {
+  QDir().mkpath(to);
+  for (const QFileInfo& each :
+       QDir(from).entryInfoList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden)) {
+    if (each.isDir()) {
+      copyFolder(each.filePath(), to + QLatin1Char('/') + each.fileName());
+    } else {
+      QFile::copy(each.filePath(), to + QLatin1Char('/') + each.fileName());
+    }
+  }
+}
+
+/// Why the end of a command is none that users should see; empty: it is fine.
+QString faultOf(const Ended& ended) {
+  if (WIFSIGNALED(ended.status)) {
+    return WTERMSIG(ended.status) == SIGALRM
+               ? text("hangs")
+               : text("killed by signal %1").arg(WTERMSIG(ended.status));
+  }
+  const int code = WEXITSTATUS(ended.status);
+  if (code > 2) {
+    return text("exit code %1").arg(code);
+  }
+  for (const char* word :
+       {"std::", "not enough memory", "basic_string", "vector::", "::at", "stoi"}) {
+    if (ended.err.contains(text(word))) {
+      return text("tells of its inside: ") + text(word);
+    }
+  }
+  if (code == 2 && !ended.err.contains(text("error: "))) {
+    return text("refuses without a reason");
+  }
+  for (const QChar c : ended.err + ended.out) {
+    if ((c < QLatin1Char(' ') && c != QLatin1Char('\n') && c != QLatin1Char('\t')) ||
+        c == QChar(QChar::ReplacementCharacter)) {
+      return text("control character %1 on the terminal").arg(c.unicode());
+    }
+  }
+  return {};
+}
+
+/// Nothing: fine.
+QString faultOfMutation(std::uint64_t number) {
+  Mutator mutator(number);
+  const Kind& kind = kinds()[mutator.pick(kinds().size())];
+  const bool isSeldom = !kind.seldom.empty() && mutator.pick(kIsSanitized ? 100 : 25) == 0;
+  const std::vector<QStringList>& commands = isSeldom ? kind.seldom : kind.usual;
+  const QStringList command = commands[mutator.pick(commands.size())];
+  QTemporaryDir place;
+  const QString folder = place.filePath(text("w"));
+  copyFolder(corpus().path(), folder);
+  const QString damaged = folder + QLatin1Char('/') + text(kind.file);
+  const QByteArray bytes =
+      QByteArray::fromStdString(mutator.mutated(outside::bytesOf(damaged).toStdString()));
+  outside::writeText(damaged, bytes);
+  const Ended ended = runForked(folder, command, kIsSanitized ? 120 : 30);
+  QString fault = faultOf(ended);
+  const bool isOutput = command.contains(text("--resume")) || command.endsWith(text("r"));
+  if (fault.isEmpty() && !isOutput && outside::bytesOf(damaged) != bytes) {
+    fault = text("what it read has changed");
+  }
+  if (fault.isEmpty()) {
+    return {};
+  }
+  const QString kept = text(TEST_OUTPUT_DIR "/mutations/%1").arg(number);
+  QDir(kept).removeRecursively();
+  copyFolder(folder, kept);
+  return text("mutation %1 (%2): %3\n  hunavsim %4\n  in %5\n%6")
+      .arg(number)
+      .arg(text(kind.file), fault, command.join(QLatin1Char(' ')), kept, ended.err.left(1500));
+}
+
+}  // namespace
+
+void MutationsTest::initTestCase() {
+  const QString folder = corpus().path();
+  for (const char* file :
+       {"two_workers/two_workers_agents.yaml", "two_workers/two_workers.yaml",
+        "two_workers/two_workers.pgm", "two_workers/two_workers_agents__agent_1_bt.xml",
+        "two_workers/two_workers_agents__agent_2_bt.xml", "corner_cafe/corner_cafe_agents.yaml",
+        "corner_cafe/corner_cafe.yaml", "corner_cafe/corner_cafe.pgm"}) {
+    const QByteArray bytes = outside::bytesOf(text(SOURCE_DIR "/maps/") + text(file));
+    QVERIFY2(!bytes.isEmpty(), file);
+    outside::writeText(folder + text("/s/") + QFileInfo(text(file)).fileName(), bytes);
+  }
+  outside::writeText(folder + text("/m.yaml"),
+                     "use_all: false\nmetrics:\n  time_to_reach_goal: true\n  path_length: true\n"
+                     "frequency: 0\nwindow: {from: begin, until: end}\n");
+  outside::writeText(folder + text("/e.yaml"),
+                     "hunavsim_experiment: 1\nscenarios: [s/two_workers_agents.yaml]\nseeds: 2\n"
+                     "duration: 0.2\nrecord: metrics\nvalues:\n"
+                     "  \"*.max_vel\": {normal: [1.2, 0.2, 0.6, 1.8]}\n  dt: [0.05, 0.1]\n");
+  outside::writeText(folder + text("/t.csv"),
+                     "time,id,x,y\n0,1,0,0\n0.4,1,0.5,0\n0.8,1,1,0.1\n"
+                     "0,2,3,3\n0.4,2,3,2.5\n0.8,2,3,2\n");
+  outside::writeText(folder + text("/obsmat.txt"),
+                     outside::bytesOf(text(TEST_DATA_DIR "/interop/trajectories/own/obsmat.txt")));
+  for (const char* command : {"run s/corner_cafe_agents.yaml -q -o r --duration 1 --record-every 4",
+                              "batch e.yaml -q -o b --jobs 1"}) {
+    const Ended ended = runForked(folder, words(command), 300);
+    QVERIFY2(WIFEXITED(ended.status) && WEXITSTATUS(ended.status) == 0, qPrintable(ended.err));
+  }
+}
+
+void MutationsTest::damaged_isReadOrRefused() {
+  const QStringList given = qEnvironmentVariable("HUNAV_MUTATIONS").split(QLatin1Char(' '));
+  const bool isLong = qEnvironmentVariableIsSet("HUNAV_ALL_TESTS");
+  const std::uint64_t first = given.size() == 2 ? given[0].toULongLong() : 1;
+  const std::uint64_t count = given.size() == 2 ? given[1].toULongLong() : (isLong ? 3000 : 200);
+  QStringList faults;
+  for (std::uint64_t number = first; number < first + count && faults.size() < 20; ++number) {
+    const QString fault = faultOfMutation(number);
+    if (!fault.isEmpty()) {
+      faults += fault;
+    }
+  }
+  QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+}
+
+QTEST_APPLESS_MAIN(MutationsTest)
+#include "tst_Mutations.moc"
