@@ -233,11 +233,16 @@ class Reader {
     }
   }
 
-  /// Each text of a list at its place; of a draw both ends, and a number as it will be drawn.
+  /// Each text of a list at its place; of a range its ends and one step; of a draw both ends, and a
+  /// number as it will be drawn.
   void tryValues(const ExperimentValue& value, const YamlNode& node) {
     const YamlNode& list = node.isMap() ? node.items.front() : node;
+    const bool isRange = !value.isDrawn() && node.isMap();
     for (std::size_t k = 0; k < value.texts.size(); ++k) {
-      tryValue(value.path, value.texts[k], k < list.items.size() ? list.items[k] : list);
+      const bool isTelling = !isRange || k < 2 || k + 1 == value.texts.size();
+      if (isTelling) {
+        tryValue(value.path, value.texts[k], k < list.items.size() ? list.items[k] : list);
+      }
     }
     const std::size_t before = errors_.size();
     const bool hasEnds = value.isDrawn() && value.texts.empty();

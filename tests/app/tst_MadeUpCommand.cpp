@@ -47,7 +47,7 @@ class MadeUpCommandTest : public QObject {
     QVERIFY(greeting.asJson);
   }
 
-  void failure_thatNobodyForesaw_isBadInput() {
+  void failure_thatNobodyForesaw_isTheRuns() {
     char program[] = "hunavsim";
     char* words[] = {program, nullptr};
     QCOMPARE(app::runProgram(1, words,
@@ -56,7 +56,7 @@ class MadeUpCommandTest : public QObject {
                                  throw std::length_error("too long");
                                });
                              }),
-             int{app::ExitBadInput});
+             int{app::ExitRunFailed});
   }
 
   void noCommand_doesTheDefault() {
