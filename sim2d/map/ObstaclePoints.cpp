@@ -35,28 +35,33 @@ bool isNearer(const Obstacles::Point& a, const Obstacles::Point& b) {
                                           : a.position.y() < b.position.y();
 }
 
+/// What was asked, bit by bit.
+struct Question {
+  std::uint64_t version = 0;  // of nothing that was built
+  std::array<std::uint64_t, 3> bits{};
+
+  Question() = default;
+  Question(std::uint64_t itsVersion, const Vec2& position, double range) : version(itsVersion) {
+    const std::array<double, 3> numbers = {position.x(), position.y(), range};
+    std::memcpy(bits.data(), numbers.data(), sizeof(bits));
+  }
+  bool operator==(const Question& other) const {
+    return version == other.version && bits == other.bits;
+  }
+};
+
 /// The last answers that are not too long, few enough to stay near at hand.
 class LastAnswers {
  public:
   struct Slot {
-    std::uint64_t version = 0;  // of nothing that was built
-    Vec2 position = Vec2::Zero();
-    double range = 0.0;  // [m]
+    Question question;
     std::size_t count = 0;
     std::array<Obstacles::Point, 32> points;
-
-    bool isOf(std::uint64_t itsVersion, const Vec2& itsPosition, double itsRange) const {
-      return version == itsVersion && version != 0 && range == itsRange &&
-             std::memcmp(position.data(), itsPosition.data(), sizeof(Vec2)) == 0;
-    }
   };
 
-  Slot& slotOf(std::uint64_t version, const Vec2& position, double range) {
-    std::uint64_t words[3] = {};
-    std::memcpy(words, position.data(), 2 * sizeof(double));
-    std::memcpy(words + 2, &range, sizeof(double));
-    std::uint64_t mixed = version;
-    for (const std::uint64_t word : words) {
+  Slot& slotOf(const Question& question) {
+    std::uint64_t mixed = question.version;
+    for (const std::uint64_t word : question.bits) {
       mixed = (mixed ^ word) * 0x9E3779B97F4A7C15U;
       mixed ^= mixed >> 32U;
     }
@@ -89,8 +94,9 @@ struct Obstacles::PointQuery {
 
 void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
                                double range) const {
-  LastAnswers::Slot& slot = lastAnswers().slotOf(version_, position, range);
-  if (slot.isOf(version_, position, range)) {
+  const Question question(version_, position, range);
+  LastAnswers::Slot& slot = lastAnswers().slotOf(question);
+  if (version_ != 0 && slot.question == question) {
     points.insert(points.end(), slot.points.begin(),
                   slot.points.begin() + static_cast<std::ptrdiff_t>(slot.count));
     return;
@@ -98,9 +104,7 @@ void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
   const std::size_t first = points.size();
   findBoundaryPoints(position, points, range);
   if (points.size() - first <= slot.points.size()) {
-    slot.version = version_;
-    slot.position = position;
-    slot.range = range;
+    slot.question = question;
     slot.count = points.size() - first;
     std::copy(points.end() - static_cast<std::ptrdiff_t>(slot.count), points.end(),
               slot.points.begin());

@@ -159,7 +159,7 @@ void copyFolder(const QString& from, const QString& to) {
 }
 
 /// Why the end of a command is none that users should see; empty: it is fine.
-QString faultOf(const Ended& ended) {
+QString faultOf(const Ended& ended, bool wantsJson) {
   if (WIFSIGNALED(ended.status)) {
     return WTERMSIG(ended.status) == SIGALRM
                ? text("hangs")
@@ -175,7 +175,11 @@ QString faultOf(const Ended& ended) {
       return text("tells of its inside: ") + text(word);
     }
   }
-  if (code == 2 && !ended.err.contains(text("error: "))) {
+  const bool isJson = !QJsonDocument::fromJson(ended.out.toUtf8()).isNull();
+  if (wantsJson && !isJson) {
+    return text("writes no JSON");
+  }
+  if (code == 2 && !(wantsJson ? ended.out : ended.err).contains(text("error"))) {
     return text("refuses without a reason");
   }
   for (const QChar c : ended.err + ended.out) {
@@ -202,7 +206,7 @@ QString faultOfMutation(std::uint64_t number) {
       QByteArray::fromStdString(mutator.mutated(outside::bytesOf(damaged).toStdString()));
   outside::writeText(damaged, bytes);
   const Ended ended = runForked(folder, command, kIsSanitized ? 120 : 30);
-  QString fault = faultOf(ended);
+  QString fault = faultOf(ended, command.contains(text("--json")));
   const bool isOutput = command.contains(text("--resume")) || command.endsWith(text("r"));
   if (fault.isEmpty() && !isOutput && outside::bytesOf(damaged) != bytes) {
     fault = text("what it read has changed");
@@ -255,14 +259,15 @@ void MutationsTest::damaged_isReadOrRefused() {
   const bool isLong = qEnvironmentVariableIsSet("HUNAV_ALL_TESTS");
   const std::uint64_t first = given.size() == 2 ? given[0].toULongLong() : 1;
   const std::uint64_t count = given.size() == 2 ? given[1].toULongLong() : (isLong ? 3000 : 200);
-  QStringList faults;
-  for (std::uint64_t number = first; number < first + count && faults.size() < 20; ++number) {
+  int faults = 0;
+  for (std::uint64_t number = first; number < first + count && faults < 20; ++number) {
     const QString fault = faultOfMutation(number);
     if (!fault.isEmpty()) {
-      faults += fault;
+      ++faults;
+      qWarning("%s", qPrintable(fault));
     }
   }
-  QVERIFY2(faults.isEmpty(), qPrintable(faults.join(QLatin1Char('\n'))));
+  QCOMPARE(faults, 0);
 }
 
 QTEST_APPLESS_MAIN(MutationsTest)
