@@ -16,13 +16,15 @@
 
 using outside::text;
 
-// Findings of the sanitizers are told apart from what the program says.
+// Findings of the sanitizers are told apart from what the program says. The names are theirs.
+// NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" const char* __asan_default_options() {
   return "exitcode=99:hard_rss_limit_mb=6000";
 }
 extern "C" const char* __ubsan_default_options() {
   return "print_stacktrace=1";
 }
+// NOLINTEND(bugprone-reserved-identifier)
 
 /// Files with damage in them, handed to every command that reads such files. Whatever they hold:
 /// nothing crashes, hangs or takes all memory, each refusal says what is wrong in words that a

@@ -384,6 +384,7 @@ void ObstaclesTest::boundaryPoints_askedAgain_areThoseOfNow() {
     std::vector<Obstacles::Point> points;
     of.boundaryPoints({0, 0}, points, range);
     std::vector<double> places;
+    places.reserve(points.size());
     for (const Obstacles::Point& point : points) {
       places.push_back(point.position.x());
     }
