@@ -242,8 +242,11 @@ std::vector<Vec2> PathPlanner::plan(const Vec2& start, const Vec2& goal) {
   return way;
 }
 
-/// The prices of a finder that goes by cells are those of the box as well.
+/// The prices of a finder that goes by cells are those of any box as well. Null: it goes by others.
 const Terrain* PathPlanner::knownTerrain() {
+  if (space_.field().isLarge()) {
+    return nullptr;  // not worth a graph of blocks
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
   const Terrain* const terrain = finder().roomTerrain();
   bytes_ = finder_->bytes();
