@@ -10,6 +10,8 @@ namespace metrics {
 
 namespace {
 
+constexpr double kOffWalls = 1e-3;  // [m] from where fronts hide all backs
+
 /// Points by squares of a grid, row by row.
 struct Placed {
   long long row = 0, column = 0;
@@ -154,7 +156,8 @@ std::vector<sim2d::Segment> CellAreas::wallsAround(const Vec2& point,
   }
   const double reach = 2.0 * radius_;
   const double turn = context.seam.length;
-  const bool seesFrontsOnly = !context.seam.isThere() && !context.walls->isInside(point);
+  const bool seesFrontsOnly =
+      !context.seam.isThere() && context.walls->clearance(point, kOffWalls) >= kOffWalls;
   std::vector<sim2d::Segment> found;
   for (const double shift : {0.0, turn, -turn}) {
     const Vec2 centre = point - Vec2(shift, 0.0);

@@ -11,7 +11,8 @@ namespace metrics {
 namespace {
 
 constexpr std::size_t kMostEntries = 8;
-constexpr std::size_t kMostCells = 16'000'000;  // of the maps of all entries; some 10 bytes each
+constexpr std::size_t kMostBytes = std::size_t{192} << 20U;
+constexpr std::size_t kBytesPerCell = 10;  // of the field and what is open
 
 /// What a robot goes round when all doors are open.
 std::vector<sim2d::Outline> wallsOf(const sim2d::TraceHeader& header) {
@@ -77,16 +78,20 @@ std::shared_ptr<Routes> KnownRoutes::of(const sim2d::TraceHeader& header,
                          std::make_shared<Routes>(header.map, walls, robotRadius)});
   }
   std::shared_ptr<Routes> routes = entries_.front().routes;
-  while (entries_.size() > kMostEntries || cells() > kMostCells) {
+  while (entries_.size() > kMostEntries || bytes() > kMostBytes) {
     entries_.pop_back();
   }
   return routes;
 }
 
-std::size_t KnownRoutes::cells() const {
+std::size_t Routes::bytes() const {
+  return planner_ != nullptr ? kBytesPerCell * map_.cells().size() + planner_->bytes() : 0;
+}
+
+std::size_t KnownRoutes::bytes() const {
   return std::accumulate(
       entries_.begin(), entries_.end(), std::size_t{0},
-      [](std::size_t sum, const Entry& entry) { return sum + entry.map.cells().size(); });
+      [](std::size_t sum, const Entry& entry) { return sum + entry.routes->bytes(); });
 }
 
 }  // namespace metrics

@@ -24,6 +24,8 @@ class Routes {
   /// Corner points from end to end; the straight line where no way leads there. Some keys ask the
   /// same: the last few answers are kept.
   std::vector<Vec2> shortest(const Vec2& from, const Vec2& to);
+  /// Memory taken, about.
+  std::size_t bytes() const;
 
  private:
   struct Answer {
@@ -55,7 +57,7 @@ class KnownRoutes {
     double robotRadius = 0.0;
     std::shared_ptr<Routes> routes;
   };
-  std::size_t cells() const;
+  std::size_t bytes() const;
   std::list<Entry> entries_;  // last used first
 };
 

@@ -123,7 +123,7 @@ void printJson(const base::Diagnostics& diagnostics) {
                    {"code", diagnostic.code},
                    {"message", diagnostic.message}});
   }
-  printLine(base::jsonText(all));
+  print(base::jsonText(all) + "\n");
 }
 
 void catchInterrupts() {

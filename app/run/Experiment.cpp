@@ -81,7 +81,9 @@ class Reader {
     if (isCountPossible(seeds != nullptr ? *seeds : root)) {
       readValues(root.find("values"));
     }
-    warnOfSeeds(root.find("seeds"));
+    if (!base::hasErrors(errors_)) {  // else not all values are known
+      warnOfSeeds(root.find("seeds"));
+    }
     readRecord(root.find("record"));
   }
 
@@ -284,8 +286,10 @@ class Reader {
   }
 
   bool isCountPossible(const YamlNode& node) {
-    double count = static_cast<double>(experiment_.scenarios.size()) *
-                   static_cast<double>(experiment_.seeds.size());
+    const auto countOf = [](const auto& list) {
+      return static_cast<double>(std::max<std::size_t>(1, list.size()));
+    };
+    double count = countOf(experiment_.scenarios) * countOf(experiment_.seeds);
     for (const ExperimentValue& value : experiment_.values) {
       count *= value.isDrawn() ? 1.0 : static_cast<double>(value.texts.size());
     }

@@ -232,7 +232,8 @@ namespace {
   try {
     if (editor::Autosave* const autosave = window.guard().autosave()) {
       autosave->writeNow();
-      isKept = !autosave->folder().isEmpty();
+      isKept = !autosave->folder().isEmpty() &&
+               QFileInfo::exists(autosave->folder() + QStringLiteral("/recovery.json"));
     }
   } catch (const std::exception&) {
     isKept = false;  // there is nothing left to do it with
@@ -294,7 +295,9 @@ int windowCommand(const Invocation& given, const RunOptions& run, const WindowOp
     return ExitFine;
   }
   if (!picture) {
-    return QApplication::exec();
+    const int code = QApplication::exec();
+    application.whenBroken({});  // the window goes first
+    return code;
   }
   requireFine(takeScreenshot(window, options), ExitBadInput, base::Severity::Warning);
   return ExitFine;

@@ -8,12 +8,20 @@ namespace {
 
 constexpr char kMark = '\'';
 
+bool isNumber(std::string_view field) {
+  constexpr std::string_view kPercent = " %";
+  const bool isShare =
+      field.size() > kPercent.size() && field.substr(field.size() - kPercent.size()) == kPercent;
+  return base::parseDouble(isShare ? field.substr(0, field.size() - kPercent.size()) : field)
+      .has_value();
+}
+
 /// A formula to spreadsheets, with marks before it or without; they take a number for one.
 bool looksLikeFormula(std::string_view field) {
   const std::size_t first = field.find_first_not_of(kMark);
   return first != std::string_view::npos &&
          std::string_view("=+-@").find(field[first]) != std::string_view::npos &&
-         (first > 0 || !base::parseDouble(field));
+         (first > 0 || !isNumber(field));
 }
 
 }  // namespace

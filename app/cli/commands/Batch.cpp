@@ -83,9 +83,9 @@ base::Diagnostics makeRuns(const Experiment& experiment, ExperimentRunner& runne
   const std::size_t before = store.finished();
   const auto start = std::chrono::steady_clock::now();
   Progress progress(quiet);
-  const auto printRow = [&](const StoredRun& run) { printLine(rowJson(store.study(), run)); };
+  const auto printRow = [&](const StoredRun& run) { print(rowJson(store.study(), run) + "\n"); };
   if (options.rows) {
-    printLine(beginJson(store));
+    print(beginJson(store) + "\n");
     base::Diagnostics unreadable = store.forEach(printRow);
     if (!unreadable.empty()) {
       return unreadable;

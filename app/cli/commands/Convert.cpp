@@ -47,7 +47,7 @@ void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
                        {"files", files},
                        {"report", reportJson(report)},
                        {"start", plan.startCommand.empty() ? Json() : Json(plan.startCommand)}};
-    printLine(base::jsonText(json));
+    print(base::jsonText(json) + "\n");
     return;
   }
   if (given.quiet) {

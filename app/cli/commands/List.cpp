@@ -260,7 +260,7 @@ void printJson(const std::vector<Entry>& entries) {
     json.update(entry.details);
     all.push_back(std::move(json));
   }
-  printLine(base::jsonText(all));
+  print(base::jsonText(all) + "\n");
 }
 
 std::string plannersPage() {

@@ -135,7 +135,7 @@ int reportCommand(const ReportOptions& options, const Invocation& given) {
     for (const base::FileContent& file : files) {
       written.push_back((fs::path(options.wishes.folder) / file.path).string());
     }
-    printLine(base::jsonText(nlohmann::ordered_json{{"written", written}}));
+    print(base::jsonText(nlohmann::ordered_json{{"written", written}}) + "\n");
   } else if (!given.quiet) {
     printLine((fs::path(options.wishes.folder) / "report.html").string());
   }

@@ -92,7 +92,7 @@ void printFiles(const std::vector<MadeFile>& files, const Invocation& given) {
     }
   }
   if (given.json) {
-    printLine(base::jsonText(all));
+    print(base::jsonText(all) + "\n");
   }
 }
 
@@ -114,7 +114,7 @@ int writeFiles(const std::vector<MadeFile>& files, const TreesOptions& options,
     printLine(line + file["file"].get<std::string>());
   }
   if (given.json) {
-    printLine(base::jsonText(all));
+    print(base::jsonText(all) + "\n");
   }
   return ExitFine;
 }
@@ -193,7 +193,7 @@ base::Diagnostics tickAll(TreePlay& tree, const TreesOptions& options, const Inv
     fault = tree.fault();
   }
   if (given.json) {
-    printLine(base::jsonText(ticks));
+    print(base::jsonText(ticks) + "\n");
   }
   return fault;
 }

@@ -193,7 +193,7 @@ int validateCommand(const ValidateOptions& options, const Invocation& given) {
   std::vector<Row> rows;
   const bool isComplete = play(tests, options, given.quiet, rows);
   if (given.json) {
-    printLine(jsonOf(rows));
+    print(jsonOf(rows) + "\n");
   } else if (!given.quiet) {
     printRows(rows);
   }
