@@ -150,6 +150,7 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownF
   bundle.metrics = options.metrics;
   bundle.settings = settings;
   bundle.stop = files.stopFlag();
+  bundle.knownTrees = files.trees();
   bundle.inputs.push_back(options.scenario);
   const auto reading = files.scenario(options.scenario);
   const std::optional<base::Diagnostic> unknown = unknownScenario(options.scenario);
@@ -191,7 +192,7 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   sim2d::addPlaces(meaning, bundle.lines, bundle.path);
   base::append(verdict.problems, meaning);
   setup.behavior = bt::makeTreeBehavior(*bundle.scenario, bundle.trees, verdict.problems,
-                                        bundle.settings.compatibility);
+                                        bundle.settings.compatibility, bundle.knownTrees);
   checkMetrics(bundle, verdict);
   const std::vector<ForeignCode> code = foreignCodeOf(*bundle.scenario);
   tellCode(bundle, code, verdict);

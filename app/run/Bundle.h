@@ -27,6 +27,7 @@ struct Bundle {
   std::string mapPath;  // of the map's YAML; empty: in none
   int comments = 0;     // in the scenario file
   bt::TreeFiles trees;
+  std::shared_ptr<bt::KnownTrees> knownTrees;  // of runs before; null: none
   MetricsWords metrics;
   RunSettings settings;
   std::map<base::EntityId, int> lines;  // where entities stand in the file

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt/human/TreeBehavior.h"
 #include "metrics/Routes.h"
 #include "sim2d/base/Stop.h"
 #include "sim2d/map/MapReader.h"
@@ -41,8 +42,8 @@ struct KnownMap {
   std::shared_ptr<metrics::KnownRoutes> routes = std::make_shared<metrics::KnownRoutes>();
 };
 
-/// Scenarios and maps that many runs have in common: each is read when it is first asked for. Of
-/// each the few that were asked for last stay in memory. One thread.
+/// Scenarios, maps and trees that many runs have in common: each is read when it is first asked
+/// for. Of each the few that were asked for last stay in memory. One thread.
 class KnownFiles {
  public:
   /// `loader` reads map images other than PGM.
@@ -51,6 +52,7 @@ class KnownFiles {
   std::shared_ptr<const sim2d::ScenarioReading> scenario(const std::string& path);
   /// By the rule of nav2 of this name; an empty path is the open plane.
   std::shared_ptr<const KnownMap> map(const std::string& path, const std::string& rule);
+  const std::shared_ptr<bt::KnownTrees>& trees() const { return trees_; }
   const base::StopFlagPtr& stopFlag() const { return stop_; }
 
  private:
@@ -59,6 +61,7 @@ class KnownFiles {
 
   const sim2d::ImageLoader loader_;
   const base::StopFlagPtr stop_ = std::make_shared<const base::StopFlag>();
+  const std::shared_ptr<bt::KnownTrees> trees_ = bt::makeKnownTrees();
   Shelf<std::string, sim2d::ScenarioReading> scenarios_;
   Shelf<std::pair<std::string, std::string>, KnownMap> maps_;  // by path and rule
 };

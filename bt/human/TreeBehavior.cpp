@@ -266,8 +266,9 @@ std::vector<std::pair<std::string, std::string>> TreeBehavior::blackboard(int hu
 std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(const sim2d::Scenario& scenario,
                                                        const TreeFiles& files,
                                                        Diagnostics& diagnostics,
-                                                       const sim2d::Compatibility& quirks) {
-  TreeLoader loader(scenario, quirks);
+                                                       const sim2d::Compatibility& quirks,
+                                                       const std::shared_ptr<KnownTrees>& known) {
+  TreeLoader loader(scenario, quirks, known);
   Diagnostics found;
   PersonPrograms programs = loader.loadAll(files, found);
   base::append(diagnostics, found);

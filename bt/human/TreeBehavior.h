@@ -26,6 +26,11 @@ struct TreeSource {
 /// Name of a person -> their tree; no entry = the generated one.
 using TreeFiles = std::map<std::string, TreeSource>;
 
+/// Trees that runs have in common: each text of a folder and each content of a generated tree is
+/// read and compiled when it is first met. What files include is taken not to change. One thread.
+class KnownTrees;
+std::shared_ptr<KnownTrees> makeKnownTrees();
+
 /// People who decide by behaviour trees, one per person, ticked once per step by ascending id with
 /// the entries `id` and `dt`. Equal trees of one folder are compiled once. People of a source area
 /// run the tree of the person they are like.
@@ -37,10 +42,10 @@ using TreeFiles = std::map<std::string, TreeSource>;
 ///
 /// nullptr and errors among `diagnostics` when a tree is missing or broken. `scenario` is not kept.
 /// Of the quirks those of generated trees count here; the others act in the run.
-std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(const sim2d::Scenario& scenario,
-                                                       const TreeFiles& files,
-                                                       base::Diagnostics& diagnostics,
-                                                       const sim2d::Compatibility& quirks = {});
+/// `known`: of runs before; null: none.
+std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(
+    const sim2d::Scenario& scenario, const TreeFiles& files, base::Diagnostics& diagnostics,
+    const sim2d::Compatibility& quirks = {}, const std::shared_ptr<KnownTrees>& known = nullptr);
 
 /// Loads and checks one person's tree (engine, then meaning): what makeTreeBehavior would say.
 base::Diagnostics checkAgentTreeFile(const std::string& path, const sim2d::Human& human,

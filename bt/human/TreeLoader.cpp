@@ -19,6 +19,8 @@ using sim2d::ResolvedHuman;
 
 namespace {
 
+constexpr std::size_t kMostKnown = 1000;  // trees kept for later runs
+
 /// What a placeholder of HuNavSim 1.5 stands for.
 std::optional<Value> placeholderValue(const std::string& key, const ResolvedHuman& human) {
   if (key == "once") {
@@ -140,8 +142,25 @@ base::Result<TreeTable> loadPersonTrees(base::Result<TreeFile> file) {
   return {*std::move(table), std::move(warnings)};
 }
 
-TreeLoader::TreeLoader(const sim2d::Scenario& scenario, const sim2d::Compatibility& quirks)
-    : scenario_(scenario), quirks_(quirks), library_(humanNodes()) {}
+std::shared_ptr<KnownTrees> makeKnownTrees() {
+  return std::make_shared<KnownTrees>();
+}
+
+void KnownTrees::limit() {
+  if (texts.size() + generated.size() > kMostKnown) {
+    texts.clear();
+    generated.clear();
+  }
+}
+
+TreeLoader::TreeLoader(const sim2d::Scenario& scenario, const sim2d::Compatibility& quirks,
+                       std::shared_ptr<KnownTrees> known)
+    : scenario_(scenario),
+      quirks_(quirks),
+      library_(humanNodes()),
+      known_(known ? std::move(known) : makeKnownTrees()) {
+  known_->limit();
+}
 
 std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
                                                       const TreeSource& source,
@@ -154,7 +173,7 @@ std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
   drawn.goals = sim2d::firstGoalOf(settings.variation, human, settings.seed.value_or(1)).goals;
   const TreeTable table = makeTable(scenario_, drawn, quirks_);
   std::shared_ptr<const PersonProgram>& program =
-      generated_[contentOf(table, library_.catalogue())];
+      known_->generated[contentOf(table, library_.catalogue())];
   if (!program) {
     // What it may lack, the scenario lacks: its check says so.
     program = compileTable(table, diagnostics);
@@ -180,7 +199,7 @@ std::shared_ptr<const PersonProgram> TreeLoader::loadWritten(const sim2d::Human&
     text = &*file->second;
   }
   const bool isInNone = path.empty();
-  const Loaded& loaded =
+  const LoadedTree& loaded =
       look(*text, isInNone && !source.folder.empty() ? placeOfNew(source.folder) : path);
   if (isInNone) {
     base::append(diagnostics, toldByPerson(human, renamed(loaded.found, loaded.path, path)));
@@ -195,10 +214,10 @@ std::shared_ptr<const PersonProgram> TreeLoader::loadWritten(const sim2d::Human&
   return loaded.program;
 }
 
-const TreeLoader::Loaded& TreeLoader::look(const std::string& text, const std::string& path) {
+const LoadedTree& TreeLoader::look(const std::string& text, const std::string& path) {
   const auto [place, isNew] =
-      texts_.try_emplace({std::filesystem::path(path).parent_path().string(), text});
-  Loaded& loaded = place->second;
+      known_->texts.try_emplace({std::filesystem::path(path).parent_path().string(), text});
+  LoadedTree& loaded = place->second;
   if (isNew) {
     loaded.path = path;
     base::Result<TreeTable> table = loadPersonTrees(readTreeText(text, path));

@@ -38,10 +38,28 @@ struct PersonPrograms {
 /// One without a path lies beside no other, and is not warned of.
 base::Result<TreeTable> loadPersonTrees(base::Result<TreeFile> file);
 
+/// A text, under the name of the first file that has it.
+struct LoadedTree {
+  std::string path;
+  TreeTable table;
+  std::shared_ptr<const PersonProgram> program;  // nullptr = broken
+  base::Diagnostics found;
+};
+
+class KnownTrees {
+ public:
+  std::map<std::pair<std::string, std::string>, LoadedTree> texts;        // by folder and text
+  std::map<std::string, std::shared_ptr<const PersonProgram>> generated;  // by content
+  /// Forgets all when they are many.
+  void limit();
+};
+
 /// Loads and compiles; equal texts in one folder and equal generated trees share their program.
 class TreeLoader {
  public:
-  explicit TreeLoader(const sim2d::Scenario& scenario, const sim2d::Compatibility& quirks = {});
+  /// `known`: of loaders before; null: none.
+  explicit TreeLoader(const sim2d::Scenario& scenario, const sim2d::Compatibility& quirks = {},
+                      std::shared_ptr<KnownTrees> known = nullptr);
 
   /// nullptr and errors when broken. What is wrong with a file is told once, what does not fit the
   /// person for each; a tree that is in no file is told by its person.
@@ -52,27 +70,19 @@ class TreeLoader {
   PersonPrograms loadAll(const TreeFiles& files, base::Diagnostics& diagnostics);
 
  private:
-  /// A text, under the name of the first file that has it.
-  struct Loaded {
-    std::string path;
-    TreeTable table;
-    std::shared_ptr<const PersonProgram> program;  // nullptr = broken
-    base::Diagnostics found;
-  };
   std::shared_ptr<const PersonProgram> loadWritten(const sim2d::Human& human,
                                                    const TreeSource& source,
                                                    base::Diagnostics& diagnostics);
-  const Loaded& look(const std::string& text, const std::string& path);
+  const LoadedTree& look(const std::string& text, const std::string& path);
   std::shared_ptr<const PersonProgram> compileTable(const TreeTable& table,
                                                     base::Diagnostics& diagnostics) const;
 
   const sim2d::Scenario& scenario_;
   sim2d::Compatibility quirks_;
   NodeLibrary library_;
-  std::map<std::string, base::Result<std::string>> files_;                 // by path
-  std::map<std::pair<std::string, std::string>, Loaded> texts_;            // by folder and text
-  std::set<std::string> told_;                                             // paths
-  std::map<std::string, std::shared_ptr<const PersonProgram>> generated_;  // by content
+  std::shared_ptr<KnownTrees> known_;
+  std::map<std::string, base::Result<std::string>> files_;  // by path
+  std::set<std::string> told_;                              // paths
 };
 
 }  // namespace bt

@@ -26,22 +26,24 @@ struct CellBox {
   Cell low, high;
 };
 
-/// Cells of a terrain that lie in a box, but for those in polygons.
+/// Cells of a terrain that lie in a box, but for those in polygons. One at a time per thread.
 class TerrainAround {
  public:
   using Index = Terrain::Index;
 
   TerrainAround(const Terrain& terrain, const CellBox& box, const OccupancyGrid& grid,
                 const Polygons& closed)
-      : terrain_(terrain), isClosed_(terrain.size(), 1) {
-    for (int row = box.low.row; row <= box.high.row; ++row) {
-      std::fill(isClosed_.begin() + terrain.indexOf({box.low.column, row}),
-                isClosed_.begin() + terrain.indexOf({box.high.column, row}) + 1, 0);
-    }
+      : terrain_(terrain), box_(box), isClosed_(marks(terrain.size())) {
+    fillBox(0);
     for (const std::vector<Vec2>& polygon : closed) {
       close(grid, polygon);
     }
   }
+  ~TerrainAround() { fillBox(1); }
+  TerrainAround(const TerrainAround&) = delete;
+  TerrainAround& operator=(const TerrainAround&) = delete;
+  TerrainAround(TerrainAround&&) = delete;
+  TerrainAround& operator=(TerrainAround&&) = delete;
 
   std::size_t size() const { return terrain_.size(); }
   const base::StopFlag& stopFlag() const { return terrain_.stopFlag(); }
@@ -57,31 +59,45 @@ class TerrainAround {
   }
 
  private:
+  /// All set between two searches: to fill those of a large map anew costs more than a search.
+  static std::vector<char>& marks(std::size_t size) {
+    thread_local std::vector<char> all;
+    if (all.size() < size) {
+      all.resize(size, 1);
+    }
+    return all;
+  }
+
+  void fillBox(char value) {
+    for (int row = box_.low.row; row <= box_.high.row; ++row) {
+      std::fill(isClosed_.begin() + terrain_.indexOf({box_.low.column, row}),
+                isClosed_.begin() + terrain_.indexOf({box_.high.column, row}) + 1, value);
+    }
+  }
+
   void close(const OccupancyGrid& grid, const std::vector<Vec2>& polygon) {
-    Vec2 middle = Vec2::Zero();
+    Cell low = box_.high;
+    Cell high = box_.low;
     for (const Vec2& corner : polygon) {
-      middle += corner / static_cast<double>(polygon.size());
+      const Cell cell = grid.worldToCell(corner);
+      low = {std::min(low.column, cell.column), std::min(low.row, cell.row)};
+      high = {std::max(high.column, cell.column), std::max(high.row, cell.row)};
     }
-    double reach = 0.0;
-    for (const Vec2& corner : polygon) {
-      reach = std::max(reach, (corner - middle).norm());
-    }
-    const Cell centre = grid.worldToCell(middle);
-    const int cells = static_cast<int>(std::ceil(reach / grid.resolution())) + 1;
-    for (int row = centre.row - cells; row <= centre.row + cells; ++row) {
-      for (int column = centre.column - cells; column <= centre.column + cells; ++column) {
-        const Index index = terrain_.indexOf({column, row});
-        const bool isThere = index >= 0 && static_cast<std::size_t>(index) < size() &&
-                             terrain_.cellOf(index) == Cell{column, row};
-        if (isThere && isInside(polygon, grid.cellToWorld({column, row}))) {
-          isClosed_[static_cast<std::size_t>(index)] = 1;
+    for (int row = std::max(low.row, box_.low.row); row <= std::min(high.row, box_.high.row);
+         ++row) {
+      for (int column = std::max(low.column, box_.low.column);
+           column <= std::min(high.column, box_.high.column); ++column) {
+        char& mark = isClosed_[static_cast<std::size_t>(terrain_.indexOf({column, row}))];
+        if (mark == 0 && isInside(polygon, grid.cellToWorld({column, row}))) {
+          mark = 1;
         }
       }
     }
   }
 
   const Terrain& terrain_;
-  std::vector<char> isClosed_;
+  const CellBox box_;
+  std::vector<char>& isClosed_;
 };
 
 /// The cells within kAroundReach of two.
