@@ -5,7 +5,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
-#include <new>
 #include <string_view>
 #include <unistd.h>
 
@@ -71,11 +70,6 @@ void printLine(const std::string& line) {
 }
 void printError(const std::string& line) {
   std::cerr << base::visible(line, "\n\t") << '\n';
-}
-
-std::string reasonOf(const std::exception& problem) {
-  return dynamic_cast<const std::bad_alloc*>(&problem) != nullptr ? "not enough memory"
-                                                                  : problem.what();
 }
 
 bool isPrinted() {

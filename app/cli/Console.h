@@ -14,9 +14,7 @@ namespace app {
 void print(const std::string& text);       // to standard output
 void printLine(const std::string& line);   // idem, with a line end
 void printError(const std::string& line);  // to standard error
-/// What went wrong, in words.
-std::string reasonOf(const std::exception& problem);
-bool isPrinted();  // the standard output took everything so far
+bool isPrinted();                          // the standard output took everything so far
 /// Columns two blanks apart, to standard output.
 void printTable(const std::vector<std::vector<std::string>>& rows);
 /// A line each, to standard error; of `least` severity and above. False when an error is among

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/run/Reason.h"
 #include "app/run/WorkerProcess.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -58,7 +59,7 @@ std::string answerTo(const BatchJob& job, const std::string& question) {
     return answerText(job.make(static_cast<std::size_t>(run.value_or(0))));
   } catch (const std::exception& problem) {
     ResultRow row;
-    row.reason = problem.what();
+    row.reason = reasonOf(problem);
     return rowText(row);
   }
 }

@@ -43,22 +43,23 @@ bool isChanged(const std::string& folder) {
   return isThere(fileIn(folder, "results.csv")) && !checkListed(folder, {"results.csv"}).empty();
 }
 
-/// What lies where the results will be written and is not of an earlier batch.
-base::Diagnostics strangersIn(const std::string& folder, std::size_t runCount) {
+/// What lies where the results will be written and is not of an earlier batch. `force`: only what
+/// is not replaced even then, links and files in place of folders.
+base::Diagnostics strangersIn(const std::string& folder, std::size_t runCount, bool force) {
   constexpr std::size_t kMostTold = 5;
   std::optional<std::size_t> known = runsOfBatchIn(folder);
   if (!known && ResultStore::isStore(fileIn(folder, "results.sqlite"))) {
     known = runCount;
   }
   for (const char* name : {"manifest.json", "results.csv", "results.sqlite"}) {
-    if (!known && isThere(fileIn(folder, name))) {
+    if (!known && !force && isThere(fileIn(folder, name))) {
       return {base::error("batch.stranger", {}, fileIn(folder, name))};
     }
   }
   const std::string runs = fileIn(folder, "runs");
   std::error_code error;
   if (fs::is_symlink(fs::symlink_status(runs, error))) {
-    return {base::error("batch.stranger", {}, runs)};
+    return {base::error("batch.no-folder", {}, runs)};
   }
   base::Diagnostics problems;
   for (fs::directory_iterator at(runs, error), end; !error && at != end; at.increment(error)) {
@@ -68,8 +69,10 @@ base::Diagnostics strangersIn(const std::string& folder, std::size_t runCount) {
     }
     const auto index = static_cast<std::size_t>(*run);
     const auto stranger = strangerIn(at->path().string(), index < known.value_or(0));
-    if (stranger && index < runCount) {
-      problems.push_back(base::error("batch.stranger", {}, *stranger));
+    const bool isFolder = stranger && *stranger != at->path().string();
+    if (stranger && index < runCount && !(force && isFolder)) {
+      problems.push_back(
+          base::error(isFolder ? "batch.stranger" : "batch.no-folder", {}, *stranger));
     }
   }
   return problems;
@@ -164,7 +167,7 @@ base::Result<std::unique_ptr<BatchFolder>> BatchFolder::open(const std::string& 
   }
   std::unique_ptr<BatchFolder> batch(new BatchFolder(folder, *std::move(lock)));
   removeUnfinished(folder);
-  base::Diagnostics problems = strangersIn(folder, study.runs);
+  base::Diagnostics problems = strangersIn(folder, study.runs, earlier == Earlier::Replace);
   if (earlier != Earlier::Replace && isChanged(folder)) {
     problems.push_back(base::error("file.is-in-the-way", {}, batch->resultsFile()));
   }

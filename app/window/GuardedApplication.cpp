@@ -2,7 +2,7 @@
 
 #include <exception>
 
-#include "app/cli/Console.h"
+#include "app/run/Reason.h"
 
 namespace app {
 

@@ -582,7 +582,9 @@ constexpr ProblemText kTexts[] = {
     {"script.no-map", "a script is a map: name of a leaf -> list of statuses"},
 
     // Experiments.
-    {"batch.stranger", "this is of no batch and would be lost: move it, or write elsewhere"},
+    {"batch.stranger",
+     "this is of no batch and would be lost: move it, or write elsewhere (--force: replace it)"},
+    {"batch.no-folder", "this is of no batch, and no folder: move it, or write elsewhere"},
     {"batch.unfinished",
      "a batch was interrupted here after {finished} of {runs} runs: --resume goes on with it, "
      "--force begins anew"},

@@ -172,7 +172,9 @@ class BatchProgramTest : public QObject {
     QVERIFY(QFile::remove(out + QStringLiteral("/runs/0/trajectory.csv")));
     for (const char* file : {"/results.csv", "/manifest.json"}) {
       outside::writeText(out + QLatin1String(file), "{}");
-      QCOMPARE(tried().exitCode, 2);
+      finished = tried();
+      QCOMPARE(finished.exitCode, 2);
+      QVERIFY2(finished.err.contains(QStringLiteral("--force")), qPrintable(finished.err));
       QCOMPARE(outside::bytesOf(out + QLatin1String(file)), QByteArray("{}"));
       QVERIFY(QFile::remove(out + QLatin1String(file)));
     }
@@ -220,8 +222,12 @@ class BatchProgramTest : public QObject {
       const outside::Finished finished =
           outside::runProgram({QStringLiteral("batch"), experiment, QStringLiteral("-o"), out});
       QCOMPARE(finished.exitCode, 2);
-      QVERIFY2(finished.err.contains(QStringLiteral("this is of no batch")),
+      QVERIFY2(finished.err.contains(QStringLiteral("this is of no batch, and no folder")),
                qPrintable(finished.err));
+      const outside::Finished forced =
+          outside::runProgram({QStringLiteral("batch"), experiment, QStringLiteral("--force"),
+                               QStringLiteral("-o"), out});
+      QCOMPARE(forced.exitCode, 2);
       QCOMPARE(outside::bytesOf(elsewhere + QStringLiteral("/trajectory.csv")), QByteArray("mine"));
     }
   }

@@ -56,6 +56,39 @@ class CommandLineTest : public QObject {
     QVERIFY(QDir(where).isEmpty());
   }
 
+  /// What somebody else put there is replaced only by who says so.
+  void output_fileOfOthers_staysUnlessForced_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<QString>("name");
+    const auto row = [](const char* command, const QStringList& more, const char* name) {
+      QTest::newRow(command) << QStringList{text(command)} + more << text(name);
+    };
+    row("run", {demo(), text("--duration"), text("0.1")}, "metrics.json");
+    row("batch", {path("few.yaml")}, "results.csv");
+    row("evaluate", {path("walk.csv")}, "metrics.json");
+    row("trees", {demo()}, "corner_cafe_agents__agent_1_bt.xml");
+    row("validate", {text("rimea-1"), text("--model"), text("sfm"), text("--seeds"), text("1")},
+        "validation.csv");
+  }
+  void output_fileOfOthers_staysUnlessForced() {
+    QFETCH(QStringList, words);
+    QFETCH(QString, name);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(name);
+    outside::writeText(file, "mine");
+    words += {text("-o"), folder.path()};
+    const Finished refused = runProgram(words);
+    QCOMPARE(refused.exitCode, 2);
+    QVERIFY2(refused.err.contains(name), qPrintable(refused.err));
+    QCOMPARE(outside::bytesOf(file), QByteArray("mine"));
+    const Finished forced = runProgram(words + QStringList{text("--force")});
+    QVERIFY2(forced.exitCode == 0, qPrintable(forced.err));
+    QVERIFY(outside::bytesOf(file) != QByteArray("mine"));
+    outside::writeText(folder.filePath(text("own.txt")), "beside");
+    const Finished again = runProgram(words);  // its own files are no others'
+    QVERIFY2(again.exitCode == 0, qPrintable(again.err));
+  }
+
   void json_badInput_isListedOnStandardOutput_data() {
     QTest::addColumn<QStringList>("words");
     outside::writeText(path("bad.yaml"), "hunav_loader:\n  ros__parameters:\n    agents: [a, \n");

@@ -157,7 +157,9 @@ void addBatch(CommandRegistry& commands) {
   CLI::Option* const resume =
       command.add_flag("--resume", options.resume,
                        "Go on with a batch that was interrupted; begin it if there is none");
-  command.add_flag("--force", options.force, "Begin anew where a batch was interrupted")
+  command
+      .add_flag("--force", options.force,
+                "Begin anew where a batch was interrupted; replace files of others")
       ->excludes(resume);
   command.add_flag("--rows", options.rows,
                    "Print how many runs there are, then each finished one, as lines of JSON");

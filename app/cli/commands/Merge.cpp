@@ -30,7 +30,8 @@ void addMerge(CommandRegistry& commands) {
   command.add_option("shard", options.shards, "Folders that batch --shard K/N has written")
       ->required();
   addOutputFolder(command, options.output, "Folder for the results").required();
-  command.add_flag("--force", options.force, "Begin anew where a batch was interrupted");
+  command.add_flag("--force", options.force,
+                   "Begin anew where a batch was interrupted; replace files of others");
 }
 
 }  // namespace app

@@ -15,6 +15,7 @@
 #include "app/report/Page.h"
 #include "app/run/RunFolder.h"
 #include "editor/look/FigurePainter.h"
+#include "editor/look/Images.h"
 #include "editor/look/Theme.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Trace.h"
@@ -141,7 +142,7 @@ class RunPainter {
     if (grid.isEmpty()) {
       return;
     }
-    QImage image(grid.width(), grid.height(), QImage::Format_RGB32);
+    QImage image = editor::blankImage({grid.width(), grid.height()}, QImage::Format_RGB32);
     for (int row = 0; row < grid.height(); ++row) {
       auto* line = reinterpret_cast<QRgb*>(image.scanLine(grid.height() - 1 - row));
       for (int column = 0; column < grid.width(); ++column) {
@@ -370,7 +371,7 @@ int renderCommand(const RenderOptions& options, const Invocation& given) {
     }
     return ExitFine;
   }
-  QImage image(kSize, QImage::Format_ARGB32_Premultiplied);
+  QImage image = editor::blankImage(kSize, QImage::Format_ARGB32_Premultiplied);
   image.fill(Qt::white);
   QPainter painter(&image);
   RunPainter(*trace, painter).paint();

@@ -2,12 +2,14 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/run/OutputFolder.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/World.h"
@@ -22,7 +24,11 @@ struct ValidateOptions {
   std::vector<std::string> models = {"sfm", "das"};
   std::string output;  // folder, or empty
   int seeds = 10;      // 1 to this, where draws count
+  bool force = false;  // files of others may be replaced
 };
+
+constexpr const char* kTableFile = "validation.csv";
+constexpr const char* kJsonFile = "validation.json";
 
 using Json = nlohmann::ordered_json;
 using sim2d::Quantity;
@@ -187,9 +193,30 @@ bool play(const std::vector<const RealismTest*>& tests, const ValidateOptions& o
   });
 }
 
+/// Where the results will go, looked at before minutes of work; null: nowhere.
+std::unique_ptr<OutputFolder> openOutput(const ValidateOptions& options) {
+  if (options.output.empty()) {
+    return nullptr;
+  }
+  base::Result<std::unique_ptr<OutputFolder>> output =
+      OutputFolder::open(options.output, options.force, OutputFolder::kHiddenManifest);
+  requireFine(output.diagnostics());
+  requireFine((*output)->inTheWay({kTableFile, kJsonFile}));
+  return *std::move(output);
+}
+
+base::Diagnostics writeRows(const std::vector<Row>& rows, OutputFolder& output) {
+  base::Diagnostics problems = output.write(kTableFile, csvOf(rows));
+  base::append(problems, output.write(kJsonFile, jsonOf(rows) + "\n"));
+  return base::hasErrors(problems) ? problems
+                                   : output.commit(base::jsonText(Json{{"kind", "validation"}}),
+                                                   OutputFolder::Earlier::Kept);
+}
+
 int validateCommand(const ValidateOptions& options, const Invocation& given) {
   const std::vector<const RealismTest*> tests = chosenTests(options);
   catchInterrupts();
+  const std::unique_ptr<OutputFolder> output = openOutput(options);
   std::vector<Row> rows;
   const bool isComplete = play(tests, options, given.quiet, rows);
   if (given.json) {
@@ -197,13 +224,8 @@ int validateCommand(const ValidateOptions& options, const Invocation& given) {
   } else if (!given.quiet) {
     printRows(rows);
   }
-  if (!options.output.empty()) {
-    const std::string file = options.output + "/validation";
-    base::Diagnostics problems = base::writeFileAtomically(file + ".csv", csvOf(rows));
-    base::append(problems, base::writeFileAtomically(file + ".json", jsonOf(rows) + "\n"));
-    if (!printDiagnostics(problems)) {
-      return ExitBadInput;
-    }
+  if (output != nullptr && !printDiagnostics(writeRows(rows, *output))) {
+    return ExitBadInput;
   }
   if (!isComplete) {
     printError("interrupted: " + std::to_string(rows.size()) + " rows are complete");
@@ -224,6 +246,7 @@ void addValidate(CommandRegistry& commands) {
       "validate", "Realism tests: people of the models against real ones", validateCommand);
   command.add_option("names", options.names, "Realism tests (all)");
   addOutputFolder(command, options.output, "Folder for the results");
+  addForce(command, options.force);
   command.add_option("--seeds", options.seeds, "Runs with seeds 1 to N (10)")
       ->check(CLI::Range(1, 10000));
   command.add_option("--model", options.models, "Models to test (sfm and das)")

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <exception>
+#include <new>
+#include <string>
+
+namespace app {
+
+/// What went wrong that nobody foresaw, in words.
+inline std::string reasonOf(const std::exception& problem) {
+  return dynamic_cast<const std::bad_alloc*>(&problem) != nullptr ? "not enough memory"
+                                                                  : problem.what();
+}
+
+}  // namespace app

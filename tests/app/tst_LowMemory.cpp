@@ -1,0 +1,106 @@
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "tests/app/RunFiles.h"
+#include "tests/support/Sanitizers.h"
+
+using outside::Finished;
+using outside::text;
+
+namespace {
+
+constexpr int kStepKiB = 2048;
+constexpr int kSteps = 30;  // from where the program starts at all
+
+/// With so much address space and no more.
+Finished runWithin(int kib, const QStringList& words) {
+  QProcess process;
+  process.start(text("sh"), QStringList{text("-c"), text("ulimit -v $0 && exec \"$@\""),
+                                        QString::number(kib), text(HUNAVSIM_PROGRAM)} +
+                                words);
+  return outside::finishedOf(process);
+}
+
+/// Without a word no command begins: libraries are loaded, no more.
+int leastToStart() {
+  for (int kib = 64 * 1024; kib < 1024 * 1024; kib += kStepKiB) {
+    if (runWithin(kib, {text("--version")}).exitCode == 0) {
+      return kib;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+/// Commands end with a line where memory does, never with a signal.
+class LowMemoryTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir folder_;
+  int least_ = 0;  // [KiB]
+  bool hadTooLittle_ = false;
+  QString path(const char* name) const { return folder_.filePath(text(name)); }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    if (kIsSanitized) {
+      QSKIP("sanitizers take address space by the terabyte");
+    }
+    outside::writeText(path("room.yaml"),
+                       "image: room.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n"
+                       "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n");
+    QByteArray pixels("P5\n1500 1500\n255\n");
+    outside::writeText(path("room.pgm"), pixels + QByteArray(1500 * 1500, '\xff'));
+    const QString scenario = text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+    const Finished made = outside::runProgram({text("run"), scenario, text("--duration"), text("5"),
+                                               text("-q"), text("-o"), path("run")});
+    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    outside::writeText(path("e.yaml"), "hunavsim_experiment: 1\nscenarios: [" + scenario.toUtf8() +
+                                           "]\nseeds: 2\nduration: 1.0\n");
+    least_ = leastToStart();
+    QVERIFY(least_ > 0);
+  }
+
+  void command_withLittleMemory_endsWithALine_data() {
+    QTest::addColumn<QStringList>("words");
+    const QString scenario = text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+    const auto row = [](const char* name, const QStringList& words) {
+      QTest::newRow(name) << words;
+    };
+    row("check", {text("check"), scenario, text("--map"), path("room.yaml")});
+    row("run", {text("run"), scenario, text("--map"), path("room.yaml"), text("--duration"),
+                text("2"), text("-q"), text("--force"), text("-o"), path("again")});
+    row("batch", {text("batch"), path("e.yaml"), text("--jobs"), text("2"), text("-q"),
+                  text("--force"), text("-o"), path("batch")});
+    row("evaluate", {text("evaluate"), path("run"), text("-q"), text("--force"), text("-o"),
+                     path("evaluated")});
+    // No picture: Qt's painter does not look at what malloc hands out.
+    row("page", {text("render"), path("run"), text("-o"), path("run.html")});
+    row("trees", {text("trees"), scenario, text("--force"), text("-o"), path("trees")});
+  }
+  void command_withLittleMemory_endsWithALine() {
+    QFETCH(QStringList, words);
+    int failures = 0;
+    for (int step = 0; step < kSteps; ++step) {
+      const int kib = least_ + step * kStepKiB;
+      const Finished finished = runWithin(kib, words);
+      const QByteArray where = QByteArray::number(kib) + " KiB: " + finished.err.toUtf8();
+      QVERIFY2(finished.exitCode == 0 || finished.exitCode == 1, where.constData());
+      if (finished.exitCode != 0) {
+        const QByteArray told =
+            finished.err.toUtf8() + outside::bytesOf(path("batch/results.csv"));  // of its runs
+        QVERIFY2(told.contains("not enough memory"), where.constData());
+      }
+      failures += finished.exitCode;
+    }
+    const Finished enough = outside::runProgram(words);  // what they left is in nobody's way
+    QVERIFY2(enough.exitCode == 0, qPrintable(enough.err));
+    hadTooLittle_ = hadTooLittle_ || failures > 0;
+  }
+  void cleanupTestCase() { QVERIFY(kIsSanitized || hadTooLittle_); }
+};
+
+QTEST_APPLESS_MAIN(LowMemoryTest)
+#include "tst_LowMemory.moc"
