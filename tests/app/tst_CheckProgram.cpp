@@ -1,3 +1,4 @@
+#include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -47,6 +48,25 @@ class CheckProgramTest : public QObject {
       errors += line.contains(QStringLiteral(": error: ")) ? 1 : 0;
     }
     QVERIFY2(errors >= files.size() / 2, qPrintable(QString::number(errors)));
+  }
+
+  /// libpng writes to the standard error by itself.
+  void check_damagedImage_isToldByUsAlone() {
+    QTemporaryDir folder;
+    outside::writeText(folder.filePath(QStringLiteral("room.yaml")),
+                       "image: room.png\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
+                       "occupied_thresh: 0.65\nfree_thresh: 0.2\n");
+    QImage image(64, 64, QImage::Format_Grayscale8);
+    image.fill(255);
+    const QString png = folder.filePath(QStringLiteral("room.png"));
+    QVERIFY(image.save(png));
+    outside::writeText(png, outside::bytesOf(png).left(50));
+    const outside::Finished found = outside::runProgram(
+        {QStringLiteral("check"), folder.filePath(QStringLiteral("room.yaml"))});
+    QCOMPARE(found.exitCode, 2);
+    QCOMPARE(found.err.count(QLatin1Char('\n')), 1);
+    QVERIFY2(found.err.contains(QStringLiteral("room.png': cannot read the image")),
+             qPrintable(found.err));
   }
 
   void check_aMillionPeople_isRefusedWithOnePlace() {

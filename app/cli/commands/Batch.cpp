@@ -11,12 +11,12 @@
 #include "app/cli/BatchReport.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/MapImages.h"
 #include "app/run/BatchFolder.h"
 #include "app/run/ClusterScript.h"
 #include "app/run/DataPaths.h"
 #include "app/run/ExperimentRunner.h"
 #include "app/run/ResultFiles.h"
-#include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -121,8 +121,7 @@ int batchCommand(const BatchOptions& options, const Invocation& given) {
   base::Result<Experiment> experiment = readExperiment(options.experiment);
   requireFine(experiment.diagnostics());
   experiment->allowCode = options.allowCode;
-  ExperimentRunner runner(*experiment, (fs::path(options.output) / "runs").string(),
-                          editor::loadMapImage);
+  ExperimentRunner runner(*experiment, (fs::path(options.output) / "runs").string(), loadMapImage);
   requireFine(runner.check());
   if (!options.script.empty()) {
     return printScript(options);

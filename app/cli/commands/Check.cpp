@@ -2,6 +2,7 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/MapImages.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/run/Echoes.h"
@@ -9,7 +10,6 @@
 #include "bt/engine/Program.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
-#include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -39,7 +39,7 @@ FileKind kindOf(const std::string& text) {
 base::Diagnostics checkScenarioFile(const std::string& path, const CheckOptions& options) {
   RunOptions run = options.scenario;
   run.scenario = path;
-  Verdict verdict = check(readBundle(run, {}, editor::loadMapImage));
+  Verdict verdict = check(readBundle(run, {}, loadMapImage));
   base::append(verdict.problems, verdict.worldRemarks);
   return verdict.problems;
 }
@@ -72,7 +72,7 @@ base::Diagnostics checkFile(const std::string& fileOrName, const CheckOptions& o
     case FileKind::Tree:
       return checkTree(path);
     case FileKind::Map:
-      return readMapFile(path, "humble", editor::loadMapImage).diagnostics();
+      return readMapFile(path, "humble", loadMapImage).diagnostics();
     case FileKind::Experiment:
       return readExperiment(path).diagnostics();
     case FileKind::Scenario:

@@ -3,11 +3,11 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/MapImages.h"
 #include "app/run/DataPaths.h"
 #include "app/run/Echoes.h"
 #include "app/run/Export.h"
 #include "app/run/OutputFolder.h"
-#include "editor/document/QtImageLoader.h"
 #include "sim2d/base/JsonText.h"
 
 namespace app {
@@ -64,7 +64,7 @@ void printPlan(const ExportPlan& plan, const base::Diagnostics& report,
 }
 
 int convertCommand(const ConvertOptions& options, const Invocation& given) {
-  const base::Result<Bundle> source = readExportSource(options.source, editor::loadMapImage);
+  const base::Result<Bundle> source = readExportSource(options.source, loadMapImage);
   requireFine(source.diagnostics(), ExitBadInput, base::Severity::Warning);
   ExportRequest request;
   request.target = options.target;

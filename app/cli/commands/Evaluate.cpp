@@ -6,12 +6,12 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/MapImages.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/run/ListedFiles.h"
 #include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
-#include "editor/document/QtImageLoader.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -156,7 +156,7 @@ base::Diagnostics replaceMap(const EvaluateOptions& options, sim2d::Trace& trace
     sim2d::setMap(trace, {});
     return {};
   }
-  base::Result<sim2d::MapFile> file = readMapFile(options.map, "humble", editor::loadMapImage);
+  base::Result<sim2d::MapFile> file = readMapFile(options.map, "humble", loadMapImage);
   if (file) {
     sim2d::setMap(trace, std::move(file->grid));
   }

@@ -5,12 +5,12 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/MapImages.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
 #include "app/run/Simulation.h"
-#include "editor/document/QtImageLoader.h"
 #include "metrics/Counterfactual.h"
 #include "metrics/ReportFiles.h"
 #include "sim2d/base/Text.h"
@@ -166,7 +166,7 @@ std::unique_ptr<OutputFolder> openOutput(const RunOptions& options, Verdict& ver
 int runCommand(const RunOptions& options, const Invocation& given) {
   const base::Result<RunSettings> settings = runSettingsOf(options);
   requireFine(settings.diagnostics(), ExitWrongCommandLine);
-  Bundle bundle = readBundle(options, *settings, editor::loadMapImage);
+  Bundle bundle = readBundle(options, *settings, loadMapImage);
   bundle.left = interruptStop();
   Verdict verdict = check(bundle);
   requireFine(verdict.wrongWords, ExitWrongCommandLine);
