@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -11,6 +12,7 @@
 
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/trace/JsonPlaces.h"
 #include "sim2d/trace/Trace.h"
 
 namespace sim2d {
@@ -45,8 +47,8 @@ bool expandCells(const Json& json, std::size_t count, std::vector<std::int8_t>& 
 /// Takes the parts of a header out of objects; every problem is noted with the path of the member.
 class JsonReader {
  public:
-  JsonReader(const std::string& file, base::Diagnostics& problems)
-      : file_(file), problems_(problems) {}
+  JsonReader(const std::string& text, const std::string& file, base::Diagnostics& problems)
+      : text_(text), file_(file), problems_(problems) {}
 
   template <class T>
   T part(const Json& json, const std::string& path) {
@@ -59,7 +61,11 @@ class JsonReader {
 
  private:
   void error(const std::string& where, std::string_view code, base::ProblemValues values = {}) {
-    problems_.push_back(base::within(where, base::error(code, std::move(values), file_)));
+    if (!places_) {
+      places_.emplace(text_);
+    }
+    problems_.push_back(
+        base::within(where, base::error(code, std::move(values), file_, places_->lineOf(where))));
   }
   bool expect(bool fits, const std::string& where, std::string_view otherwise) {
     if (!fits) {
@@ -226,8 +232,10 @@ class JsonReader {
     }
   }
 
+  const std::string& text_;
   const std::string& file_;
   base::Diagnostics& problems_;
+  std::optional<JsonPlaces> places_;  // of the text; made for the first problem
 };
 
 base::Diagnostic syntaxError(const std::string& text, std::size_t byte, const std::string& file) {
@@ -351,7 +359,7 @@ base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::str
   if (!root.is_object()) {
     return base::error("trace.no-json-object", {}, file, 1, 1);
   }
-  auto header = JsonReader(file, problems).part<TraceHeader>(root, "");
+  auto header = JsonReader(text, file, problems).part<TraceHeader>(root, "");
   if (base::hasErrors(problems)) {
     return problems;
   }

@@ -50,6 +50,26 @@ class CheckProgramTest : public QObject {
     QVERIFY2(errors >= files.size() / 2, qPrintable(QString::number(errors)));
   }
 
+  void check_experiment_itsScenariosAreChecked() {
+    QTemporaryDir folder;
+    const QByteArray scenario =
+        outside::bytesOf(QStringLiteral(SOURCE_DIR "/maps/planners/doorway_agents.yaml"));
+    const QString file = folder.filePath(QStringLiteral("wrong_agents.yaml"));
+    outside::writeText(file, QByteArray(scenario).replace("max_vel: 1", "max_vel: -1"));
+    const QString experiment = folder.filePath(QStringLiteral("e.yaml"));
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\nscenarios: [wrong_agents.yaml]\nseeds: 2\n");
+    const QStringList words{QStringLiteral("check"), experiment};
+    const outside::Finished wrong = outside::runProgram(words);
+    QCOMPARE(wrong.exitCode, 2);
+    QVERIFY2(wrong.err.contains(QRegularExpression(
+                 QStringLiteral("wrong_agents.yaml:[0-9]+:[0-9]+: error: .*max_vel"))),
+             qPrintable(wrong.err));
+    outside::writeText(file, scenario);
+    const outside::Finished right = outside::runProgram(words);
+    QVERIFY2(right.exitCode == 0, qPrintable(right.err));
+  }
+
   /// libpng writes to the standard error by itself.
   void check_damagedImage_isToldByUsAlone() {
     QTemporaryDir folder;

@@ -212,13 +212,13 @@ void TraceTest::readTrace_badFile_namesPlace_data() {
                                << QByteArray("trace.json:4:8: error: not valid JSON");
   QTest::newRow("JSON type") << QByteArray("trace.json") << QByteArray("\"dt\": 0.1")
                              << QByteArray("\"dt\": \"0.1\"")
-                             << QByteArray("trace.json: error: dt: must be a finite number");
+                             << QByteArray("trace.json:4: error: dt: must be a finite number");
   QTest::newRow("wrap of one number")
       << QByteArray("trace.json") << QByteArray("\"dt\": 0.1")
-      << QByteArray("\"dt\": 0.1, \"wrap_x\": [1]") << QByteArray("trace.json: error: wrap_x");
+      << QByteArray("\"dt\": 0.1, \"wrap_x\": [1]") << QByteArray("trace.json:4: error: wrap_x");
   QTest::newRow("wrap backwards") << QByteArray("trace.json") << QByteArray("\"dt\": 0.1")
                                   << QByteArray("\"dt\": 0.1, \"wrap_x\": [3, 1]")
-                                  << QByteArray("trace.json: error: wrap_x");
+                                  << QByteArray("trace.json:4: error: wrap_x");
   QTest::newRow("cells") << QByteArray("trace.json") << QByteArray("[0,2,100,2,")
                          << QByteArray("[0,2,100,99,") << QByteArray("map.cells: must be pairs");
 }

@@ -7,6 +7,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/Echoes.h"
 #include "app/run/Experiment.h"
+#include "app/run/ExperimentRunner.h"
 #include "bt/engine/Program.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
@@ -59,6 +60,17 @@ base::Diagnostics checkTree(const std::string& path) {
   return found;
 }
 
+/// With its scenarios, as `batch` checks them; which code they may start is said to `batch`.
+base::Diagnostics checkExperiment(const std::string& path) {
+  base::Result<Experiment> experiment = readExperiment(path);
+  base::Diagnostics found = experiment.diagnostics();
+  if (experiment) {
+    experiment->allowCode = true;
+    base::append(found, notYetTold(found, ExperimentRunner(*experiment, {}, loadMapImage).check()));
+  }
+  return found;
+}
+
 base::Diagnostics checkFile(const std::string& fileOrName, const CheckOptions& options) {
   const std::string path = scenarioFile(fileOrName);
   if (const std::optional<base::Diagnostic> unknown = unknownScenario(path)) {
@@ -74,7 +86,7 @@ base::Diagnostics checkFile(const std::string& fileOrName, const CheckOptions& o
     case FileKind::Map:
       return readMapFile(path, "humble", loadMapImage).diagnostics();
     case FileKind::Experiment:
-      return readExperiment(path).diagnostics();
+      return checkExperiment(path);
     case FileKind::Scenario:
       break;
   }
