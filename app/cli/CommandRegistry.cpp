@@ -11,6 +11,7 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <QGuiApplication>
+#include <QHash>
 #include <QString>
 
 #include "app/cli/Console.h"
@@ -225,6 +226,7 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
 
 int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
   qInstallMessageHandler(withoutLibraryWords);
+  qSetGlobalQHashSeed(0);  // else Qt puts the fonts of a PDF into another order each time
   keepAliveWhenFilesAreFull();
   const int code = doneBy(argc, argv, addWindow);
   if (isPrinted() || code != ExitFine) {

@@ -552,7 +552,13 @@ constexpr ProblemText kTexts[] = {
      "YAML that uses it)"},
     {"option.picture-not-made", "the picture cannot be encoded"},
     {"option.picture-format",
-     "cannot draw '{found}' files (use a name that ends in .png or .html)"},
+     "cannot draw '{found}' files (use a name that ends in .png, .svg, .pdf, .gif, .mp4, .webm or "
+     ".html)"},
+    {"option.not-of-this-file", "{option} does nothing for such a file"},
+    {"movie.not-made", "the film cannot be made: {reason}"},
+    {"movie.no-encoder",
+     "films of this kind need the program ffmpeg, which is not installed (apt-get install ffmpeg, "
+     "or a name that ends in .gif)"},
     {"option.only-foreign", "{option} is for files of other programs, not for the folder of a run"},
     {"option.not-positive", "{option} takes a number above 0"},
     {"option.evaluate-goal", "--robot-goal takes two numbers: \"X Y\" (m), not \"{found}\""},

@@ -3,14 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <QBuffer>
-#include <QPageSize>
 #include <QPainter>
-#include <QPdfWriter>
 #include <QSvgRenderer>
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/PictureFiles.h"
 #include "app/report/Page.h"
 #include "app/run/OutputFolder.h"
 #include "sim2d/base/Files.h"
@@ -69,34 +67,11 @@ base::Diagnostics readWords(const ReportOptions& options, report::Wishes& wishes
   return problems;
 }
 
-/// The date that Qt writes would make every file another one.
-void forgetDate(QByteArray& pdf) {
-  const int at = pdf.indexOf("/CreationDate (D:");
-  for (int k = at < 0 ? pdf.size() : at + 17; k < pdf.size() && pdf[k] != ')'; ++k) {
-    if (pdf[k] >= '0' && pdf[k] <= '9') {
-      pdf[k] = k == at + 22 || k == at + 24 ? '1' : '0';  // a month and a day that there are
-    }
-  }
-}
-
 /// A figure on a page of its size.
-std::string pdfOf(const std::string& svg) {
-  constexpr double kPointsPerPixel = 0.75;
+std::string pdfOfFigure(const std::string& svg) {
   QSvgRenderer renderer(QByteArray::fromStdString(svg));
   const QSizeF size = renderer.defaultSize();
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  buffer.open(QIODevice::WriteOnly);
-  {
-    QPdfWriter writer(&buffer);
-    writer.setPageSize(
-        QPageSize(size * kPointsPerPixel, QPageSize::Point, {}, QPageSize::ExactMatch));
-    writer.setPageMargins(QMarginsF(0, 0, 0, 0));
-    QPainter painter(&writer);
-    renderer.render(&painter);
-  }
-  forgetDate(bytes);
-  return bytes.toStdString();
+  return pdfOf(size, [&](QPainter& painter) { renderer.render(&painter, {QPointF(), size}); });
 }
 
 /// All files of a report, named in its folder.
@@ -106,7 +81,7 @@ std::vector<base::FileContent> filesOf(const report::Report& report, bool withPd
     const std::string svg = figure.standalone();
     files.push_back({"figures/" + figure.name() + ".svg", svg});
     if (withPdf) {
-      files.push_back({"figures/" + figure.name() + ".pdf", pdfOf(svg)});
+      files.push_back({"figures/" + figure.name() + ".pdf", pdfOfFigure(svg)});
     }
   }
   for (const report::Table& table : report.tables) {

@@ -1,0 +1,253 @@
+#include "app/cli/Movie.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+#include <gif_lib.h>
+
+#include <QFile>
+#include <QImage>
+#include <QProcess>
+#include <QStandardPaths>
+
+#include "sim2d/base/Files.h"
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kWaitMs = 120'000;  // for the encoder, which may be behind by some frames
+
+std::string endingOf(const std::string& path) {
+  return base::lowered(fs::path(path).extension().string());
+}
+
+/// 6 x 6 x 6 colours and 32 greys, the same for all frames: nothing flickers.
+QVector<QRgb> gifColors() {
+  QVector<QRgb> colors;
+  colors.reserve(256);
+  for (int red = 0; red < 6; ++red) {
+    for (int green = 0; green < 6; ++green) {
+      for (int blue = 0; blue < 6; ++blue) {
+        colors << qRgb(51 * red, 51 * green, 51 * blue);
+      }
+    }
+  }
+  while (colors.size() < 256) {
+    const int grey = (colors.size() - 215) * 255 / 41;
+    colors << qRgb(grey, grey, grey);
+  }
+  return colors;
+}
+
+/// In memory until its end.
+class GifMovie : public Movie {
+ public:
+  GifMovie(std::string path, double perSecond) : path_(std::move(path)), perSecond_(perSecond) {}
+  ~GifMovie() override { close(); }
+  GifMovie(const GifMovie&) = delete;
+  GifMovie& operator=(const GifMovie&) = delete;
+  GifMovie(GifMovie&&) = delete;
+  GifMovie& operator=(GifMovie&&) = delete;
+
+  base::Diagnostics add(const QImage& frame) override {
+    if (file_ == nullptr && !begin(frame)) {
+      return failure();
+    }
+    // Hundredths of a second, rounded so that the sum fits.
+    const double end = std::round(100.0 * (frames_ + 1) / perSecond_);
+    const double begin = std::round(100.0 * frames_ / perSecond_);
+    ++frames_;
+    const auto delay = static_cast<unsigned>(std::max(2.0, end - begin));
+    GraphicsControlBlock control = {DISPOSE_DO_NOT, false, static_cast<int>(delay),
+                                    NO_TRANSPARENT_COLOR};
+    GifByteType bytes[4];
+    EGifGCBToExtension(&control, bytes);
+    const QImage indexed = frame.convertToFormat(QImage::Format_Indexed8, colors_,
+                                                 Qt::ThresholdDither | Qt::AvoidDither);
+    if (EGifPutExtension(file_, GRAPHICS_EXT_FUNC_CODE, sizeof(bytes), bytes) == GIF_ERROR ||
+        EGifPutImageDesc(file_, 0, 0, indexed.width(), indexed.height(), false, nullptr) ==
+            GIF_ERROR) {
+      return failure();
+    }
+    std::vector<GifPixelType> line(static_cast<std::size_t>(indexed.width()));
+    for (int row = 0; row < indexed.height(); ++row) {
+      std::copy_n(indexed.constScanLine(row), line.size(), line.begin());
+      if (EGifPutLine(file_, line.data(), indexed.width()) == GIF_ERROR) {
+        return failure();
+      }
+    }
+    return {};
+  }
+
+  base::Diagnostics finish() override {
+    return close() ? base::writeFileAtomically(path_, bytes_) : failure();
+  }
+
+ private:
+  static int take(GifFileType* file, const GifByteType* bytes, int count) {
+    auto* const to = static_cast<std::string*>(file->UserData);
+    to->append(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(count));
+    return count;
+  }
+
+  bool begin(const QImage& frame) {
+    file_ = EGifOpen(&bytes_, take, nullptr);
+    if (file_ == nullptr) {
+      return false;
+    }
+    std::vector<GifColorType> table;
+    table.reserve(256);
+    for (const QRgb color : colors_) {
+      table.push_back({static_cast<GifByteType>(qRed(color)),
+                       static_cast<GifByteType>(qGreen(color)),
+                       static_cast<GifByteType>(qBlue(color))});
+    }
+    ColorMapObject* const map = GifMakeMapObject(256, table.data());
+    EGifSetGifVersion(file_, true);
+    const bool isBegun =
+        map != nullptr &&
+        EGifPutScreenDesc(file_, frame.width(), frame.height(), 8, 0, map) != GIF_ERROR &&
+        loopForEver();
+    GifFreeMapObject(map);
+    return isBegun;
+  }
+  bool loopForEver() {
+    constexpr char kName[] = "NETSCAPE2.0";
+    constexpr GifByteType kForEver[] = {1, 0, 0};
+    return EGifPutExtensionLeader(file_, APPLICATION_EXT_FUNC_CODE) != GIF_ERROR &&
+           EGifPutExtensionBlock(file_, 11, kName) != GIF_ERROR &&
+           EGifPutExtensionBlock(file_, sizeof(kForEver), kForEver) != GIF_ERROR &&
+           EGifPutExtensionTrailer(file_) != GIF_ERROR;
+  }
+  bool close() {
+    int problem = 0;
+    return file_ != nullptr && EGifCloseFile(std::exchange(file_, nullptr), &problem) != GIF_ERROR;
+  }
+  base::Diagnostics failure() const { return {base::error("movie.not-made", {"giflib"}, path_)}; }
+
+  const std::string path_;
+  const double perSecond_;
+  const QVector<QRgb> colors_ = gifColors();
+  std::string bytes_;
+  GifFileType* file_ = nullptr;
+  double frames_ = 0.0;
+};
+
+/// Through a pipe into ffmpeg, which writes a file beside until its end.
+class EncodedMovie : public Movie {
+ public:
+  EncodedMovie(std::string path, double perSecond)
+      : path_(std::move(path)),
+        part_(path_ + ".new-" + std::to_string(::getpid()) + endingOf(path_)),
+        perSecond_(perSecond) {}
+  ~EncodedMovie() override {
+    if (process_.state() != QProcess::NotRunning) {
+      process_.kill();
+      process_.waitForFinished();
+    }
+    QFile::remove(QString::fromStdString(part_));
+  }
+  EncodedMovie(const EncodedMovie&) = delete;
+  EncodedMovie& operator=(const EncodedMovie&) = delete;
+  EncodedMovie(EncodedMovie&&) = delete;
+  EncodedMovie& operator=(EncodedMovie&&) = delete;
+
+  base::Diagnostics add(const QImage& frame) override {
+    if (process_.state() == QProcess::NotRunning && !start(frame.size())) {
+      return failure();
+    }
+    const QImage raw = frame.convertToFormat(QImage::Format_RGB32);
+    process_.write(reinterpret_cast<const char*>(raw.constBits()), raw.sizeInBytes());
+    while (process_.bytesToWrite() > 0) {  // no more than a frame waits in memory
+      if (!process_.waitForBytesWritten(kWaitMs)) {
+        return failure();
+      }
+    }
+    return {};
+  }
+
+  base::Diagnostics finish() override {
+    process_.closeWriteChannel();
+    const bool isDone = process_.waitForFinished(kWaitMs) &&
+                        process_.exitStatus() == QProcess::NormalExit && process_.exitCode() == 0;
+    std::error_code problem;
+    if (isDone) {
+      fs::rename(part_, path_, problem);
+    }
+    return isDone && !problem ? base::Diagnostics() : failure();
+  }
+
+ private:
+  bool start(const QSize& size) {
+    const bool isWebm = endingOf(path_) == ".webm";
+    const QStringList codec =
+        isWebm ? QStringList{QStringLiteral("-c:v"),    QStringLiteral("libvpx-vp9"),
+                             QStringLiteral("-b:v"),    QStringLiteral("0"),
+                             QStringLiteral("-crf"),    QStringLiteral("32"),
+                             QStringLiteral("-row-mt"), QStringLiteral("1")}
+               : QStringList{QStringLiteral("-c:v"),      QStringLiteral("libx264"),
+                             QStringLiteral("-crf"),      QStringLiteral("20"),
+                             QStringLiteral("-movflags"), QStringLiteral("+faststart")};
+    const QStringList from = {QStringLiteral("-loglevel"),
+                              QStringLiteral("error"),
+                              QStringLiteral("-y"),
+                              QStringLiteral("-f"),
+                              QStringLiteral("rawvideo"),
+                              QStringLiteral("-pix_fmt"),
+                              QStringLiteral("bgra"),
+                              QStringLiteral("-s"),
+                              QStringLiteral("%1x%2").arg(size.width()).arg(size.height()),
+                              QStringLiteral("-r"),
+                              QString::number(perSecond_),
+                              QStringLiteral("-i"),
+                              QStringLiteral("-")};
+    const QStringList to = {QStringLiteral("-pix_fmt"),
+                            QStringLiteral("yuv420p"),
+                            QStringLiteral("-fflags"),
+                            QStringLiteral("+bitexact"),
+                            QStringLiteral("-flags:v"),
+                            QStringLiteral("+bitexact"),
+                            QStringLiteral("file:") + QString::fromStdString(part_)};
+    process_.setProcessChannelMode(QProcess::MergedChannels);
+    process_.start(QStringLiteral("ffmpeg"), from + codec + to);
+    return process_.waitForStarted();
+  }
+  base::Diagnostics failure() {
+    const QByteArray said = process_.readAll().trimmed().left(400);
+    return {base::error("movie.not-made",
+                        {said.isEmpty() ? std::string("ffmpeg") : "ffmpeg: " + said.toStdString()},
+                        path_)};
+  }
+
+  const std::string path_, part_;
+  const double perSecond_;
+  QProcess process_;
+};
+
+}  // namespace
+
+bool Movie::isName(const std::string& ending) {
+  return ending == ".gif" || ending == ".mp4" || ending == ".webm";
+}
+
+base::Result<std::unique_ptr<Movie>> Movie::begin(const std::string& path, double perSecond) {
+  std::error_code ignored;  // an impossible folder shows when the file is written
+  fs::create_directories(fs::path(path).parent_path(), ignored);
+  if (endingOf(path) == ".gif") {
+    return std::unique_ptr<Movie>(std::make_unique<GifMovie>(path, perSecond));
+  }
+  if (QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) {
+    return base::error("movie.no-encoder", {}, path);
+  }
+  return std::unique_ptr<Movie>(std::make_unique<EncodedMovie>(path, perSecond));
+}
+
+}  // namespace app

@@ -1,0 +1,179 @@
+#include <cmath>
+
+#include <QImageReader>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <QtTest>
+
+#include "tests/app/RunFiles.h"
+
+using outside::Finished;
+using outside::text;
+
+namespace {
+
+constexpr double kDuration = 2.0;         // [s]
+constexpr double kColumn = 85.0;          // [mm]
+constexpr double kPxPerMm = 96.0 / 25.4;  // as CSS has them
+constexpr double kPtPerMm = 72.0 / 25.4;
+
+}  // namespace
+
+/// `hunavsim render` from outside, its files read by Qt, ffprobe or as text.
+class RenderProgramTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir folder_;
+  QString path(const QString& name) const { return folder_.filePath(name); }
+  Finished render(const QString& name, const QStringList& more = {}) const {
+    return outside::runProgram(
+        QStringList{text("render"), path(text("run")), text("-o"), path(name)} + more);
+  }
+
+ private Q_SLOTS:
+  void initTestCase() {
+    const Finished made = outside::runProgram(
+        {text("run"), text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml"),
+         text("--duration"), QString::number(kDuration), text("-q"), text("-o"),
+         path(text("run"))});
+    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+  }
+
+  /// Whatever is drawn twice has the same bytes.
+  void picture_again_isTheSame_data() {
+    QTest::addColumn<QString>("ending");
+    for (const char* ending : {"png", "svg", "pdf", "gif", "html"}) {
+      QTest::newRow(ending) << text(ending);
+    }
+  }
+  void picture_again_isTheSame() {
+    QFETCH(QString, ending);
+    QVERIFY(render(text("a/b/1.") + ending).exitCode == 0);  // folders on the way are made
+    const QByteArray bytes = outside::bytesOf(path(text("a/b/1.") + ending));
+    QVERIFY(bytes.size() > 1000);
+    const int times = ending == text("gif") ? 1 : 4;  // orders by chance are the same now and then
+    for (int time = 0; time < times; ++time) {
+      QVERIFY(render(text("2.") + ending).exitCode == 0);
+      QVERIFY(bytes == outside::bytesOf(path(text("2.") + ending)));
+    }
+  }
+
+  void svg_ofAColumn_needsNoFontAndHasItsWidth() {
+    QVERIFY(render(text("column.svg"), {text("--width"), QString::number(kColumn)}).exitCode == 0);
+    const QByteArray bytes = outside::bytesOf(path(text("column.svg")));
+    QVERIFY(!bytes.contains("<text"));
+    QXmlStreamReader svg(bytes);
+    QVERIFY(svg.readNextStartElement());
+    const QStringList box = svg.attributes().value(text("viewBox")).toString().split(text(" "));
+    QCOMPARE(box.size(), 4);
+    QVERIFY(std::abs(box[2].toDouble() - kColumn * kPxPerMm) < 0.1);
+    const QString width = svg.attributes().value(text("width")).toString();
+    QVERIFY(width.endsWith(text("mm")));
+    QVERIFY(std::abs(width.left(width.size() - 2).toDouble() - kColumn) < 0.2);
+    while (!svg.atEnd()) {
+      svg.readNext();
+    }
+    QVERIFY(!svg.hasError());
+  }
+
+  void pdf_ofAColumn_isOnePageOfItsWidth() {
+    QVERIFY(render(text("column.pdf"), {text("--width"), QString::number(kColumn)}).exitCode == 0);
+    const QByteArray bytes = outside::bytesOf(path(text("column.pdf")));
+    const QRegularExpression box(text("/MediaBox \\[0(?:\\.0*)? 0(?:\\.0*)? ([0-9.]+) "));
+    const QRegularExpressionMatch found =
+        box.match(QString(QLatin1String(bytes.constData(), bytes.size())));
+    QVERIFY(found.hasMatch());
+    QVERIFY(std::abs(found.captured(1).toDouble() - kColumn * kPtPerMm) < 1.0);
+    QVERIFY(bytes.contains("/Count 1"));
+    QVERIFY(bytes.contains("/FontFile"));  // embedded
+  }
+
+  /// Nobody has gone anywhere yet.
+  void at_theBeginning_hasNoWays() {
+    QVERIFY(render(text("whole.svg")).exitCode == 0);
+    QVERIFY(render(text("begin.svg"), {text("--at"), text("0")}).exitCode == 0);
+    const auto linesOf = [this](const QString& name) {
+      return outside::bytesOf(path(name)).count("<polyline");
+    };
+    QVERIFY(linesOf(text("begin.svg")) > 0);  // of scale and legend
+    QVERIFY(linesOf(text("whole.svg")) > linesOf(text("begin.svg")) + 50);
+  }
+
+  void gif_framesAndTheirTime() {
+    QVERIFY(render(text("film.gif"), {text("--fps"), text("10"), text("--width"), text("400")})
+                .exitCode == 0);
+    QImageReader film(path(text("film.gif")));
+    QCOMPARE(film.imageCount(), 21);  // 0, 0.1 … 2 s
+    QCOMPARE(film.loopCount(), -1);   // for ever
+    QImage first = film.read();
+    QCOMPARE(first.width(), 400);
+    QCOMPARE(film.nextImageDelay(), 100);  // [ms]
+    QImage last = first;
+    while (film.canRead()) {
+      last = film.read();
+    }
+    QVERIFY(first != last);
+  }
+
+  void film_byFfmpeg_framesAndSize_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("mp4") << text("film.mp4");
+    QTest::newRow("webm") << text("film.webm");
+  }
+  void film_byFfmpeg_framesAndSize() {
+    QFETCH(QString, name);
+    if (QStandardPaths::findExecutable(text("ffprobe")).isEmpty()) {
+      const Finished told = render(name);
+      QCOMPARE(told.exitCode, 2);
+      QVERIFY2(told.err.contains(text("ffmpeg")), qPrintable(told.err));
+      QSKIP("ffmpeg is not installed");
+    }
+    const Finished made = render(name, {text("--fps"), text("10"), text("--speed"), text("2"),
+                                        text("--width"), text("321")});
+    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    QProcess probe;
+    probe.start(text("ffprobe"),
+                {text("-v"), text("error"), text("-count_frames"), text("-show_entries"),
+                 text("stream=nb_read_frames,width"), text("-of"), text("csv=p=0"), path(name)});
+    const Finished probed = outside::finishedOf(probe);
+    QCOMPARE(probed.out.trimmed(), text("322,11"));  // even; 0, 0.2 … 2 s
+    QCOMPARE(QDir(folder_.path()).entryList({text("*.new-*")}).size(), 0);
+  }
+
+  void wrongWords_areTold_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QStringList>("more");
+    QTest::newRow("ending") << text("x.tiff") << QStringList();
+    QTest::newRow("instant of a film") << text("x.gif") << QStringList{text("--at"), text("1")};
+    QTest::newRow("rate of a picture") << text("x.png") << QStringList{text("--fps"), text("10")};
+    QTest::newRow("width of a page") << text("x.html") << QStringList{text("--width"), text("100")};
+    QTest::newRow("no width") << text("x.png") << QStringList{text("--width"), text("-3")};
+  }
+  void wrongWords_areTold() {
+    QFETCH(QString, name);
+    QFETCH(QStringList, more);
+    const Finished told = render(name, more);
+    QCOMPARE(told.exitCode, 64);
+    QVERIFY(!told.err.isEmpty());
+    QVERIFY(!QFile::exists(path(name)));
+  }
+
+  void folderThatCannotBe_isTold_data() {
+    QTest::addColumn<QString>("name");
+    QTest::newRow("png") << text("file/x.png");
+    QTest::newRow("gif") << text("file/x.gif");
+    QTest::newRow("mp4") << text("file/x.mp4");
+  }
+  void folderThatCannotBe_isTold() {
+    QFETCH(QString, name);
+    outside::writeText(path(text("file")), "no folder");
+    const Finished told = render(name);
+    QCOMPARE(told.exitCode, 2);
+    QVERIFY(!told.err.isEmpty());
+  }
+};
+
+QTEST_GUILESS_MAIN(RenderProgramTest)
+#include "tst_RenderProgram.moc"
