@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/Experiment.h"
+#include "app/run/ListedFiles.h"
 #include "app/run/Sha256.h"
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/Text.h"
@@ -348,6 +349,7 @@ base::Result<Study> readStudy(const Wishes& wishes) {
   Study manifest;
   base::Diagnostics problems = text.diagnostics();
   base::append(problems, readManifest(fs::path(wishes.folder) / "manifest.json", manifest));
+  base::append(problems, app::checkListed(wishes.folder, {"results.csv"}));
   if (!text) {
     return problems;
   }

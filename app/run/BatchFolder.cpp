@@ -28,26 +28,69 @@ bool isThere(const std::string& path) {
   return fs::exists(fs::symlink_status(path, ignored));
 }
 
-/// How many runs a batch of before had in this folder; none where its manifest is of no batch.
-std::optional<std::size_t> runsOfBatchIn(const std::string& folder) {
-  const base::Result<std::string> text = base::readTextFile(fileIn(folder, "manifest.json"));
-  const auto manifest = text ? nlohmann::json::parse(*text, nullptr, false) : nlohmann::json();
-  const auto runs = manifest.is_object() ? manifest.find("runs") : manifest.end();
-  return runs != manifest.end() && runs->is_number_unsigned()
-             ? std::optional(runs->get<std::size_t>())
-             : std::nullopt;
+/// How many runs batches of before had in this folder at most; none where its manifest is of no
+/// batch.
+base::Result<std::optional<std::size_t>> runsOfBatchIn(const std::string& folder) {
+  const base::Result<std::string> text = manifestText(folder, "manifest.json");
+  if (!text) {
+    return text.diagnostics();
+  }
+  const auto manifest = nlohmann::json::parse(*text);
+  std::optional<std::size_t> most;
+  for (const char* key : {"runs", "replaces"}) {
+    const auto runs = manifest.find(key);
+    if (runs != manifest.end() && runs->is_number_unsigned()) {
+      most = std::max(most.value_or(0), runs->get<std::size_t>());
+    }
+  }
+  return most;
 }
 
-/// results.csv is not what the batch of before has written: somebody has changed it.
-bool isChanged(const std::string& folder) {
-  return isThere(fileIn(folder, "results.csv")) && !checkListed(folder, {"results.csv"}).empty();
+/// results.csv is not what the batch of before has written: somebody has changed it. While it is
+/// replaced no manifest lists it.
+base::Diagnostics changedResults(const std::string& folder) {
+  const base::Result<FileHashes> listed = listedFiles(folder, "manifest.json");
+  if (!listed) {
+    return listed.diagnostics();
+  }
+  const std::string results = fileIn(folder, "results.csv");
+  const bool isOther =
+      isThere(results) && !listed->empty() && !isAsListed(folder, *listed, "results.csv");
+  return isOther ? base::Diagnostics{base::error("file.is-in-the-way", {}, results)}
+                 : base::Diagnostics();
+}
+
+using NumberedRuns = std::vector<std::pair<std::size_t, std::string>>;
+
+/// Folders of runs with their numbers.
+base::Result<NumberedRuns> numberedRuns(const std::string& runs) {
+  NumberedRuns found;
+  std::error_code error;
+  if (!fs::is_directory(fs::symlink_status(runs, error))) {
+    return found;
+  }
+  error.clear();
+  for (fs::directory_iterator at(runs, error), end; !error && at != end; at.increment(error)) {
+    const auto run = base::parseInt(at->path().filename().string());
+    if (run && *run >= 0) {
+      found.emplace_back(static_cast<std::size_t>(*run), at->path().string());
+    }
+  }
+  if (error) {
+    return base::error("file.cannot-read", {error.message()}, runs);
+  }
+  return found;
 }
 
 /// What lies where the results will be written and is not of an earlier batch. `force`: only what
 /// is not replaced even then, links and files in place of folders.
 base::Diagnostics strangersIn(const std::string& folder, std::size_t runCount, bool force) {
   constexpr std::size_t kMostTold = 5;
-  std::optional<std::size_t> known = runsOfBatchIn(folder);
+  const base::Result<std::optional<std::size_t>> former = runsOfBatchIn(folder);
+  if (!former) {
+    return former.diagnostics();
+  }
+  std::optional<std::size_t> known = *former;
   if (!known && ResultStore::isStore(fileIn(folder, "results.sqlite"))) {
     known = runCount;
   }
@@ -61,16 +104,18 @@ base::Diagnostics strangersIn(const std::string& folder, std::size_t runCount, b
   if (fs::is_symlink(fs::symlink_status(runs, error))) {
     return {base::error("batch.no-folder", {}, runs)};
   }
+  const auto folders = numberedRuns(runs);
+  if (!folders) {
+    return folders.diagnostics();
+  }
   base::Diagnostics problems;
-  for (fs::directory_iterator at(runs, error), end; !error && at != end; at.increment(error)) {
-    const auto run = base::parseInt(at->path().filename().string());
-    if (!run || *run < 0 || problems.size() >= kMostTold) {
+  for (const auto& [index, path] : *folders) {
+    if (index >= runCount || problems.size() >= kMostTold) {
       continue;  // nothing will be written there
     }
-    const auto index = static_cast<std::size_t>(*run);
-    const auto stranger = strangerIn(at->path().string(), index < known.value_or(0));
-    const bool isFolder = stranger && *stranger != at->path().string();
-    if (stranger && index < runCount && !(force && isFolder)) {
+    const auto stranger = strangerIn(path, index < known.value_or(0));
+    const bool isFolder = stranger && *stranger != path;
+    if (stranger && !(force && isFolder)) {
       problems.push_back(
           base::error(isFolder ? "batch.stranger" : "batch.no-folder", {}, *stranger));
     }
@@ -112,9 +157,10 @@ void removeUnfinished(const std::string& folder) {
 
 }  // namespace
 
-Study studyOf(const Experiment& experiment, const std::vector<std::string>& inputs,
-              const Shard& shard) {
+base::Result<Study> studyOf(const Experiment& experiment, const std::vector<std::string>& inputs,
+                            const Shard& shard) {
   Study study;
+  base::Diagnostics unread;
   study.version = programVersion();
   study.commit = programCommit();
   study.experimentPath = experiment.path;
@@ -122,7 +168,11 @@ Study studyOf(const Experiment& experiment, const std::vector<std::string>& inpu
   study.inputs.reserve(inputs.size() + 1);
   study.inputs.push_back({experiment.path, sha256Of(experiment.text)});
   for (const std::string& input : inputs) {
-    study.inputs.push_back({input, sha256OfFile(input).value_or("")});
+    const std::optional<std::string> hash = sha256OfFile(input);
+    if (!hash) {
+      unread.push_back(base::error("file.cannot-read", {"it is gone or damaged"}, input));
+    }
+    study.inputs.push_back({input, hash.value_or("")});
   }
   for (const ExperimentValue& value : experiment.values) {
     study.paths.push_back(value.path);
@@ -133,7 +183,7 @@ Study studyOf(const Experiment& experiment, const std::vector<std::string>& inpu
   study.runs = experiment.runCount();
   study.shard = shard;
   study.allowsCode = experiment.allowCode;
-  return study;
+  return unread.empty() ? base::Result<Study>(std::move(study)) : base::Result<Study>(unread);
 }
 
 base::Diagnostics differences(const Study& was, const Study& now) {
@@ -168,8 +218,8 @@ base::Result<std::unique_ptr<BatchFolder>> BatchFolder::open(const std::string& 
   std::unique_ptr<BatchFolder> batch(new BatchFolder(folder, *std::move(lock)));
   removeUnfinished(folder);
   base::Diagnostics problems = strangersIn(folder, study.runs, earlier == Earlier::Replace);
-  if (earlier != Earlier::Replace && isChanged(folder)) {
-    problems.push_back(base::error("file.is-in-the-way", {}, batch->resultsFile()));
+  if (earlier != Earlier::Replace) {
+    base::append(problems, changedResults(folder));
   }
   if (!base::hasErrors(problems)) {
     problems = batch->takeEarlier(study, earlier);
@@ -213,9 +263,14 @@ base::Diagnostics BatchFolder::takeEarlier(const Study& study, Earlier earlier) 
 
 /// From the first file on the folder is that of a batch, also when this one is cut short.
 base::Diagnostics BatchFolder::begin(const Study& study) {
-  const std::size_t former = runsOfBatchIn(folder_).value_or(0);
-  base::Diagnostics problems =
-      base::writeFileAtomically(fileIn(folder_, "manifest.json"), emptyManifest(study));
+  const base::Result<std::optional<std::size_t>> earlier = runsOfBatchIn(folder_);
+  if (!earlier) {
+    return earlier.diagnostics();
+  }
+  const std::size_t former = earlier->value_or(0);
+  base::Diagnostics problems = base::writeFileAtomically(
+      fileIn(folder_, "manifest.json"), emptyManifest(study, former));  // who is killed below,
+                                                                        // still knows of them
   if (base::hasErrors(problems)) {
     return problems;
   }
@@ -223,16 +278,18 @@ base::Diagnostics BatchFolder::begin(const Study& study) {
        {"results.csv", "results.sqlite", "results.sqlite-wal", "results.sqlite-journal"}) {
     removeQuietly(fileIn(folder_, name));
   }
-  std::error_code error;
-  std::vector<std::string> old;
-  for (fs::directory_iterator at(runsFolder(), error), end; !error && at != end;
-       at.increment(error)) {
-    const auto run = base::parseInt(at->path().filename().string());
-    if (run && *run >= 0 && static_cast<std::size_t>(*run) < std::max(former, study.runs)) {
-      old.push_back(at->path().string());
+  const auto folders = numberedRuns(runsFolder());
+  if (!folders) {
+    return folders.diagnostics();
+  }
+  for (const auto& [run, path] : *folders) {
+    if (run < std::max(former, study.runs)) {
+      base::append(problems, removeRun(path));
     }
   }
-  std::for_each(old.begin(), old.end(), removeRun);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
   base::Result<std::unique_ptr<ResultStore>> store =
       ResultStore::create(fileIn(folder_, "results.sqlite"), study);
   if (!store) {
@@ -262,42 +319,42 @@ std::vector<std::size_t> BatchFolder::missing() const {
 }
 
 /// Folders of runs that were cut short: their manifest would be written last.
-void BatchFolder::removeRests() const {
-  std::error_code error;
-  std::vector<std::string> rests;
-  for (fs::directory_iterator at(runsFolder(), error), end; !error && at != end;
-       at.increment(error)) {
-    const auto run = base::parseInt(at->path().filename().string());
-    const bool isOfStudy =
-        run && *run >= 0 && static_cast<std::size_t>(*run) < store_->study().runs;
-    if (isOfStudy && (!store_->has(static_cast<std::size_t>(*run)) ||
-                      !isThere((at->path() / "manifest.json").string()))) {
-      rests.push_back(at->path().string());
+base::Diagnostics BatchFolder::removeRests() const {
+  const auto folders = numberedRuns(runsFolder());
+  base::Diagnostics problems = folders.diagnostics();
+  for (const auto& [run, path] : folders ? *folders : NumberedRuns()) {
+    if (run < store_->study().runs &&
+        (!store_->has(run) || !isThere((fs::path(path) / "manifest.json").string()))) {
+      base::append(problems, removeRun(path));
     }
   }
-  std::for_each(rests.begin(), rests.end(), removeRun);
-  if (fs::is_directory(fs::symlink_status(runsFolder(), error))) {
+  std::error_code ignored;
+  if (fs::is_directory(fs::symlink_status(runsFolder(), ignored))) {
     removeQuietly(runsFolder());  // it stays when runs are kept in it
   }
+  return problems;
 }
 
 base::Diagnostics BatchFolder::finish() {
-  removeRests();
+  const base::Diagnostics stays = removeRests();
   const std::string manifest = fileIn(folder_, "manifest.json");
   // While the table is replaced nothing says which one it is: killed here, the batch can be
   // resumed.
-  base::Diagnostics problems = base::writeFileAtomically(manifest, emptyManifest(store_->study()));
+  base::Diagnostics problems =
+      base::writeFileAtomically(manifest, emptyManifest(store_->study(), 0));
   if (!base::hasErrors(problems)) {
     problems = writeResults(*store_, resultsFile());
   }
   if (!base::hasErrors(problems)) {
     const std::optional<std::string> hash = sha256OfFile(resultsFile());
-    manifest_ = batchManifest(*store_, hash.value_or(""));
-    problems = hash ? base::writeFileAtomically(manifest, manifest_)
-                    : base::Diagnostics{base::error("file.cannot-read", {"it is gone or damaged"},
-                                                    resultsFile())};
+    const base::Result<std::string> text =
+        hash ? batchManifest(*store_, *hash)
+             : base::error("file.cannot-read", {"it is gone or damaged"}, resultsFile());
+    manifest_ = text ? *text : std::string();
+    problems = text ? base::writeFileAtomically(manifest, manifest_) : text.diagnostics();
   }
   base::append(problems, store_->close());
+  base::append(problems, stays);
   return problems;
 }
 

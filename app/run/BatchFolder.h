@@ -10,9 +10,10 @@
 
 namespace app {
 
-/// The study that an experiment is. `inputs`: the files that its runs read.
-Study studyOf(const Experiment& experiment, const std::vector<std::string>& inputs,
-              const Shard& shard);
+/// The study that an experiment is. `inputs`: the files that its runs read. Error: one of them
+/// cannot be read any more.
+base::Result<Study> studyOf(const Experiment& experiment, const std::vector<std::string>& inputs,
+                            const Shard& shard);
 /// What of `now` is not as it `was`, with its places; empty: runs of both belong together.
 base::Diagnostics differences(const Study& was, const Study& now);
 
@@ -45,7 +46,7 @@ class BatchFolder {
       : folder_(std::move(folder)), lock_(std::move(lock)) {}
   base::Diagnostics takeEarlier(const Study& study, Earlier earlier);
   base::Diagnostics begin(const Study& study);
-  void removeRests() const;
+  base::Diagnostics removeRests() const;
 
   std::string folder_;
   std::unique_ptr<FolderLock> lock_;

@@ -80,7 +80,10 @@ std::string ExperimentRunner::folderOf(std::size_t run) const {
 
 base::Result<ResultRow> ExperimentRunner::run(std::size_t index) {
   const bool hasFiles = experiment_.record != Record::Metrics;
-  removeRun(folderOf(index));  // of an earlier batch, or cut short
+  const base::Diagnostics stays = removeRun(folderOf(index));  // of an earlier batch, or cut short
+  if (!stays.empty()) {
+    return stays;
+  }
   const Bundle bundle = readBundle(experiment_.optionsOf(index), settingsOf(experiment_), files_);
   Verdict verdict = app::check(bundle);
   if (!verdict.ok()) {

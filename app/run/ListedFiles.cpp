@@ -28,16 +28,22 @@ bool isWithin(const std::string& name) {
          std::none_of(path.begin(), path.end(), [](const fs::path& part) { return part == ".."; });
 }
 
-std::string manifestText(const std::string& folder, const char* name) {
-  const base::Result<std::string> text =
-      fs::is_regular_file(statusIn(folder, name))
-          ? base::readTextFile((fs::path(folder) / name).string())
-          : base::Result<std::string>("");
-  return text && Json::parse(*text, nullptr, false).is_object() ? *text : "{}";
+base::Result<std::string> manifestText(const std::string& folder, const char* name) {
+  if (!fs::is_regular_file(statusIn(folder, name))) {
+    return std::string("{}");
+  }
+  base::Result<std::string> text = base::readTextFile((fs::path(folder) / name).string());
+  return !text || Json::parse(*text, nullptr, false).is_object()
+             ? text
+             : base::Result<std::string>(std::string("{}"));
 }
 
-FileHashes listedFiles(const std::string& folder, const char* name) {
-  const Json manifest = Json::parse(manifestText(folder, name));
+base::Result<FileHashes> listedFiles(const std::string& folder, const char* name) {
+  const base::Result<std::string> text = manifestText(folder, name);
+  if (!text) {
+    return text.diagnostics();
+  }
+  const Json manifest = Json::parse(*text);
   FileHashes listed;
   const auto outputs = manifest.find("outputs");
   for (const Json& output : outputs != manifest.end() && outputs->is_array() ? *outputs : Json()) {
@@ -57,11 +63,17 @@ bool isAsListed(const std::string& folder, const FileHashes& listed, const std::
 }
 
 base::Diagnostics checkListed(const std::string& folder, const std::vector<std::string>& names) {
-  const FileHashes listed = listedFiles(folder, "manifest.json");
+  const base::Result<std::string> text = manifestText(folder, "manifest.json");
+  const base::Result<FileHashes> read = listedFiles(folder, "manifest.json");
+  if (!text || !read) {
+    return text ? read.diagnostics() : text.diagnostics();
+  }
+  const bool hasList = Json::parse(*text).value("outputs", Json()).is_array();  // it may be empty
+  const FileHashes& listed = *read;
   base::Diagnostics problems;
   for (const std::string& name : names) {
     const bool isMeant = listed.count(name) != 0 || fs::exists(statusIn(folder, name));
-    if (!listed.empty() && isMeant && !isAsListed(folder, listed, name)) {
+    if (hasList && isMeant && !isAsListed(folder, listed, name)) {
       problems.push_back(base::error("trace.other-run", {}, (fs::path(folder) / name).string()));
     }
   }

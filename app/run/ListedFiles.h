@@ -17,17 +17,22 @@ using FileHashes = std::map<std::string, std::string>;
 /// Whether a name stays in the folder that it is relative to.
 bool isWithin(const std::string& name);
 
-/// The text of the manifest of this name in a folder, an object; "{}" where none can be read.
-std::string manifestText(const std::string& folder, const char* name);
-FileHashes listedFiles(const std::string& folder, const char* manifest);
+/// The text of the manifest of this name in a folder, an object; "{}" where there is none. Error:
+/// the disk does not give it.
+base::Result<std::string> manifestText(const std::string& folder, const char* name);
+base::Result<FileHashes> listedFiles(const std::string& folder, const char* manifest);
 
-/// Files that were read, for a manifest: [{"path", "sha256"}]; null where one is gone.
+/// Files that were read, for a manifest: [{"path", "sha256"}]; null and a warning where one is gone
+/// or damaged by now.
 template <class Json>
-Json inputHashes(const std::vector<std::string>& paths) {
+Json inputHashes(const std::vector<std::string>& paths, base::Diagnostics& warnings) {
   Json inputs = Json::array();
   for (const std::string& path : paths) {
     const std::optional<std::string> hash = sha256OfFile(path);
     inputs.push_back({{"path", path}, {"sha256", hash ? Json(*hash) : Json()}});
+    if (!hash) {
+      warnings.push_back(base::warning("file.not-hashed", {}, path));
+    }
   }
   return inputs;
 }

@@ -1,10 +1,14 @@
 #include "app/run/Merge.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <system_error>
+#include <vector>
 
 #include "app/run/RunFolder.h"
+#include "sim2d/base/Files.h"
 
 namespace app {
 
@@ -86,21 +90,46 @@ class Parts {
   std::map<std::size_t, Part> parts_;
 };
 
-/// Run folders that the shard kept.
+base::Diagnostics copyFile(const fs::path& from, const fs::path& to) {
+  constexpr std::size_t kPiece = std::size_t{1} << 16U;  // [B]
+  std::ifstream file(from, std::ios::binary);
+  base::GrowingFile copy(to.string());
+  std::vector<char> piece(kPiece);
+  while (file && !copy.hasFailed()) {
+    file.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+    copy.append({piece.data(), static_cast<std::size_t>(file.gcount())});
+  }
+  if (!copy.hasFailed() && !file.eof()) {
+    return {base::error("file.cannot-read", {"it is gone or damaged"}, from.string())};
+  }
+  return copy.finish();
+}
+
+/// Run folders that the shard kept; trace.json last, which makes a run of each.
 base::Diagnostics copyRuns(const std::string& from, const std::string& to) {
+  const fs::path runs = fs::path(from) / "runs";
   std::error_code error;
-  for (fs::directory_iterator at(fs::path(from) / "runs", error), end; !error && at != end;
-       at.increment(error)) {
-    std::error_code failed;
-    const fs::path place = fs::path(to) / at->path().filename();
-    fs::create_directories(to, failed);
-    fs::copy(at->path(), place, fs::copy_options::recursive | fs::copy_options::overwrite_existing,
-             failed);
-    if (failed) {
-      return {base::error("file.cannot-write", {failed.message()}, place.string())};
+  std::vector<fs::path> files;
+  if (fs::is_directory(runs, error)) {
+    for (fs::recursive_directory_iterator at(runs, error), end; !error && at != end;
+         at.increment(error)) {
+      if (!at->is_directory()) {
+        files.push_back(at->path().lexically_relative(runs));
+      }
     }
   }
-  return {};
+  if (error && error != std::errc::no_such_file_or_directory) {
+    return {base::error("file.cannot-read", {error.message()}, runs.string())};
+  }
+  std::stable_partition(files.begin(), files.end(),
+                        [](const fs::path& file) { return file.filename() != "trace.json"; });
+  base::Diagnostics problems;
+  for (const fs::path& file : files) {
+    if (problems.empty()) {
+      problems = copyFile(runs / file, fs::path(to) / file);
+    }
+  }
+  return problems;
 }
 
 base::Diagnostics join(const Parts& parts, BatchFolder& output) {

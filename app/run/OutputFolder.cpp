@@ -60,7 +60,7 @@ void flushFolder(const std::string& folder) {
 }
 
 /// All files below a folder, by their names in it, in order.
-std::vector<std::string> filesBelow(const std::string& folder) {
+base::Result<std::vector<std::string>> filesBelow(const std::string& folder) {
   std::vector<std::string> names;
   std::error_code error;
   for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
@@ -68,6 +68,9 @@ std::vector<std::string> filesBelow(const std::string& folder) {
     if (!fs::is_directory(at->symlink_status())) {
       names.push_back(at->path().lexically_relative(folder).string());
     }
+  }
+  if (error) {
+    return base::error("file.cannot-read", {error.message()}, folder);
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -87,13 +90,42 @@ base::Diagnostics putInPlace(const std::string& folder, const std::string& name)
              : base::Diagnostics{writeProblem(to, systemError())};
 }
 
+/// Of the files that a manifest listed those that the next one does not are removed, unless
+/// somebody has changed them.
+base::Diagnostics removeUnlisted(const std::string& folder, const std::string& next,
+                                 const char* manifest) {
+  const base::Result<FileHashes> before = listedFiles(folder, manifest);
+  const base::Result<FileHashes> now = listedFiles(next, manifest);
+  if (!before || !now) {
+    return before ? now.diagnostics() : before.diagnostics();
+  }
+  for (const auto& [name, hash] : *before) {
+    const std::string path = inFolder(folder, name);
+    if (now->count(name) != 0 || !fs::is_regular_file(statusOf(path))) {
+      continue;
+    }
+    const std::optional<std::string> found = sha256OfFile(path);
+    if (!found) {
+      return {base::error("file.cannot-read", {"it is gone or damaged"}, path)};
+    }
+    if (*found == hash && ::unlink(path.c_str()) != 0) {
+      return {base::error("file.cannot-remove", {systemError().message()}, path)};
+    }
+  }
+  return {};
+}
+
 /// What kCommit holds goes to its places, what was listed and is no more is removed; the manifest
 /// is the last. May be done again from any point.
 base::Diagnostics finishCommit(const std::string& folder) {
   const std::string from = inFolder(folder, kCommit);
   base::Diagnostics problems;
   const char* manifest = nullptr;  // none: it is in its place already
-  for (const std::string& name : filesBelow(from)) {
+  const base::Result<std::vector<std::string>> names = filesBelow(from);
+  if (!names) {
+    return names.diagnostics();
+  }
+  for (const std::string& name : *names) {
     if (name == OutputFolder::kManifest || name == OutputFolder::kHiddenManifest) {
       manifest =
           name == OutputFolder::kManifest ? OutputFolder::kManifest : OutputFolder::kHiddenManifest;
@@ -105,15 +137,10 @@ base::Diagnostics finishCommit(const std::string& folder) {
     return problems;
   }
   if (manifest != nullptr) {
-    const FileHashes before = listedFiles(folder, manifest);
-    const FileHashes now = listedFiles(from, manifest);
-    for (const auto& [name, hash] : before) {
-      const std::string path = inFolder(folder, name);
-      if (now.count(name) == 0 && isAsListed(folder, before, name) && ::unlink(path.c_str()) != 0) {
-        return {base::error("file.cannot-remove", {systemError().message()}, path)};
-      }
+    problems = removeUnlisted(folder, from, manifest);
+    if (problems.empty()) {
+      problems = putInPlace(folder, manifest);
     }
-    problems = putInPlace(folder, manifest);
   }
   if (problems.empty()) {
     std::error_code ignored;  // an empty folder that stays is taken away the next time
@@ -168,7 +195,11 @@ base::Result<std::unique_ptr<OutputFolder>> OutputFolder::open(const std::string
   if (error) {
     return base::error("file.cannot-make-folder", {error.message()}, output->staging_);
   }
-  output->listed_ = listedFiles(folder, manifest);
+  base::Result<FileHashes> listed = listedFiles(folder, manifest);
+  if (!listed) {
+    return listed.diagnostics();
+  }
+  output->listed_ = *std::move(listed);
   return output;
 }
 
@@ -219,7 +250,9 @@ base::Diagnostics OutputFolder::write(const std::string& name, std::string_view 
 
 base::Diagnostics OutputFolder::atTheirPlaces(base::Diagnostics problems) const {
   for (base::Diagnostic& problem : problems) {
-    if (problem.file.rfind(staging_, 0) == 0) {
+    if (problem.file == staging_) {
+      problem.file = folder_;
+    } else if (problem.file.rfind(staging_, 0) == 0) {
       problem.file = inFolder(folder_, problem.file.substr(staging_.size() + 1));
     }
   }
@@ -227,8 +260,11 @@ base::Diagnostics OutputFolder::atTheirPlaces(base::Diagnostics problems) const 
 }
 
 base::Diagnostics OutputFolder::commit(const std::string& manifest, Earlier earlier) {
-  const std::vector<std::string> names = filesBelow(staging_);
-  base::Diagnostics problems = inTheWay(names);
+  const base::Result<std::vector<std::string>> names = filesBelow(staging_);
+  const base::Result<std::string> former =
+      earlier == Earlier::Kept ? manifestText(folder_, manifest_) : std::string("{}");
+  base::Diagnostics problems = names ? inTheWay(*names) : atTheirPlaces(names.diagnostics());
+  base::append(problems, former.diagnostics());
   if (base::hasErrors(problems)) {
     return problems;
   }
@@ -236,14 +272,14 @@ base::Diagnostics OutputFolder::commit(const std::string& manifest, Earlier earl
   for (const std::string& name : dropped_) {
     hashes.erase(name);
   }
-  for (const std::string& name : names) {
+  for (const std::string& name : *names) {
     const std::optional<std::string> hash = sha256OfFile(inFolder(staging_, name));
     if (!hash) {
       return {base::error("file.cannot-read", {"it is gone or damaged"}, inFolder(folder_, name))};
     }
     hashes[name] = *hash;
   }
-  Json json = earlier == Earlier::Kept ? Json::parse(manifestText(folder_, manifest_)) : Json();
+  Json json = Json::parse(*former);
   if (json.empty()) {
     json = Json::parse(manifest);
   }

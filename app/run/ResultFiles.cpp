@@ -98,7 +98,7 @@ Json manifestOf(const Study& study, std::size_t finished, std::size_t failed) {
 }
 
 /// scenario -> seed -> path -> what was drawn: the same in every run of that scenario and seed.
-Json drawnJson(const ResultStore& store) {
+base::Result<Json> drawnJson(const ResultStore& store) {
   const Study& study = store.study();
   std::vector<std::size_t> places;
   for (std::size_t k = 0; k < study.paths.size(); ++k) {
@@ -110,13 +110,14 @@ Json drawnJson(const ResultStore& store) {
   if (places.empty()) {
     return drawn;
   }
-  const base::Diagnostics unreadable = store.forEach([&](const StoredRun& stored) {
+  base::Diagnostics unreadable = store.forEach([&](const StoredRun& stored) {
     Json& values = drawn[stored.scenario][std::to_string(stored.seed)];
     for (const std::size_t place : places) {
       values[study.paths[place]] = stored.values[place];
     }
   });
-  return unreadable.empty() ? drawn : Json();  // writeResults() tells why
+  return unreadable.empty() ? base::Result<Json>(std::move(drawn))
+                            : base::Result<Json>(std::move(unreadable));
 }
 
 /// What a field of CSV says.
@@ -171,17 +172,26 @@ std::string beginJson(const ResultStore& store) {
       .dump();
 }
 
-std::string batchManifest(const ResultStore& store, const std::string& resultsHash) {
+base::Result<std::string> batchManifest(const ResultStore& store, const std::string& resultsHash) {
   Json json = manifestOf(store.study(), store.finished(), store.failed());
   json["outputs"] = Json::array({{{"path", "results.csv"}, {"sha256", resultsHash}}});
   if (!store.study().drawn.empty()) {
-    json["drawn"] = drawnJson(store);
+    base::Result<Json> drawn = drawnJson(store);
+    if (!drawn) {
+      return drawn.diagnostics();
+    }
+    json["drawn"] = *std::move(drawn);
   }
   return base::jsonText(json) + "\n";
 }
 
-std::string emptyManifest(const Study& study) {
-  return base::jsonText(manifestOf(study, 0, 0)) + "\n";
+std::string emptyManifest(const Study& study, std::size_t former) {
+  Json json = manifestOf(study, 0, 0);
+  json["outputs"] = Json::array();
+  if (former > study.runs) {
+    json["replaces"] = former;
+  }
+  return base::jsonText(json) + "\n";
 }
 
 }  // namespace app

@@ -20,8 +20,9 @@ std::string beginJson(const ResultStore& store);
 
 /// manifest.json of a batch: the program, files that were read, how many runs there are, and what
 /// was drawn for each scenario and seed.
-std::string batchManifest(const ResultStore& store, const std::string& resultsHash);
-/// The same of one in which nothing has run.
-std::string emptyManifest(const Study& study);
+base::Result<std::string> batchManifest(const ResultStore& store, const std::string& resultsHash);
+/// The same of one in which nothing has run, and that lists no files. `former`: how many runs the
+/// batch in this folder had that it takes the place of.
+std::string emptyManifest(const Study& study, std::size_t former);
 
 }  // namespace app

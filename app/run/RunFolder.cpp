@@ -88,12 +88,12 @@ Json robotJson(const sim2d::TraceRobot& robot) {
 }
 
 /// Whether programs and libraries of others could start, and which did.
-Json codeJson(const Bundle& bundle) {
+Json codeJson(const Bundle& bundle, base::Diagnostics& warnings) {
   Json started = Json::array();
   for (const ForeignCode& code : foreignCodeOf(*bundle.scenario)) {
     started.push_back({{"robot", code.robot},
                        {code.key, code.words},
-                       {"files", inputHashes<Json>(filesOf(code, bundle.path))}});
+                       {"files", inputHashes<Json>(filesOf(code, bundle.path), warnings)}});
   }
   return {{"allowed", bundle.settings.code == sim2d::CodeUse::Allowed}, {"started", started}};
 }
@@ -110,7 +110,7 @@ void tellResult(const sim2d::RunResult& run, int robot, Json& to) {
 
 /// What it came from, what it was set to, how it ended.
 std::string runManifest(const Bundle& bundle, const FinishedRun& run,
-                        const std::vector<std::string>& commandLine) {
+                        const std::vector<std::string>& commandLine, base::Diagnostics& warnings) {
   const sim2d::TraceHeader& header = run.header;
   const sim2d::RunResult& result = run.result;
   const double simulated = static_cast<double>(result.steps) * header.dt;
@@ -120,8 +120,8 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   json["command_line"] = commandLine;
   json["status"] = kStatusNames[static_cast<int>(result.status)];
   json["reason"] = result.reason;
-  json["inputs"] = inputHashes<Json>(inputsOf(bundle));
-  json["code"] = codeJson(bundle);
+  json["inputs"] = inputHashes<Json>(inputsOf(bundle), warnings);
+  json["code"] = codeJson(bundle, warnings);
   json["seed"] = header.seed;
   json["dt"] = header.dt;
   json["model"] = desktop.model.value_or("sfm");
@@ -222,21 +222,35 @@ std::optional<std::string> strangerIn(const std::string& runFolder, bool isOurs)
       return at->path().string();
     }
   }
-  return std::nullopt;
+  return error ? std::optional(runFolder) : std::nullopt;  // who knows what is in it
 }
 
-void removeRun(const std::string& runFolder) {
-  std::error_code ignored;  // what stays does no harm to the results
-  if (!fs::is_directory(fs::symlink_status(runFolder, ignored))) {
-    return;
-  }
+base::Diagnostics removeRun(const std::string& runFolder) {
   std::error_code error;
+  if (!fs::is_directory(fs::symlink_status(runFolder, error))) {
+    return {};
+  }
+  error.clear();
+  std::vector<std::string> names;
   for (fs::directory_iterator at(runFolder, error), end; !error && at != end; at.increment(error)) {
     if (isOfRun(*at)) {
-      fs::remove_all(at->path(), ignored);
+      names.push_back(at->path().filename().string());
     }
   }
-  fs::remove(runFolder, ignored);  // when it is empty
+  if (error) {
+    return {base::error("file.cannot-read", {error.message()}, runFolder)};
+  }
+  // without it no reader takes what is left for a run
+  std::stable_partition(names.begin(), names.end(),
+                        [](const std::string& name) { return name == "trace.json"; });
+  for (const std::string& name : names) {
+    fs::remove_all(pathIn(runFolder, name), error);
+    if (error) {
+      return {base::error("file.cannot-remove", {error.message()}, pathIn(runFolder, name))};
+    }
+  }
+  fs::remove(runFolder, error);  // when it is empty
+  return {};
 }
 
 void RunWriter::begin(File file, std::string_view head) {
@@ -416,9 +430,11 @@ base::Diagnostics writeRunFolder(OutputFolder& output, const FinishedRun& run, R
   if (!run.totalsOnly) {
     write("trace.json", sim2d::traceJson(run.header));
   }
-  return base::hasErrors(problems)
-             ? problems
-             : output.commit(runManifest(bundle, run, commandLine), OutputFolder::Earlier::Removed);
+  if (!base::hasErrors(problems)) {
+    const std::string manifest = runManifest(bundle, run, commandLine, problems);
+    base::append(problems, output.commit(manifest, OutputFolder::Earlier::Removed));
+  }
+  return problems;
 }
 
 base::Diagnostics checkParts(const std::string& runFolder) {

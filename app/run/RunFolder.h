@@ -91,7 +91,8 @@ std::vector<std::string> inputsOf(const Bundle& bundle);
 /// batch; else only those that were cut short count): nothing else would be lost with it. What is
 /// not, by its name; a link is of somebody else.
 std::optional<std::string> strangerIn(const std::string& runFolder, bool isOurs);
-/// Removes the files of a run, and the folder when nothing else is in it.
-void removeRun(const std::string& runFolder);
+/// Removes the files of a run, and the folder when nothing else is in it. From its begin on no
+/// reader takes what is left for a run.
+base::Diagnostics removeRun(const std::string& runFolder);
 
 }  // namespace app

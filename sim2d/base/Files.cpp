@@ -1,9 +1,11 @@
 #include "sim2d/base/Files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
 #include <set>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <utility>
@@ -40,6 +42,75 @@ std::error_code errorUnless(bool isDone) {
   return isDone ? std::error_code() : lastError();
 }
 
+constexpr std::string_view kNew = ".new-", kOld = "-old";
+
+bool endsWith(std::string_view text, std::string_view end) {
+  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+/// "<file>.new-<process>-<number>", with "-old" or without.
+bool isBeside(std::string_view name, std::string_view file) {
+  if (name.substr(0, file.size()) != file || name.substr(file.size(), kNew.size()) != kNew) {
+    return false;
+  }
+  name.remove_prefix(file.size() + kNew.size());
+  name.remove_suffix(endsWith(name, kOld) ? kOld.size() : 0);
+  const std::vector<std::string> numbers = split(std::string(name), '-');
+  return numbers.size() == 2 && std::all_of(numbers.begin(), numbers.end(), [](const auto& text) {
+           return !text.empty() && std::all_of(text.begin(), text.end(), isDigit);
+         });
+}
+
+/// Somebody who lives has its lock, or that cannot be found out.
+bool isHeld(const std::string& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (file < 0) {
+    return errno != ENOENT;
+  }
+  const bool isFree = ::flock(file, LOCK_EX | LOCK_NB) == 0;
+  ::close(file);
+  return !isFree;
+}
+
+/// What killed processes left of their work on a file. One that lives has the lock of the new file
+/// until its end, wherever that lies by now.
+void removeLeftBehind(const std::string& target) {
+  const std::string file = fs::path(target).filename().string();
+  const fs::path folder = fs::path(target).parent_path();
+  std::error_code error;  // a folder that cannot be looked at keeps what is in it
+  std::vector<std::string> left;
+  for (fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, error), end;
+       !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    if (isBeside(at->path().filename().string(), file) &&
+        fs::is_regular_file(at->symlink_status(ignored))) {
+      left.push_back(at->path().string());
+    }
+  }
+  for (const std::string& name : left) {
+    const bool isOld = endsWith(name, kOld);
+    const std::string made = isOld ? name.substr(0, name.size() - kOld.size()) : name;
+    if (!isHeld(made) && !(isOld && isHeld(target))) {
+      ::unlink(name.c_str());
+    }
+  }
+}
+
+/// A new file with its lock; negative: errno tells why not.
+int makeLocked(const std::string& name) {
+  const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  struct stat made = {};
+  if (file >= 0) {
+    ::flock(file, LOCK_EX | LOCK_NB);  // where a disk has no locks nobody takes it away either
+    if (::fstat(file, &made) == 0 && made.st_nlink == 0) {  // taken away just before
+      ::close(file);
+      errno = EEXIST;
+      return -1;
+    }
+  }
+  return file;
+}
+
 }  // namespace
 
 GrowingFile::GrowingFile(std::string path) : path_(std::move(path)), target_(targetOf(path_)) {
@@ -72,10 +143,11 @@ void GrowingFile::note(const std::error_code& error) {
 }
 
 std::error_code GrowingFile::open() {
-  const std::string stem = target_ + ".new-" + std::to_string(::getpid()) + "-";
+  removeLeftBehind(target_);
+  const std::string stem = target_ + std::string(kNew) + std::to_string(::getpid()) + "-";
   for (int attempt = 0; attempt < 1000; ++attempt) {
     const std::string name = stem + std::to_string(attempt);
-    descriptor_ = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = makeLocked(name);
     if (descriptor_ >= 0) {
       new_ = name;
       struct stat old = {};  // a file that is replaced keeps its permissions
@@ -133,7 +205,7 @@ Diagnostics GrowingFile::finish() {
 }
 
 std::error_code GrowingFile::putInPlace() {
-  if (!close() || ::rename(new_.c_str(), target_.c_str()) != 0) {
+  if (::rename(new_.c_str(), target_.c_str()) != 0) {
     return lastError();
   }
   new_.clear();
@@ -145,7 +217,7 @@ std::error_code GrowingFile::keepOld() {
   if (!fs::exists(target_, error)) {
     return error;
   }
-  const std::string name = new_ + "-old";
+  const std::string name = new_ + std::string(kOld);
   fs::create_hard_link(target_, name, error);
   if (error) {  // not every file system has them
     fs::copy_file(target_, name, error);
@@ -173,13 +245,13 @@ bool GrowingFile::close() {
 }
 
 void GrowingFile::removeRest() {
-  close();
   for (std::string* name : {&new_, &old_}) {
     if (!name->empty()) {
       ::unlink(name->c_str());
       name->clear();
     }
   }
+  close();  // and the lock; all is on the disk since complete()
 }
 
 Diagnostics writeFileAtomically(const std::string& path, std::string_view content) {

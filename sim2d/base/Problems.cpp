@@ -273,6 +273,7 @@ constexpr ProblemText kTexts[] = {
     // Files.
     {"file.cannot-write", "cannot write the file: {reason}"},
     {"file.cannot-read", "cannot read the file: {reason}"},
+    {"file.not-hashed", "cannot be read again: the manifest has no checksum of it"},
     {"file.no-file", "this is a pipe or a device, no file (-: standard input)"},
     {"file.too-large", "the file is too large: {megabytes} MB at most"},
     {"file.cannot-make-folder", "cannot make the folder{reason?: %}"},

@@ -126,13 +126,14 @@ int batchCommand(const BatchOptions& options, const Invocation& given) {
   if (!options.script.empty()) {
     return printScript(options);
   }
-  const Study study =
+  const base::Result<Study> study =
       studyOf(*experiment, runner.inputs(), shardOf(options.shard).value_or(Shard()));
+  requireFine(study.diagnostics());
   const Earlier earlier = options.resume  ? Earlier::Resume
                           : options.force ? Earlier::Replace
                                           : Earlier::Refuse;
   base::Result<std::unique_ptr<BatchFolder>> folder =
-      BatchFolder::open(options.output, study, earlier);
+      BatchFolder::open(options.output, *study, earlier);
   requireFine(folder.diagnostics());
   catchInterrupts();
   base::Diagnostics troubles = makeRuns(*experiment, runner, **folder, options, given.quiet);

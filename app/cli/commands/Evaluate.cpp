@@ -254,13 +254,14 @@ std::vector<std::string> inputsOf(const EvaluateOptions& options) {
   return inputs;
 }
 
-std::string manifestOf(const EvaluateOptions& options, const Invocation& given) {
+std::string manifestOf(const EvaluateOptions& options, const Invocation& given,
+                       base::Diagnostics& warnings) {
   const nlohmann::ordered_json json = {
       {"program", {{"version", programVersion()}, {"commit", programCommit()}}},
       {"kind", "evaluation"},
       {"command_line", given.words()},
       {"source", options.source},
-      {"inputs", inputHashes<nlohmann::ordered_json>(inputsOf(options))}};
+      {"inputs", inputHashes<nlohmann::ordered_json>(inputsOf(options), warnings)}};
   return base::jsonText(json);
 }
 
@@ -290,10 +291,11 @@ base::Diagnostics writeResults(const EvaluateOptions& options, const sim2d::Trac
     return problems;
   }
   output.drop(namesOfResults(options, trace.header));
-  problems = output.commit(manifestOf(options, given), isIntoSource(options)
-                                                           ? OutputFolder::Earlier::Kept
-                                                           : OutputFolder::Earlier::Removed);
-  if (!options.layout.empty() && problems.empty()) {
+  const std::string manifest = manifestOf(options, given, problems);
+  base::append(problems,
+               output.commit(manifest, isIntoSource(options) ? OutputFolder::Earlier::Kept
+                                                             : OutputFolder::Earlier::Removed));
+  if (!options.layout.empty() && !base::hasErrors(problems)) {
     const auto files =
         metrics::writeEvaluatorFiles(evaluation, (fs::path(options.output) / "metrics").string(),
                                      isSecond ? metrics::Layout::Hunav2 : metrics::Layout::Hunav1);
