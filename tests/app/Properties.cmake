@@ -24,3 +24,5 @@ set_tests_properties(app.tst_LargeMapMemory PROPERTIES TIMEOUT ${long})
 set_tests_properties(app.tst_Mutations PROPERTIES TIMEOUT 1800 COST 100)
 # It starts the program for each step of memory.
 set_tests_properties(app.tst_LowMemory PROPERTIES TIMEOUT ${long} COST 100)
+# With HUNAV_ALL_TESTS it makes more than a thousand faults.
+set_tests_properties(app.tst_Faults PROPERTIES TIMEOUT 3600 COST 100)

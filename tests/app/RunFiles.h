@@ -63,6 +63,20 @@ inline QString text(const char* words) {
   return QString::fromUtf8(words);
 }
 
+/// Files and folders, hidden ones too.
+inline void copyFolder(const QString& from, const QString& to) {
+  QDir().mkpath(to);
+  for (const QFileInfo& each : QDir(from).entryInfoList(QDir::AllEntries | QDir::NoDotAndDotDot |
+                                                        QDir::Hidden | QDir::System)) {
+    const QString place = to + QLatin1Char('/') + each.fileName();
+    if (each.isDir()) {
+      copyFolder(each.filePath(), place);
+    } else {
+      QFile::copy(each.filePath(), place);
+    }
+  }
+}
+
 /// A file of the original, or a recording; it need not be there.
 inline QString interop(const QString& file) {
   const QString given = qEnvironmentVariable("HUNAV_INTEROP_DIR");

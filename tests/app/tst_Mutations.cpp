@@ -14,6 +14,7 @@
 #include "tests/support/Mutator.h"
 #include "tests/support/Sanitizers.h"
 
+using outside::copyFolder;
 using outside::text;
 
 // Findings of the sanitizers are told apart from what the program says. The names are theirs.
@@ -146,18 +147,6 @@ const std::vector<Kind>& kinds() {
 QTemporaryDir& corpus() {
   static QTemporaryDir folder;
   return folder;
-}
-
-void copyFolder(const QString& from, const QString& to) {
-  QDir().mkpath(to);
-  for (const QFileInfo& each :
-       QDir(from).entryInfoList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden)) {
-    if (each.isDir()) {
-      copyFolder(each.filePath(), to + QLatin1Char('/') + each.fileName());
-    } else {
-      QFile::copy(each.filePath(), to + QLatin1Char('/') + each.fileName());
-    }
-  }
 }
 
 /// Why the end of a command is none that users should see; empty: it is fine.
