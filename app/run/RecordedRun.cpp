@@ -60,7 +60,7 @@ class ScenarioMaker {
     if (scenario_.desktop.seed.value_or(1) != header_.seed) {
       scenario_.desktop.seed = header_.seed;
     }
-    scenario_.desktop.duration = recording_.frame(recording_.size() - 1)->time;
+    scenario_.desktop.duration = recording_.timeOf(recording_.size() - 1);
     for (const sim2d::TraceHuman& human : header_.humans) {
       addHuman(human);
     }
@@ -202,7 +202,7 @@ class ScenarioMaker {
 
 }  // namespace
 
-base::Result<RecordedRun> readRecordedRun(const std::string& folder) {
+base::Result<RecordedRun> readRecordedRun(const std::string& folder, std::size_t mostInMemory) {
   const base::Diagnostics unsettled = settleFolder(folder);
   if (base::hasErrors(unsettled)) {
     return unsettled;
@@ -212,7 +212,7 @@ base::Result<RecordedRun> readRecordedRun(const std::string& folder) {
     const bool isCut = fs::exists(fs::path(folder) / "trajectory.csv", none);
     return base::error(isCut ? "trace.unfinished" : "trace.no-run", {}, folder);
   }
-  const auto recording = sim2d::readRecording(folder);
+  const auto recording = sim2d::readRecording(folder, mostInMemory);
   base::Diagnostics problems = recording.diagnostics();
   if (recording && (*recording)->size() == 0) {
     problems.push_back(base::error("trace.no-states", {}, folder));

@@ -14,9 +14,10 @@ struct RecordedRun {
   std::string scenario;  // the file that was run; empty: it is gone or has changed since
 };
 
-/// All problems, with their places; warnings tell when the
-/// scenario is not there any more.
-base::Result<RecordedRun> readRecordedRun(const std::string& folder);
+/// All problems, with their places; warnings tell when the scenario is not there any more.
+/// `mostInMemory` [B]: of the recording's states, once it is read.
+base::Result<RecordedRun> readRecordedRun(
+    const std::string& folder, std::size_t mostInMemory = sim2d::Recording::kUsualMemory);
 
 /// The scenario of a record: people, robots, walls and doors as far as it tells. With `read`, the
 /// scenario that was run: what its options had made different.

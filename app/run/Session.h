@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 
 #include "sim2d/trace/Recording.h"
 #include "sim2d/world/Runner.h"
@@ -39,7 +40,11 @@ class Session {
   // the thread that runs
   /// From now on the past can be looked at: each state is recorded as soon as it is there, and the
   /// newest one is news.
-  void keepHistory(int recordEvery) { history_ = std::make_shared<sim2d::Recording>(recordEvery); }
+  /// `mostInMemory`, `folder`: as of the Recording.
+  void keepHistory(int recordEvery, std::size_t mostInMemory = sim2d::Recording::kUsualMemory,
+                   const std::string& folder = {}) {
+    history_ = std::make_shared<sim2d::Recording>(recordEvery, mostInMemory, folder);
+  }
   /// Null without; complete when the run is over.
   RecordingPtr history() const { return history_; }
   /// Once. `watch` sees each state before the next step and may give orders; `sink` gets all of

@@ -16,6 +16,7 @@
 #include "app/window/CodeQuestion.h"
 #include "app/window/DocumentGuard.h"
 #include "app/window/FileDialogs.h"
+#include "app/window/HistoryDialog.h"
 #include "app/window/KeyRules.h"
 #include "app/window/NoticeBar.h"
 #include "app/window/ShortcutsDialog.h"
@@ -76,6 +77,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   }
   new CodeQuestion(workspace_, *notices_, notices_);  // goes with them, before the workspace
   files_->setOptions(setup.options, setup.compatibility);
+  workspace_.runner().setHistory(historyMemory(memory_));
   actions_->remember(memory_);
   placeParts(setup);
   connectFiles();
@@ -153,6 +155,8 @@ void MainWindow::connectFiles() {
   });
   connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_->shortcuts, &QAction::triggered, this, &MainWindow::showShortcuts);
+  connect(actions_->history, &QAction::triggered, this,
+          [this] { askHistory(memory_, workspace_.runner(), workspace_.theme(), this); });
   connect(actions_->about, &QAction::triggered, this, &MainWindow::tellAbout);
   connect(recent_->menuAction(), &QAction::hovered, this,
           [this] { files_->fillRecentMenu(*recent_); });
@@ -235,9 +239,11 @@ void MainWindow::connectRun() {
   connect(&runner, &SimulationRunner::failed, this, [raise](const QString& reason) {
     raise({base::error("run.failed", {reason.toStdString()})});
   });
-  connect(&runner, &SimulationRunner::warned, this, [this](const base::Diagnostics& remarks) {
+  const auto list = [this](const base::Diagnostics& remarks) {
     Q_EMIT docks_->context().problemsFound(remarks);
-  });
+  };
+  connect(&runner, &SimulationRunner::warned, this, list);
+  connect(&runner, &SimulationRunner::historyCut, this, list);
 }
 
 void MainWindow::followState() {

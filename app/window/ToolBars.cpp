@@ -168,9 +168,10 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
              {actions.assignGoals, actions.openMap, actions.settings}});
 
   const editor::PlaybackActions& playback = workspace.playback();
-  bar.addMenu(QObject::tr("&Run"))
-      ->addActions({playback.playPause, playback.step, playback.stepBack, playback.newest,
-                    playback.reset, workspace.drive().toggle()});
+  addGroups(*bar.addMenu(QObject::tr("&Run")),
+            {{playback.playPause, playback.step, playback.stepBack, playback.newest, playback.reset,
+              workspace.drive().toggle()},
+             {actions.history}});
   addBehaviorMenu(bar, workspace);
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});
   return recent;

@@ -65,6 +65,8 @@ void WindowActions::makeFileActions() {
   settings =
       make(tr("Scenario &settings"), tr("Seed, duration and what belongs to the whole scenario"),
            kCtrl | Qt::Key_Comma);
+  history = make(tr("&Looking back…"),
+                 tr("How much memory a run may take, so that all of it can be looked back at"));
   shortcuts =
       make(tr("&Keyboard shortcuts…"), tr("All keys, with a search"), QKeySequence::HelpContents);
   about = make(tr("&About"), tr("Version and licence"));

@@ -22,6 +22,13 @@ int decimalsOf(const std::string& unit) {
   return unit == "rad" || unit == "rad/s" ? 3 : 2;
 }
 
+std::vector<metrics::MetricResult> withoutValues(std::vector<metrics::MetricResult> results) {
+  for (metrics::MetricResult& result : results) {
+    result.value = {};
+  }
+  return results;
+}
+
 }  // namespace
 
 QString metricText(const metrics::MetricResult& result) {
@@ -50,6 +57,7 @@ struct MetricsFeed::Work {
   std::size_t events = 0;     // of the recording, that they have been told
   std::vector<double> times;  // of all frames [s]
   bool hasTracks = true;
+  bool isCut = false;  // a state was dropped before its turn
   std::map<std::string, MetricCurve> tracks;
   double nextPoint = 0.0;
 
@@ -69,8 +77,13 @@ struct MetricsFeed::Work {
     nextPoint = time + std::max(kLeastGap, time * kGapShare);
   }
 
-  void take(const sim2d::Recording& recording, std::size_t index) {
-    const FramePtr frame = recording.frame(index);
+  /// False: the next state is not kept any more, nor are any that begin before it.
+  bool takeNext(const sim2d::Recording& recording) {
+    const FramePtr frame = recording.frameIfKept(times.size());
+    if (frame == nullptr) {
+      isCut = true;
+      return false;
+    }
     const std::vector<int>& ids = frame->humans.id;
     if (!std::all_of(ids.begin(), ids.end(), [this](int id) { return known.count(id) > 0; })) {
       meet(recording.header()->humans);  // somebody came from a source
@@ -85,16 +98,17 @@ struct MetricsFeed::Work {
     if (hasTracks && frame->time >= nextPoint - 1e-9) {
       note(frame->time, live->values());
     }
+    return true;
   }
 
   MetricSnapshot append(const sim2d::Recording& recording) {
     const std::size_t end = std::min(recording.size(), times.size() + kMostFrames);
-    while (times.size() < end) {
-      take(recording, times.size());
+    while (!isCut && times.size() < end && takeNext(recording)) {
     }
     MetricSnapshot snapshot;
-    snapshot.frames = times.size();
-    snapshot.results = live->values();
+    snapshot.isCut = isCut;
+    snapshot.frames = isCut ? recording.size() : times.size();
+    snapshot.results = isCut ? withoutValues(live->values()) : live->values();
     for (const metrics::MetricResult& result : snapshot.results) {
       const std::optional<metrics::Series>& series = result.value.series;
       snapshot.curves[result.info.key] = series && series->values.size() == times.size()
@@ -240,10 +254,7 @@ void MetricsFeed::dropOtherPast(std::size_t index) {
   if (isNear) {
     return;
   }
-  past_ = Past{kNoMoment, snapshot_.results};
-  for (metrics::MetricResult& result : past_->results) {
-    result.value = {};
-  }
+  past_ = Past{kNoMoment, withoutValues(snapshot_.results)};
   Q_EMIT updated();
 }
 
@@ -267,13 +278,15 @@ void MetricsFeed::lookBack() {
   // The work is touched by one task at a time, which begin() waits for.
   pastTask_.start([this, index = *index, recording = recording_, make = makeWork_,
                    stop = base::StopFlagPtr(pastStop_)] {
-    if (pastWork_ == nullptr || pastWork_->times.size() > index + 1) {
+    if (pastWork_ == nullptr || pastWork_->isCut || pastWork_->times.size() > index + 1) {
       pastWork_ = make();
       pastWork_->hasTracks = false;
     }
     while (pastWork_->times.size() <= index) {
       stop->check();
-      pastWork_->take(*recording, pastWork_->times.size());
+      if (!pastWork_->takeNext(*recording)) {  // the run is not kept from its beginning on
+        return Past{index, withoutValues(pastWork_->live->values())};
+      }
     }
     return Past{index, pastWork_->live->values()};
   });
@@ -300,8 +313,12 @@ void MetricsFeed::pump() {
 }
 
 void MetricsFeed::deliver(MetricSnapshot snapshot) {
+  const bool isNewlyCut = snapshot.isCut && !snapshot_.isCut;
   snapshot_ = std::move(snapshot);
   Q_EMIT updated();
+  if (isNewlyCut) {
+    Q_EMIT failed({base::warning("run.metrics-cut")});
+  }
   pump();
 }
 

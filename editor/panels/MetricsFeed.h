@@ -29,6 +29,7 @@ struct MetricSnapshot {
   std::size_t frames = 0;
   std::vector<metrics::MetricResult> results;
   std::map<std::string, MetricCurve> curves;
+  bool isCut = false;  // states were dropped before they were measured: no values
 };
 
 /// Metrics of the run while it goes on, computed beside the GUI thread from every recorded frame.

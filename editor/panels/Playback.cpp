@@ -229,13 +229,26 @@ void TimelineBar::paintGroove(QPainter& painter) const {
   line(0.0, length(), theme_.color(Role::Line));
   const bool running = runner_.state() != SimulationRunner::State::Editing;
   if (running) {
-    line(0.0, newestTime(), theme_.color(Role::Accent, 0.45));
-    line(0.0, shownTime(), theme_.color(Role::Accent));
+    const double oldest = runner_.oldestTime();
+    line(oldest, newestTime(), theme_.color(Role::Accent, 0.45));
+    line(oldest, std::max(oldest, shownTime()), theme_.color(Role::Accent));
+    if (oldest > 0.0) {
+      paintCut(painter, xOf(oldest));
+    }
   }
   const double x = xOf(shownTime());
   painter.setPen(QPen(theme_.color(running ? Role::Accent : Role::ObstacleEdge), 2.0));
   painter.setBrush(theme_.color(Role::Panel));
   painter.drawEllipse(QPointF(x, kGrooveY), 6.0, 6.0);
+}
+
+/// What lies left of here is not kept any more.
+void TimelineBar::paintCut(QPainter& painter, double x) const {
+  painter.fillRect(QRectF(kLeft, kGrooveY - 3.0, x - kLeft, 6.0), theme_.color(Role::Panel));
+  painter.setPen(QPen(theme_.color(Role::FieldEdge), 2.0, Qt::DotLine));
+  painter.drawLine(QPointF(kLeft, kGrooveY), QPointF(x, kGrooveY));
+  painter.setPen(QPen(theme_.color(Role::WarningMark), 2.0));
+  painter.drawLine(QPointF(x, kGrooveY - 6.0), QPointF(x, kGrooveY + 6.0));
 }
 
 std::vector<TimelineBar::Cluster> TimelineBar::clusters() const {
@@ -337,8 +350,12 @@ bool TimelineBar::event(QEvent* event) {
       near.push_back(clockText(happened.time) + QStringLiteral("  ") + happened.text);
     }
   }
+  const double time = timeAt(help->x());
   if (near.isEmpty() && help->x() >= kLeft) {
-    near.push_back(clockText(timeAt(help->x())));
+    near.push_back(clockText(time));
+  }
+  if (help->x() >= kLeft && time < runner_.oldestTime()) {
+    near.push_back(tr("No longer kept: the disk takes no more of this run"));
   }
   QToolTip::showText(help->globalPos(), near.join(QLatin1Char('\n')), this);
   return true;

@@ -64,6 +64,7 @@ class TimelineBar : public QWidget {
   void paintClock(QPainter& painter) const;
   void paintTicks(QPainter& painter) const;
   void paintGroove(QPainter& painter) const;
+  void paintCut(QPainter& painter, double x) const;
   void paintMarks(QPainter& painter) const;
 
   const ScenarioDocument& document_;

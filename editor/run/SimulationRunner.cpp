@@ -83,7 +83,7 @@ bool SimulationRunner::start(bool paused) {
   RunRequest request = request_();
   session_ = std::make_unique<app::Session>(request.rule);
   left_ = request.left;
-  session_->keepHistory(request.recordEvery);
+  session_->keepHistory(request.recordEvery, historyMemory_, historyFolder_);
   session_->setPaused(paused);
   session_->setSpeed(speed_);
   const auto run = [session = session_.get(), makeWorld = std::move(request.makeWorld)] {
@@ -127,7 +127,7 @@ void SimulationRunner::play() {
   }
   if (finished_) {
     if (shown_->step == newest_->step) {
-      show(recording_->frame(0), !isRecorded_);
+      show(stateAt(0), !isRecorded_);
     }
     startClock();
     timer_.start();
@@ -163,7 +163,7 @@ void SimulationRunner::stepOnce() {
     if (next + 1 >= recording_->size()) {
       seekNewest();
     } else {
-      show(recording_->frame(next), !isRecorded_);
+      show(stateAt(next), !isRecorded_);
     }
   } else if (!finished_) {
     session_->allowStep();
@@ -178,7 +178,7 @@ void SimulationRunner::reset() {
     poll();  // the last words of the session
   }
   session_.reset();
-  finished_ = isRecorded_ = false;
+  finished_ = isRecorded_ = isCut_ = false;
   result_.reset();
   recording_.reset();
   newest_.reset();
@@ -198,6 +198,28 @@ void SimulationRunner::setSpeed(double factor) {
   }
 }
 
+void SimulationRunner::setHistory(std::size_t mostInMemory, std::string folder) {
+  historyMemory_ = mostInMemory;
+  historyFolder_ = std::move(folder);
+}
+
+double SimulationRunner::oldestTime() const {
+  const std::size_t first = recording_ == nullptr ? 0 : recording_->first();
+  return first == 0 ? 0.0 : recording_->timeOf(first);
+}
+
+/// The oldest one that is kept for those before it.
+FramePtr SimulationRunner::stateAt(std::size_t index) const {
+  return recording_->frame(std::max(index, recording_->first()));
+}
+
+void SimulationRunner::watchHistory() {
+  const auto problem = recording_ == nullptr ? std::nullopt : recording_->history().problem();
+  if (problem && !std::exchange(isCut_, true)) {
+    Q_EMIT historyCut({base::warning("run.history-cut", {problem->message()})});
+  }
+}
+
 void SimulationRunner::steer(app::Session::Steering steering) {
   if (session_ != nullptr) {
     session_->steer(std::move(steering));
@@ -210,8 +232,9 @@ void SimulationRunner::openRecorded(RecordingPtr recording) {
   recording_ = std::move(recording);
   newest_ = recording_->frame(recording_->size() - 1);
   isRecorded_ = finished_ = true;
-  show(recording_->frame(0), false);
+  show(stateAt(0), false);
   setState(State::Paused);
+  watchHistory();
 }
 
 void SimulationRunner::startClock() {
@@ -226,7 +249,7 @@ void SimulationRunner::playOn() {
   const double time = playedFrom_ + passed * measuredSpeed_;
   const std::size_t index = recording_->indexAtTime(time);
   if (recording_->stepOf(index) > shown_->step) {
-    show(recording_->frame(index), !isRecorded_);
+    show(stateAt(index), !isRecorded_);
   }
   if (index + 1 == recording_->size()) {  // the last step need not be one that is recorded
     show(newest_, false);
@@ -243,7 +266,7 @@ void SimulationRunner::seek(std::int64_t step) {
     seekNewest();
     return;
   }
-  show(recording_->frame(recording_->indexAt(step)), !isRecorded_);
+  show(stateAt(recording_->indexAt(step)), !isRecorded_);
 }
 
 void SimulationRunner::stepBack() {
@@ -291,6 +314,7 @@ void SimulationRunner::poll() {
   if (news.history != nullptr) {
     recording_ = news.history;
   }
+  watchHistory();
   if (news.newest != nullptr) {
     newest_ = std::move(news.newest);
     if (!lookingBack_) {

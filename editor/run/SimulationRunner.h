@@ -5,6 +5,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <QElapsedTimer>
@@ -71,6 +72,10 @@ class SimulationRunner : public QObject {
   /// step that takes long.
   void reset();
   void setSpeed(double factor);  // > 0; infinity = as fast as possible
+  /// Memory of the states of runs that begin from now on, as of `sim2d::Recording`: most of it [B],
+  /// and the folder of the temporary file (empty: the system's).
+  void setHistory(std::size_t mostInMemory, std::string folder = {});
+  std::size_t historyMemory() const { return historyMemory_; }  // [B]
   /// Inputs of each step from now on, of the run that goes on.
   void steer(app::Session::Steering steering);
 
@@ -84,7 +89,10 @@ class SimulationRunner : public QObject {
   FramePtr newestFrame() const { return newest_; }
   FramePtr shownFrame() const { return shown_; }
   bool isLookingBack() const { return lookingBack_; }
-  void seek(std::int64_t step);  // shows the nearest recorded frame at or before; pauses
+  /// Of the oldest state that can still be shown [s]; 0 unless the disk took no more of the run.
+  double oldestTime() const;
+  void seek(
+      std::int64_t step);  // shows the nearest kept frame at or before, else the oldest; pauses
   void stepBack();
   void seekNewest();
 
@@ -97,6 +105,8 @@ class SimulationRunner : public QObject {
   void failed(const QString& reason);                     // the world stopped; last state stays
   void notStarted(const base::Diagnostics& diagnostics);  // the world could not be made
   void warned(const base::Diagnostics& diagnostics);      // it could, with remarks
+  /// The disk takes no more of the run: its oldest states go. Once.
+  void historyCut(const base::Diagnostics& diagnostics);
 
  private:
   bool start(bool paused);
@@ -107,6 +117,8 @@ class SimulationRunner : public QObject {
   bool stopSession();
   void playOn();
   void startClock();
+  FramePtr stateAt(std::size_t index) const;
+  void watchHistory();
 
   std::function<RunRequest()> request_;
   std::function<bool(bool)> mayStart_;
@@ -126,6 +138,9 @@ class SimulationRunner : public QObject {
   FramePtr newest_, shown_;
   RecordingPtr recording_;
   bool isRecorded_ = false;
+  bool isCut_ = false;                                          // the history, and it was told
+  std::size_t historyMemory_ = sim2d::Recording::kUsualMemory;  // [B]
+  std::string historyFolder_;
   std::optional<sim2d::RunResult> result_;
   QElapsedTimer playing_;    // a recording
   double playedFrom_ = 0.0;  // [s], when `playing_` began

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <set>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 #include <utility>
 
@@ -299,21 +301,90 @@ Diagnostics writeFilesTogether(const std::vector<FileContent>& files) {
   return problems.empty() ? GrowingFile::putTogether(files, made) : problems;
 }
 
+bool ScratchFile::fail() {
+  problem_ = lastError();
+  return false;
+}
+
+bool ScratchFile::openIn(const std::string& folder) {
+  int descriptor = -1;
+#ifdef O_TMPFILE
+  descriptor = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
+#endif
+  if (descriptor < 0) {  // a file system that knows no files without a name
+    std::string name = folder + "/hunavsim-XXXXXX";
+    descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor < 0) {
+      return fail();
+    }
+    ::unlink(name.c_str());
+  }
+  file_.reset(::fdopen(descriptor, "w+b"));
+  if (file_ == nullptr) {
+    fail();
+    ::close(descriptor);
+  }
+  return file_ != nullptr;
+}
+
+bool ScratchFile::open() {
+  if (file_ != nullptr) {
+    return true;
+  }
+  if (!folder_.empty()) {
+    return openIn(folder_);
+  }
+  const char* const wanted = std::getenv("TMPDIR");
+  return (wanted != nullptr && *wanted != '\0' && openIn(wanted)) || openIn("/var/tmp") ||
+         openIn("/tmp");
+}
+
+bool ScratchFile::hasRoom(std::size_t size) {
+  struct statvfs disk = {};
+  if (leavesFree_ <= 0 || ::fstatvfs(fileno(file_.get()), &disk) != 0) {
+    return true;  // writing tells
+  }
+  const double left = static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize);
+  if (left >= static_cast<double>(leavesFree_) + static_cast<double>(size)) {
+    return true;
+  }
+  errno = ENOSPC;
+  return fail();
+}
+
 std::optional<ScratchFile::Piece> ScratchFile::append(std::string_view bytes) {
-  if (!file_) {
-    file_.reset(std::tmpfile());
+  if (!open() || !hasRoom(bytes.size())) {
+    return std::nullopt;
   }
   const Piece piece{end_, bytes.size()};
-  while (file_ && !bytes.empty()) {
-    const ssize_t count = pwrite(fileno(file_.get()), bytes.data(), bytes.size(), end_);
-    if (count <= 0) {
-      end_ = piece.place;
-      return std::nullopt;
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-    end_ += count;
+  if (!overwrite(piece, bytes)) {
+    return std::nullopt;
   }
-  return file_ ? std::make_optional(piece) : std::nullopt;
+  end_ += static_cast<long long>(bytes.size());
+  return piece;
+}
+
+bool ScratchFile::overwrite(const Piece& piece, std::string_view bytes) {
+  long long place = piece.place;
+  while (!bytes.empty()) {
+    errno = EIO;  // when nothing is written without a reason
+    const ssize_t count = pwrite(fileno(file_.get()), bytes.data(), bytes.size(), place);
+    if (count <= 0 && errno != EINTR) {
+      return fail();
+    }
+    if (count > 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+      place += count;
+    }
+  }
+  return true;
+}
+
+void ScratchFile::announce(const Piece& piece) const {
+  if (file_ != nullptr) {
+    ::posix_fadvise(fileno(file_.get()), piece.place, static_cast<off_t>(piece.size),
+                    POSIX_FADV_WILLNEED);
+  }
 }
 
 bool ScratchFile::read(const Piece& piece, char* to) const {

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "sim2d/base/Result.h"
@@ -68,27 +69,48 @@ class GrowingFile {
   Diagnostics problems_;
 };
 
-/// Bytes put aside on the disk, in a temporary file without a name that is gone with this. One
-/// thread appends; what append() has returned may be read by others meanwhile.
+/// Bytes put aside on the disk, in a temporary file that has no name and is gone with this, however
+/// the program ends. One thread writes; what append() has returned may be read by others meanwhile.
 class ScratchFile {
  public:
   struct Piece {
     long long place = 0;
     std::size_t size = 0;  // [B]
   };
-  /// None when the disk takes no more.
+  /// In that folder; empty: in the first of $TMPDIR, /var/tmp (/tmp lies in memory on many systems)
+  /// and /tmp that takes it. The disk counts as full when less than `leavesFree` [B] is left on it.
+  explicit ScratchFile(std::string folder = {}, long long leavesFree = 0)
+      : folder_(std::move(folder)), leavesFree_(leavesFree) {}
+
+  /// None when the disk takes no more: problem() tells why.
   std::optional<Piece> append(std::string_view bytes);
+  /// The same over what was put there before; false: it lies there in part, and problem() tells
+  /// why.
+  bool overwrite(const Piece& piece, std::string_view bytes);
   /// None when it cannot be read back.
   std::optional<std::string> read(const Piece& piece) const;
   /// The same into `to`, which has room for it.
   bool read(const Piece& piece, char* to) const;
+  /// It will be read soon: the system may fetch it meanwhile.
+  void announce(const Piece& piece) const;
+  long long size() const { return end_; }  // [B]
+  /// Of the last write that failed.
+  const std::error_code& problem() const { return problem_; }
 
  private:
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
+  bool open();
+  bool openIn(const std::string& folder);
+  bool hasRoom(std::size_t size);
+  bool fail();  // by errno
+
+  std::string folder_;
+  long long leavesFree_ = 0;
   std::unique_ptr<std::FILE, Close> file_;  // made when it is first needed
   long long end_ = 0;
+  std::error_code problem_;
 };
 
 }  // namespace base

@@ -451,6 +451,12 @@ constexpr ProblemText kTexts[] = {
     {"run.unknown-leaf", "the tree has no leaf '{found}' that is scripted{nearest}"},
     {"run.tree-stops", "{reason} (the tree stops)"},
     {"run.not-measured", "the run cannot be measured"},
+    {"run.history-cut",
+     "the disk takes no more of this run ({reason}): it can be looked back at less far, the oldest "
+     "moments go"},
+    {"run.metrics-cut",
+     "the run went faster than its metrics are worked out, and the disk takes no more of it: they "
+     "have no values"},
 
     // Metrics: their file, formulas and windows.
     {"metrics.not-yaml", "{reason}"},

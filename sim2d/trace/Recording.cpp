@@ -1,120 +1,12 @@
 #include "sim2d/trace/Recording.h"
 
 #include <algorithm>
-#include <cstring>
 #include <optional>
 #include <utility>
 
 namespace sim2d {
 namespace {
 
-constexpr char kEqual = 0, kOther = 1;
-
-class Packer {
- public:
-  template <class T>
-  void value(const T& value) {
-    bytes(&value, sizeof(T));
-  }
-  template <class T>
-  void column(const std::vector<T>& column, const std::vector<T>& key) {
-    const std::size_t size = column.size() * sizeof(T);
-    if (column.size() == key.size() &&
-        (size == 0 ||
-         std::memcmp(static_cast<const void*>(column.data()), key.data(), size) == 0)) {
-      value(kEqual);
-      return;
-    }
-    value(kOther);
-    value(column.size());
-    bytes(column.data(), size);
-  }
-  std::size_t sizeOf(const std::vector<std::vector<Vec2>>& paths) {
-    value(paths.size());
-    return paths.size();
-  }
-  std::string take() { return std::move(bytes_); }
-
- private:
-  void bytes(const void* from, std::size_t size) {
-    bytes_.append(static_cast<const char*>(from), size);
-  }
-  std::string bytes_;
-};
-
-class Unpacker {
- public:
-  explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
-  template <class T>
-  void value(T& value) {
-    bytes(&value, sizeof(T));
-  }
-  template <class T>
-  void column(std::vector<T>& column, const std::vector<T>& key) {
-    char kind = kEqual;
-    value(kind);
-    if (kind == kEqual) {
-      column = key;
-      return;
-    }
-    std::size_t size = 0;
-    value(size);
-    column.resize(size);
-    bytes(column.data(), size * sizeof(T));
-  }
-  std::size_t sizeOf(std::vector<std::vector<Vec2>>& paths) {
-    std::size_t size = 0;
-    value(size);
-    paths.resize(size);
-    return size;
-  }
-
- private:
-  void bytes(void* to, std::size_t size) {
-    if (size > 0) {
-      std::memcpy(to, bytes_.data(), size);
-      bytes_.remove_prefix(size);
-    }
-  }
-  std::string_view bytes_;
-};
-
-/// The state of a frame (no events, inputs and tree changes) to or from bytes: its columns, those
-/// left out that equal the key's bit by bit. For this process only: no format of files.
-template <class AnyPacker, class AnyFrame>
-void pass(AnyPacker& packer, AnyFrame& frame, const Frame& key) {
-  packer.value(frame.step);
-  packer.value(frame.time);
-  const auto columns = [](auto& each) {
-    return std::tuple_cat(each.humans.columns(), each.robots.columns(), each.forces.columns(),
-                          std::tie(each.doorOpen));
-  };
-  std::apply(
-      [&](auto&... column) {
-        std::apply([&](auto&... keys) { (packer.column(column, keys), ...); }, columns(key));
-      },
-      columns(frame));
-  static const std::vector<Vec2> kNoPath;
-  const std::size_t paths = packer.sizeOf(frame.robotPaths);
-  for (std::size_t k = 0; k < paths; ++k) {
-    packer.column(frame.robotPaths[k], k < key.robotPaths.size() ? key.robotPaths[k] : kNoPath);
-  }
-}
-
-std::string packFrame(const Frame& frame, const Frame& key) {
-  Packer packer;
-  pass(packer, frame, key);
-  return packer.take();
-}
-
-Frame unpackFrame(std::string_view bytes, const Frame& key) {
-  Frame frame;
-  Unpacker unpacker(bytes);
-  pass(unpacker, frame, key);
-  return frame;
-}
-
-constexpr std::size_t kKeyEvery = 64;         // states
 constexpr std::size_t kChangesPerNode = 4;    // between two keys of the trees
 constexpr std::size_t kFewestChanges = 1000;  // idem
 
@@ -141,8 +33,8 @@ void apply(const TreeChanges& changes, std::map<int, TreeStatuses>& trees,
 
 }  // namespace
 
-Recording::Recording(int recordEvery, std::size_t mostInMemory)
-    : recordEvery_(recordEvery), memoryLeft_(mostInMemory) {}
+Recording::Recording(int recordEvery, std::size_t mostInMemory, std::string folder)
+    : recordEvery_(recordEvery), history_(mostInMemory, std::move(folder)) {}
 
 void Recording::append(const Frame& frame) {
   if (frame.treeChanges.size() > 0) {
@@ -164,19 +56,8 @@ void Recording::append(const Frame& frame) {
 }
 
 void Recording::addState(const Frame& frame) {
-  const bool isKey = states_.size() % kKeyEvery == 0;
-  State state{frame.step, frame.time, packFrame(frame, isKey ? Frame() : key_), {}};
-  if (isKey) {
-    key_ = frame;
-  }
-  if (state.bytes.size() > memoryLeft_) {
-    if (const auto piece = file_.append(state.bytes)) {
-      state.piece = *piece;
-      state.bytes = std::string();
-    }
-  }
-  memoryLeft_ -= std::min(memoryLeft_, state.bytes.size());
-  states_.append(std::move(state));
+  history_.append(frame);
+  states_.append({frame.step, frame.time});
 }
 
 void Recording::addTreeChanges(std::int64_t step, const TreeChanges& changes) {
@@ -212,24 +93,19 @@ std::size_t Recording::indexAtTime(double time) const {
   return upTo == 0 ? 0 : upTo - 1;
 }
 
-Frame Recording::unpack(std::size_t index, const Frame& key) const {
-  const State& state = states_[index];
-  if (!state.bytes.empty()) {
-    return unpackFrame(state.bytes, key);
-  }
-  if (const std::optional<std::string> bytes = file_.read(state.piece)) {
-    return unpackFrame(*bytes, key);
-  }
-  Frame nobody;
-  nobody.step = state.step;
-  nobody.time = state.time;
-  return nobody;
+std::size_t Recording::first() const {
+  const std::size_t states = size();  // one may be on its way
+  return std::min(history_.first(), states == 0 ? 0 : states - 1);
 }
 
 FramePtr Recording::frame(std::size_t index) const {
-  const std::size_t keyIndex = index - index % kKeyEvery;
-  Frame key = unpack(keyIndex, Frame());
-  return std::make_shared<const Frame>(index == keyIndex ? std::move(key) : unpack(index, key));
+  if (FramePtr frame = history_.frame(index)) {
+    return frame;
+  }
+  auto nobody = std::make_shared<Frame>();
+  nobody->step = states_[index].step;
+  nobody->time = states_[index].time;
+  return nobody;
 }
 
 std::shared_ptr<const TraceHeader> Recording::header() const {
@@ -264,11 +140,9 @@ Trace Recording::trace(TraceHeader header) const {
   trace.header = std::move(header);
   trace.header.recordEvery = recordEvery_;
   const std::size_t states = size();
-  Frame key;
-  for (std::size_t k = 0; k < states; ++k) {
-    const bool isKey = k % kKeyEvery == 0;
-    trace.frames.push_back(unpack(k, isKey ? Frame() : key));
-    key = isKey ? trace.frames.back() : std::move(key);
+  trace.frames.reserve(states);
+  for (std::size_t k = first(); k < states; ++k) {
+    trace.frames.push_back(*frame(k));
   }
   const std::size_t events = events_.size();
   for (std::size_t k = 0; k < events; ++k) {

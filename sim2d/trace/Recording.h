@@ -7,13 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "sim2d/base/Files.h"
+#include "sim2d/trace/FrameHistory.h"
 #include "sim2d/trace/SharedLog.h"
 #include "sim2d/trace/Trace.h"
 
 namespace sim2d {
 
-using FramePtr = std::shared_ptr<const Frame>;
 using StepEvent = std::pair<std::int64_t, Event>;  // with its step
 
 /// Takes a run while it goes on: every step once, in rising order.
@@ -30,12 +29,16 @@ struct TreeStatuses {
 };
 
 /// A run with access to any step: every `recordEvery`-th state, all events, inputs and tree
-/// changes. One thread writes, others read what is there by then without locks; what was read stays
-/// as it is. States are kept packed; what is beyond `mostInMemory` lies in a temporary file.
+/// changes. One thread writes, others read what is there by then; what was read stays as it is. Of
+/// states at most `mostInMemory` [B] are in memory and older ones in a temporary file; when the
+/// disk takes no more, the oldest are dropped (`FrameHistory`). All else stays in memory, with 16
+/// bytes per state to find it.
 class Recording final : public FrameSink {
  public:
   static constexpr std::size_t kUsualMemory = std::size_t{256} << 20;  // [B]
-  explicit Recording(int recordEvery = 1, std::size_t mostInMemory = kUsualMemory);
+  /// `folder`: of the temporary file; empty: the system's.
+  explicit Recording(int recordEvery = 1, std::size_t mostInMemory = kUsualMemory,
+                     std::string folder = {});
 
   // the writer; steps rise within frames, events and tree changes
   void append(const Frame& frame) override;  // its parts, as far as they are recorded
@@ -47,14 +50,19 @@ class Recording final : public FrameSink {
   void setHeader(TraceHeader header);
 
   // readers
-  std::size_t size() const { return states_.size(); }  // states
+  std::size_t size() const { return states_.size(); }  // states, dropped ones too
+  std::size_t first() const;                           // the oldest that is kept
   std::int64_t stepOf(std::size_t index) const { return states_[index].step; }
   double timeOf(std::size_t index) const { return states_[index].time; }  // [s]
   /// The last state at or before the step, else the first. There must be one.
   std::size_t indexAt(std::int64_t step) const;
   std::size_t indexAtTime(double time) const;
-  /// Without events, inputs and tree changes. Of nobody when the temporary file cannot be read.
+  /// Without events, inputs and tree changes. Of nobody when it was dropped, or the temporary file
+  /// cannot be read.
   FramePtr frame(std::size_t index) const;
+  /// The same, but null then.
+  FramePtr frameIfKept(std::size_t index) const { return history_.frame(index); }
+  const FrameHistory& history() const { return history_; }
   const SharedLog<StepEvent>& events() const { return events_; }
   const SharedLog<std::pair<std::int64_t, Input>>& inputs() const { return inputs_; }
   std::shared_ptr<const TraceHeader> header() const;  // the newest; never null
@@ -62,7 +70,7 @@ class Recording final : public FrameSink {
   TreeStatuses treeAt(int person, std::int64_t step) const { return treesAt(step, person)[person]; }
   std::map<int, TreeStatuses> treesAt(std::int64_t step, std::optional<int> only = {}) const;
 
-  // all of it
+  // all of it; of states those that are kept
   Trace trace() const { return trace(*header()); }
   Trace trace(TraceHeader header) const;
   std::string treesCsv() const;
@@ -71,8 +79,6 @@ class Recording final : public FrameSink {
   struct State {
     std::int64_t step = 0;
     double time = 0.0;
-    std::string bytes;  // empty: in the file
-    base::ScratchFile::Piece piece;
   };
   using TreeStates = std::map<int, TreeStatuses>;
   struct TreeStep {
@@ -80,7 +86,6 @@ class Recording final : public FrameSink {
     TreeChanges changes;
     std::shared_ptr<const TreeStates> before;  // now and then: where reading may begin
   };
-  Frame unpack(std::size_t index, const Frame& key) const;
 
   const int recordEvery_;
   SharedLog<State> states_;
@@ -88,17 +93,17 @@ class Recording final : public FrameSink {
   SharedLog<std::pair<std::int64_t, Input>> inputs_;
   SharedLog<TreeStep> trees_;
   SharedLog<std::shared_ptr<const TraceHeader>> headers_;
-  base::ScratchFile file_;
+  FrameHistory history_;
   // of the writer
-  std::size_t memoryLeft_;
-  Frame key_;
   TreeStates treesNow_;
   std::size_t nodes_ = 0, changesSinceKey_ = 0;
 };
 
 /// With what the files of a run tell: no forces, no ways of the planners.
-std::shared_ptr<Recording> recordingOf(Trace trace);
+std::shared_ptr<Recording> recordingOf(Trace trace,
+                                       std::size_t mostInMemory = Recording::kUsualMemory);
 /// A run folder, with trees.csv where there is one. All problems, with their places.
-base::Result<std::shared_ptr<const Recording>> readRecording(const std::string& directory);
+base::Result<std::shared_ptr<const Recording>> readRecording(
+    const std::string& directory, std::size_t mostInMemory = Recording::kUsualMemory);
 
 }  // namespace sim2d

@@ -304,8 +304,8 @@ base::Result<Trace> readTrace(const std::string& directory) {
   return {std::move(trace), std::move(problems)};
 }
 
-std::shared_ptr<Recording> recordingOf(Trace trace) {
-  auto recording = std::make_shared<Recording>(trace.header.recordEvery);
+std::shared_ptr<Recording> recordingOf(Trace trace, std::size_t mostInMemory) {
+  auto recording = std::make_shared<Recording>(trace.header.recordEvery, mostInMemory);
   recording->setHeader(trace.header);
   std::vector<std::string> doors;
   std::vector<char> isOpen;  // of each door, after the events so far
@@ -334,13 +334,14 @@ std::shared_ptr<Recording> recordingOf(Trace trace) {
   return recording;
 }
 
-base::Result<std::shared_ptr<const Recording>> readRecording(const std::string& directory) {
+base::Result<std::shared_ptr<const Recording>> readRecording(const std::string& directory,
+                                                             std::size_t mostInMemory) {
   base::Result<Trace> trace = readTrace(directory);
   if (!trace) {
     return trace.diagnostics();
   }
   base::Diagnostics problems = trace.diagnostics();
-  const std::shared_ptr<Recording> recording = recordingOf(*std::move(trace));
+  const std::shared_ptr<Recording> recording = recordingOf(*std::move(trace), mostInMemory);
   const auto readIfThere = [&](const char* name, auto read) {
     const std::filesystem::path file = std::filesystem::path(directory) / name;
     std::error_code none;  // no such file: a record of others, or nothing came from outside

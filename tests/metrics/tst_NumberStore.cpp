@@ -1,8 +1,6 @@
-#include <csignal>
-#include <sys/resource.h>
-
 #include <QtTest>
 
+#include "FullDisk.h"
 #include "metrics/NumberStore.h"
 
 using namespace metrics;
@@ -23,25 +21,6 @@ void check(const StoredNumbers& numbers, std::size_t count) {
     QCOMPARE(reader.next(), numberAt(k));
   }
 }
-
-/// No file of this process may grow while it lives.
-class FullDisk {
- public:
-  FullDisk() {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit none{0, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &none);
-  }
-  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
-  FullDisk(const FullDisk&) = delete;
-  FullDisk& operator=(const FullDisk&) = delete;
-  FullDisk(FullDisk&&) = delete;
-  FullDisk& operator=(FullDisk&&) = delete;
-
- private:
-  rlimit before_{};
-};
 
 }  // namespace
 
@@ -98,7 +77,7 @@ void NumberStoreTest::add_diskIsFull_staysInMemory() {
     numbers.add(numberAt(k), &store);
   }
   {
-    const FullDisk full;
+    const support::FullDisk full;
     for (std::size_t k = 600; k < 1800; ++k) {
       numbers.add(numberAt(k), &store);
     }
