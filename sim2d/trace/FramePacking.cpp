@@ -196,7 +196,7 @@ class Unpacker {
 };
 
 /// What the state before lets one expect. Never inlined: packing and unpacking must get the same
-/// bits, also where a compiler may contract products and sums.
+/// bits, also of a NaN, which are those of the operand that the compiler takes first.
 namespace expected {
 
 [[gnu::noinline]] Numbers numbers(const std::vector<Vec2>& before) {

@@ -8,13 +8,15 @@
 
 using namespace sim2d;
 
-/// A run of 10 minutes with 100 people whose trees have 20 nodes: the way to any state and to the
-/// trees at any step, in processor time. Limit: 1 ms, in memory and on the disk.
+/// A run of 10 minutes with 100 people whose trees have 20 nodes, in processor time: the way to any
+/// state and to the trees at any step (limit: 1 ms, in memory and on the disk), what it costs to
+/// record a step, to read the states one after the other, and the memory of a second.
 class RecordingBench : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void jump_data();
   void jump();
+  void append();
 };
 
 namespace {
@@ -81,6 +83,31 @@ void RecordingBench::jump() {
   QVERIFY(people > 0);
   qInfo("%.3f ms per jump, slowest %.3f ms", total / static_cast<double>(jumps), slowest);
   QTest::setBenchmarkResult(total / static_cast<double>(jumps), QTest::WalltimeMilliseconds);
+}
+
+void RecordingBench::append() {
+  Recording recording(1, std::size_t{1} << 32U);
+  const auto names = std::make_shared<const std::vector<std::string>>(kNodes, "Main");
+  std::clock_t taken = 0;
+  for (std::int64_t step = 0; step <= kSteps; ++step) {
+    const Frame frame = frameAt(step, names);
+    const std::clock_t begin = std::clock();
+    recording.append(frame);
+    taken += std::clock() - begin;
+  }
+  const auto perState = [](std::clock_t time) {
+    return 1e6 * static_cast<double>(time) / static_cast<double>(CLOCKS_PER_SEC * (kSteps + 1));
+  };
+  std::size_t people = 0;
+  const std::clock_t begin = std::clock();
+  for (std::size_t index = 0; index < recording.size(); ++index) {
+    people += recording.frame(index)->humans.size();
+  }
+  QVERIFY(people > 0);
+  qInfo("%.1f us to record a step, %.1f us to read the next state, %.3f MB per simulated second",
+        perState(taken), perState(std::clock() - begin),
+        static_cast<double>(recording.history().memory()) / 600.0 / 1048576.0);
+  QTest::setBenchmarkResult(0.001 * perState(taken), QTest::WalltimeMilliseconds);
 }
 
 QTEST_APPLESS_MAIN(RecordingBench)

@@ -1,7 +1,7 @@
 #include <QtTest>
 
-#include "FullDisk.h"
 #include "metrics/NumberStore.h"
+#include "tests/support/FullDisk.h"
 
 using namespace metrics;
 

@@ -4,9 +4,9 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "FullDisk.h"
 #include "WildRun.h"
 #include "sim2d/trace/FrameHistory.h"
+#include "tests/support/FullDisk.h"
 
 using namespace sim2d;
 
