@@ -1,7 +1,6 @@
 #include "app/window/HistoryDialog.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <QLabel>
 
@@ -41,7 +40,7 @@ std::size_t historyMemory(const Memory& memory) {
                      : static_cast<std::size_t>(std::clamp(chosen, kLeast, kMost)) * kMega;
 }
 
-HistoryDialog::HistoryDialog(std::size_t memory, editor::RecordingPtr shown,
+HistoryDialog::HistoryDialog(std::size_t memory, const editor::RecordingPtr& shown,
                              const editor::Theme& theme, QWidget* parent)
     : QDialog(parent), megabytes_(new QSpinBox(this)) {
   setWindowTitle(tr("Looking back"));

@@ -19,7 +19,7 @@ std::size_t historyMemory(const Memory& memory);
 class HistoryDialog : public QDialog {
   Q_OBJECT
  public:
-  HistoryDialog(std::size_t memory, editor::RecordingPtr shown, const editor::Theme& theme,
+  HistoryDialog(std::size_t memory, const editor::RecordingPtr& shown, const editor::Theme& theme,
                 QWidget* parent = nullptr);
   std::size_t memory() const;  // [B]
 
