@@ -285,7 +285,7 @@ void MetricsFeed::lookBack() {
     while (pastWork_->times.size() <= index) {
       stop->check();
       if (!pastWork_->takeNext(*recording)) {  // the run is not kept from its beginning on
-        return Past{index, withoutValues(pastWork_->live->values())};
+        return Past{index, {}};
       }
     }
     return Past{index, pastWork_->live->values()};
@@ -293,6 +293,9 @@ void MetricsFeed::lookBack() {
 }
 
 void MetricsFeed::deliverPast(Past past) {
+  if (past.results.empty()) {  // of states that are not kept
+    past.results = withoutValues(snapshot_.results);
+  }
   past_ = std::move(past);
   Q_EMIT updated();
 }

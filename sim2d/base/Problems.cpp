@@ -452,8 +452,8 @@ constexpr ProblemText kTexts[] = {
     {"run.tree-stops", "{reason} (the tree stops)"},
     {"run.not-measured", "the run cannot be measured"},
     {"run.history-cut",
-     "the disk takes no more of this run ({reason}): it can be looked back at less far, the oldest "
-     "moments go"},
+     "the disk takes no more of this run ({reason}): its oldest moments are dropped, the timeline "
+     "begins later"},
     {"run.metrics-cut",
      "the run went faster than its metrics are worked out, and the disk takes no more of it: they "
      "have no values"},
