@@ -1,13 +1,13 @@
 #include "editor/document/QtImageLoader.h"
 
+#include <algorithm>
+
 #include <QImage>
 #include <QImageReader>
 
 namespace editor {
 
 namespace {
-
-constexpr qint64 kMaximumPixels = 100'000'000;
 
 /// All is grey and opaque, by the format alone.
 bool isGrey(const QImage& image) {
@@ -20,21 +20,25 @@ sim2d::MapImage toMapImage(const QImage& image) {
   sim2d::MapImage result;
   result.width = image.width();
   result.height = image.height();
+  result.isGrey = isGrey(image);
   result.hasAlpha = image.hasAlphaChannel();
   const bool deep = image.depth() > 32 || image.format() == QImage::Format_Grayscale16;
   result.maximum = deep ? 65535 : 255;
+  if (image.format() == QImage::Format_Grayscale8) {
+    result.readRow = [image](int row, std::uint16_t* values) {
+      std::copy_n(image.constScanLine(row), image.width(), values);
+    };
+    return result;
+  }
   const int shift = deep ? 0 : 8;
-  const int step = isGrey(image) ? 4 : 1;  // of the channels only the first
-  std::vector<std::uint16_t>& values = isGrey(image) ? result.shades : result.rgba;
-  values.reserve(static_cast<std::size_t>(image.width()) *
-                 static_cast<std::size_t>(image.height()) * static_cast<std::size_t>(4 / step));
-  for (int row = 0; row < image.height(); ++row) {
+  const int step = result.isGrey ? 4 : 1;  // of the channels only the first
+  result.readRow = [image, shift, step](int row, std::uint16_t* values) {
     const QImage wide = image.copy(0, row, image.width(), 1).convertToFormat(QImage::Format_RGBA64);
     const auto* channels = reinterpret_cast<const quint16*>(wide.constScanLine(0));
     for (int i = 0; i < 4 * wide.width(); i += step) {
-      values.push_back(static_cast<std::uint16_t>(channels[i] >> shift));
+      *values++ = static_cast<std::uint16_t>(channels[i] >> shift);
     }
-  }
+  };
   return result;
 }
 
@@ -44,8 +48,9 @@ base::Result<sim2d::MapImage> loadMapImage(const std::string& path) {
   QImageReader reader(QString::fromStdString(path));
   reader.setDecideFormatFromContent(true);
   const QSize size = reader.size();
-  if (size.isValid() && qint64{size.width()} * size.height() > kMaximumPixels) {
-    return base::error("image.too-many-pixels", {size.width(), size.height()}, path);
+  if (size.isValid() && qint64{size.width()} * size.height() > sim2d::kMostMapCells) {
+    return base::error("image.too-large", {size.width(), size.height(), sim2d::kMostMapCells},
+                       path);
   }
   const QImage image = reader.read();
   if (image.isNull()) {

@@ -296,9 +296,8 @@ constexpr ProblemText kTexts[] = {
 
     // Images of maps.
     {"image.only-pgm", "this program reads only PGM images (P2, P5)"},
-    {"image.too-large", "the image is too large (at most 100 million pixels; scale it down)"},
-    {"image.size-too-large",
-     "the image of {width} x {height} pixels is too large (at most 100 million; scale it down)"},
+    {"image.too-large",
+     "the image of {width} x {height} pixels is too large (at most {most} pixels; scale it down)"},
     {"image.no-pixels", "the image has no pixels"},
     {"image.missing", "the file does not exist"},
     {"image.not-there", "the image does not exist"},
@@ -314,8 +313,6 @@ constexpr ProblemText kTexts[] = {
     {"image.bad-maximum", "the maximum of the PGM image is {found}, not 1 to 65535"},
     {"image.pixel-missing", "pixel {pixel} of {count} is missing or no number"},
     {"image.too-bright", "some pixels are above the image's maximum of {most} and count as white"},
-    {"image.too-many-pixels",
-     "the image has {width} x {height} pixels, more than 100 million (scale it down)"},
 
     // Records of runs: trace.json and its tables.
     {"trace.missing", "is missing"},
@@ -328,6 +325,7 @@ constexpr ProblemText kTexts[] = {
     {"trace.no-point", "must be a list of two finite numbers"},
     {"trace.no-parameter", "must be a number"},
     {"trace.bad-cells", "must be pairs of value and repetitions that fill width * height"},
+    {"trace.map-too-large", "must be {most} cells at most, not {width} x {height}"},
     {"trace.newer", "is newer than this program knows ({known})"},
     {"trace.not-json", "not valid JSON (cut or damaged file?)"},
     {"trace.number-too-large", "{reason}"},

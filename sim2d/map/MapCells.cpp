@@ -73,21 +73,22 @@ class PixelRule {
   bool isMain_;
 };
 
-/// The first row of pixels is the last of cells. `cellOf(pixel)` counts pixels from the upper left.
+/// The first row of pixels is the last of cells. `cellOf` takes the values of a pixel.
 template <class CellOf>
-OccupancyGrid gridOf(int columns, int rows, [[maybe_unused]] std::size_t pixels,
-                     const MapDescription& description, CellOf cellOf) {
-  const auto width = static_cast<std::size_t>(columns);
-  const auto height = static_cast<std::size_t>(rows);
-  assert(columns > 0 && rows > 0 && pixels == width * height);
-  std::vector<std::int8_t> cells(width * height);
-  for (std::size_t row = 0; row < height; ++row) {
-    const std::size_t first = width * (height - 1 - row);
-    for (std::size_t column = 0; column < width; ++column) {
-      cells[row * width + column] = cellOf(first + column);
+OccupancyGrid gridOf(const MapImage& image, const MapDescription& description, CellOf cellOf) {
+  assert(image.width > 0 && image.height > 0);
+  const auto width = static_cast<std::size_t>(image.width);
+  std::vector<std::uint16_t> values(image.valuesPerRow());
+  std::vector<std::int8_t> cells(width * static_cast<std::size_t>(image.height));
+  for (int row = 0; row < image.height; ++row) {
+    image.readRow(row, values.data());
+    std::int8_t* cell = cells.data() + width * static_cast<std::size_t>(image.height - 1 - row);
+    for (std::size_t at = 0; at < values.size(); at += values.size() / width) {
+      *cell++ = cellOf(values.data() + at);
     }
   }
-  return OccupancyGrid(columns, rows, description.resolution, description.origin, std::move(cells));
+  return OccupancyGrid(image.width, image.height, description.resolution, description.origin,
+                       std::move(cells));
 }
 
 bool needsQuotes(const std::string& name) {
@@ -121,10 +122,9 @@ std::string pgmText(const OccupancyGrid& grid) {
 OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& description,
                             MapRule rule) {
   const PixelRule pixels(image.maximum, image.hasAlpha, description, rule);
-  if (image.shades.empty()) {
-    assert(image.rgba.size() % 4 == 0);
-    return gridOf(image.width, image.height, image.rgba.size() / 4, description,
-                  [&](std::size_t pixel) { return pixels.cellOf(image.rgba.data() + 4 * pixel); });
+  if (!image.isGrey) {
+    return gridOf(image, description,
+                  [&pixels](const std::uint16_t* rgba) { return pixels.cellOf(rgba); });
   }
   std::vector<std::int8_t> cellOf;  // by shade
   for (int value = 0; value <= image.maximum; ++value) {
@@ -132,8 +132,8 @@ OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& descrip
     const std::uint16_t rgba[] = {shade, shade, shade, static_cast<std::uint16_t>(image.maximum)};
     cellOf.push_back(pixels.cellOf(rgba));
   }
-  return gridOf(image.width, image.height, image.shades.size(), description,
-                [&](std::size_t pixel) { return cellOf[image.shades[pixel]]; });
+  return gridOf(image, description,
+                [&cellOf](const std::uint16_t* shade) { return cellOf[*shade]; });
 }
 
 base::Result<std::vector<base::FileContent>> mapFileContents(const OccupancyGrid& grid,

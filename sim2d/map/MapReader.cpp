@@ -233,12 +233,9 @@ base::Result<MapImage> loadImage(const fs::path& path, const ImageLoader& loader
   }
   const std::int64_t pixels = std::int64_t{image->width} * image->height;
   if (pixels > kMostMapCells) {
-    return base::error("image.too-large");
+    return base::error("image.too-large", {image->width, image->height, kMostMapCells});
   }
-  const auto needed = static_cast<std::size_t>(std::max<std::int64_t>(pixels, 0));
-  const bool isWhole =
-      image->shades.empty() ? image->rgba.size() == 4 * needed : image->shades.size() == needed;
-  if (needed == 0 || image->maximum < 1 || !isWhole) {
+  if (pixels < 1 || image->maximum < 1 || !image->readRow) {
     return base::error("image.no-pixels");
   }
   return image;

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim2d/base/Files.h"
@@ -10,15 +14,28 @@
 
 namespace sim2d {
 
-/// Pixels of an image file, first row on top; shade and alpha in 0..1 steps of 1/maximum.
+/// An image file, first row on top; shade and alpha in 0..1 steps of 1/maximum. Its values are
+/// asked for row by row, so that those of a large image stay as narrow as the file has them.
 struct MapImage {
   int width = 0, height = 0;
+  bool isGrey = false;  // one value per pixel, else four: red, green, blue, alpha
   bool hasAlpha = false;
-  int maximum = 255;                  // value of full white or opaque, 1..65535
-  std::vector<std::uint16_t> rgba;    // 4 values per pixel
-  std::vector<std::uint16_t> shades;  // instead, where all is grey: one per pixel
+  int maximum = 255;  // value of full white or opaque, 1..65535
+  std::function<void(int row, std::uint16_t* values)> readRow;  // writes `valuesPerRow`
+
+  std::size_t valuesPerRow() const { return static_cast<std::size_t>(width) * (isGrey ? 1U : 4U); }
+  /// Those of all rows, one after the other.
+  template <class Value>
+  void setValues(std::vector<Value> values);
 };
-/// A PGM image (P2 and P5, 8 and 16 bit, comments) as shades.
+template <class Value>
+void MapImage::setValues(std::vector<Value> values) {
+  const auto kept = std::make_shared<const std::vector<Value>>(std::move(values));
+  readRow = [kept, count = valuesPerRow()](int row, std::uint16_t* to) {
+    std::copy_n(kept->data() + static_cast<std::size_t>(row) * count, count, to);
+  };
+}
+/// A PGM image (P2 and P5, 8 and 16 bit, comments), which is grey.
 base::Result<MapImage> readPgm(const std::string& path);
 /// Reads what the reader itself does not (all but PGM): PNG, BMP …
 using ImageLoader = std::function<base::Result<MapImage>(const std::string& path)>;
@@ -54,7 +71,7 @@ base::Result<MapFile> readMap(const std::string& yamlPath, const ImageLoader& lo
                               MapRule rule = MapRule::Humble);
 /// `file` names the text in messages.
 base::Result<MapDescription> parseMapDescription(const std::string& text, const std::string& file);
-/// The image must hold width * height > 0 pixels. First row on top becomes the last row of cells.
+/// The image must have pixels. First row on top becomes the last row of cells.
 OccupancyGrid gridFromImage(const MapImage& image, const MapDescription& description, MapRule rule);
 
 /// A map as files: the image as PGM (P5: 254 free, 0 occupied, 205 unknown; thresholds 0.65 and

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -7,6 +8,7 @@
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "sim2d/map/MapReader.h"
 
@@ -39,7 +41,7 @@ class PgmReader {
                          {image_.width, image_.height, needed, std::max<std::int64_t>(left, 0)},
                          path_);
     }
-    return readPixels();
+    return image_.maximum > 255 ? readPixels<std::uint16_t>() : readPixels<std::uint8_t>();
   }
 
  private:
@@ -68,11 +70,12 @@ class PgmReader {
       return fail("image.bad-maximum", {*maximum});
     }
     if (std::int64_t{*width} * *height > kMostMapCells) {
-      return fail("image.size-too-large", {*width, *height});
+      return fail("image.too-large", {*width, *height, kMostMapCells});
     }
     image_.width = *width;
     image_.height = *height;
     image_.maximum = *maximum;
+    image_.isGrey = true;
     return true;
   }
 
@@ -110,13 +113,15 @@ class PgmReader {
     return any && ends ? std::optional<int>(value) : std::nullopt;
   }
 
+  template <class Value>
   base::Result<MapImage> readPixels() {
-    std::vector<std::uint16_t>& shades = image_.shades;
-    shades.resize(static_cast<std::size_t>(image_.width) * static_cast<std::size_t>(image_.height));
+    std::vector<Value> shades(static_cast<std::size_t>(image_.width) *
+                              static_cast<std::size_t>(image_.height));
     const std::size_t read = isText_ ? readText(shades) : readBinary(shades);
     if (read < shades.size()) {
       return base::error("image.pixel-missing", {read + 1, shades.size()}, path_);
     }
+    image_.setValues(std::move(shades));
     base::Diagnostics warnings;
     if (isAbove_) {
       warnings.push_back(base::warning("image.too-bright", {image_.maximum}, path_));
@@ -124,34 +129,38 @@ class PgmReader {
     return {std::move(image_), std::move(warnings)};
   }
 
-  std::uint16_t shadeOf(int value) {
+  int shadeOf(int value) {
     isAbove_ = isAbove_ || value > image_.maximum;
-    return static_cast<std::uint16_t>(std::min(value, image_.maximum));
+    return std::min(value, image_.maximum);
   }
 
   /// How many could be read.
-  std::size_t readText(std::vector<std::uint16_t>& shades) {
+  template <class Value>
+  std::size_t readText(std::vector<Value>& shades) {
     for (std::size_t i = 0; i < shades.size(); ++i) {
       const std::optional<int> value = readNumber();
       if (!value) {
         return i;
       }
-      shades[i] = shadeOf(*value);
+      shades[i] = static_cast<Value>(shadeOf(*value));
     }
     return shades.size();
   }
 
-  std::size_t readBinary(std::vector<std::uint16_t>& shades) {
-    const std::size_t bytes = image_.maximum > 255 ? 2 : 1;
-    std::vector<char> row(static_cast<std::size_t>(image_.width) * bytes);
+  /// As many bytes per pixel as the values have.
+  template <class Value>
+  std::size_t readBinary(std::vector<Value>& shades) {
+    constexpr std::size_t kBytes = sizeof(Value);
+    std::vector<char> row(static_cast<std::size_t>(image_.width) * kBytes);
     std::size_t at = 0;
     while (at < shades.size()) {
       const auto got = static_cast<std::size_t>(
           input_.rdbuf()->sgetn(row.data(), static_cast<std::streamsize>(row.size())));
-      for (std::size_t i = 0; i + bytes <= got; i += bytes) {
+      for (std::size_t i = 0; i + kBytes <= got; i += kBytes) {
         const int first = static_cast<unsigned char>(row[i]);
-        const int value = bytes == 2 ? first * 256 + static_cast<unsigned char>(row[i + 1]) : first;
-        shades[at++] = shadeOf(value);
+        const int value =
+            kBytes == 2 ? first * 256 + static_cast<unsigned char>(row[i + 1]) : first;
+        shades[at++] = static_cast<Value>(shadeOf(value));
       }
       if (got < row.size()) {
         break;

@@ -12,6 +12,7 @@
 
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/map/MapReader.h"
 #include "sim2d/trace/JsonPlaces.h"
 #include "sim2d/trace/Trace.h"
 
@@ -30,6 +31,7 @@ bool expandCells(const Json& json, std::size_t count, std::vector<std::int8_t>& 
   if (!json.is_array() || json.size() % 2 != 0) {
     return false;
   }
+  cells.reserve(count);
   for (std::size_t k = 0; k < json.size(); k += 2) {
     if (!json[k].is_number_integer() || !json[k + 1].is_number_unsigned()) {
       return false;
@@ -193,6 +195,10 @@ class JsonReader {
     readMember(json, "map.", "heading", origin.heading);
     requirePositive("map.resolution", resolution);
     const bool sized = width >= 0 && height >= 0;
+    if (sized && std::int64_t{width} * height > kMostMapCells) {
+      error("map", "trace.map-too-large", {kMostMapCells, width, height});
+      return;
+    }
     const std::size_t count =
         sized ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
     std::vector<std::int8_t> cells;

@@ -6,6 +6,7 @@
 #include "editor/document/QtImageLoader.h"
 #include "sim2d/map/MapReader.h"
 #include "sim2d/scenario/ScenarioFile.h"
+#include "tests/map/ImageValues.h"
 
 namespace {
 
@@ -89,11 +90,12 @@ class MapImagesTest : public QObject {
       QVERIFY(image.save(path));
       const auto read = editor::loadMapImage(path.toStdString());
       QVERIFY(read);
-      const bool isGrey = !read->shades.empty();
-      QCOMPARE(isGrey, format == QImage::Format_Grayscale8);
-      QCOMPARE(read->shades.size() + read->rgba.size(), std::size_t{isGrey ? 12U : 48U});
+      const std::size_t step = read->isGrey ? 1 : 4;
+      QCOMPARE(read->isGrey, format == QImage::Format_Grayscale8);
+      const std::vector<std::uint16_t> values = sim2d::valuesOf(*read);
+      QCOMPARE(values.size(), 12 * step);
       for (std::size_t i = 0; i < 12; ++i) {
-        const int value = isGrey ? read->shades[i] : read->rgba[4 * i];
+        const int value = values[step * i];
         QCOMPARE(value, static_cast<int>(10 + 20 * (i / 3) + i % 3));
       }
     }

@@ -46,9 +46,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!image) {
     return 0;
   }
-  const std::size_t pixels =
-      static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height);
-  require(image->shades.size() == pixels, "an image has one value per pixel");
+  const auto width = static_cast<std::size_t>(image->width);
+  require(image->valuesPerRow() == width, "an image has one value per pixel");
   if (description) {
     for (const sim2d::MapRule rule : {sim2d::MapRule::Humble, sim2d::MapRule::Main}) {
       const sim2d::OccupancyGrid grid = sim2d::gridFromImage(*image, *description, rule);

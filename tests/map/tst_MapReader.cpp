@@ -30,7 +30,7 @@ MapImage pixel(std::uint16_t r, std::uint16_t g, std::uint16_t b, std::uint16_t 
   MapImage image;
   image.width = image.height = 1;
   image.hasAlpha = hasAlpha;
-  image.rgba = {r, g, b, a};
+  image.setValues<std::uint16_t>({r, g, b, a});
   return image;
 }
 
@@ -138,8 +138,8 @@ void MapReaderTest::gridFromImage_firstRow_isTop() {
   MapImage image;
   image.width = 2;
   image.height = 2;
-  image.rgba = {0,   0,   0,   255, 255, 255, 255, 255,   // top: wall, free
-                255, 255, 255, 255, 255, 255, 255, 255};  // bottom: free
+  image.setValues<std::uint16_t>({0, 0, 0, 255, 255, 255, 255, 255,          // top: wall, free
+                                  255, 255, 255, 255, 255, 255, 255, 255});  // bottom: free
   const OccupancyGrid grid = gridFromImage(image, {}, MapRule::Humble);
   QVERIFY(grid.isWall({0, 1}));
   QVERIFY(!grid.isWall({0, 0}));

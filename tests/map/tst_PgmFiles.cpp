@@ -1,6 +1,7 @@
 #include <QtTest>
 
 #include "sim2d/map/MapReader.h"
+#include "tests/map/ImageValues.h"
 #include "tests/map/WrittenFiles.h"
 
 using namespace sim2d;
@@ -15,10 +16,11 @@ MapImage asMapImage(const MapImage& grey) {
   image.width = grey.width;
   image.height = grey.height;
   image.maximum = grey.maximum;
-  for (const std::uint16_t shade : grey.shades) {
-    image.rgba.insert(image.rgba.end(),
-                      {shade, shade, shade, static_cast<std::uint16_t>(grey.maximum)});
+  std::vector<std::uint16_t> rgba;
+  for (const std::uint16_t shade : valuesOf(grey)) {
+    rgba.insert(rgba.end(), {shade, shade, shade, static_cast<std::uint16_t>(grey.maximum)});
   }
+  image.setValues(std::move(rgba));
   return image;
 }
 
@@ -75,10 +77,9 @@ void PgmFilesTest::readPgm_formats() {
   QCOMPARE(image->width, 2);
   QCOMPARE(image->height, 1);
   QCOMPARE(image->maximum, maximum);
-  QCOMPARE(image->shades.size(), std::size_t{2});
-  for (int i = 0; i < 2; ++i) {
-    QCOMPARE(int{image->shades[static_cast<std::size_t>(i)]}, shades[i]);
-  }
+  QVERIFY(image->isGrey);
+  const std::vector<std::uint16_t> values = valuesOf(*image);
+  QCOMPARE(QVector<int>(values.begin(), values.end()), shades);
 }
 
 void PgmFilesTest::readPgm_bad_isError_data() {
@@ -100,9 +101,11 @@ void PgmFilesTest::readPgm_bad_isError_data() {
   row("truncated 16 bit", "P5\n1 1\n256\nA", "need 2 bytes, there are 1");
   row("truncated P2", "P2\n2 2\n255\n1 2 333", "pixel 4 of 4");
   row("word in P2", "P2\n2 1\n255\n1 x1 ", "pixel 2 of 2");
-  row("huge", "P5\n20000 20000\n255\nA", "too large");
+  row("huge", "P5\n20000 20000\n255\nA",
+      "20000 x 20000 pixels is too large (at most 100000000 pixels");
   row("very huge", "P5\n99999999999 99999999999\n255\nA", "too large");
   row("large but not there", "P5\n10000 10000\n255\nA", "need 100000000 bytes");
+  row("one row too many", "P5\n10000 10001\n255\nA", "10000 x 10001 pixels is too large");
 }
 
 void PgmFilesTest::readPgm_bad_isError() {
@@ -117,7 +120,7 @@ void PgmFilesTest::readPgm_bad_isError() {
 void PgmFilesTest::readPgm_valueAboveMaximum_warns() {
   const auto image = readPgm(write("a.pgm", "P2 1 1 15 16"));
   QVERIFY(image);
-  QCOMPARE(int{image->shades[0]}, 15);
+  QCOMPARE(int{valuesOf(*image)[0]}, 15);
   QCOMPARE(image.diagnostics().size(), std::size_t{1});
 }
 

@@ -221,6 +221,10 @@ void TraceTest::readTrace_badFile_namesPlace_data() {
                                   << QByteArray("trace.json:4: error: wrap_x");
   QTest::newRow("cells") << QByteArray("trace.json") << QByteArray("[0,2,100,2,")
                          << QByteArray("[0,2,100,99,") << QByteArray("map.cells: must be pairs");
+  QTest::newRow("too many cells")
+      << QByteArray("trace.json") << QByteArray("\"width\":3,\"height\":2")
+      << QByteArray("\"width\":2000000000,\"height\":2000000000")
+      << QByteArray("map: must be 100000000 cells at most, not 2000000000 x 2000000000");
 }
 
 void TraceTest::readTrace_badFile_namesPlace() {
