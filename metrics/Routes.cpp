@@ -1,7 +1,6 @@
 #include "metrics/Routes.h"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 
 #include "sim2d/map/TautWay.h"
@@ -50,9 +49,8 @@ std::vector<Vec2> Routes::search(const Vec2& from, const Vec2& to) {
   if (!planner_) {
     const std::vector<Vec2> bounds = {from, to};
     planner_ = std::make_unique<sim2d::PathPlanner>(
-        std::make_shared<const sim2d::DistanceField>(map_, *obstacles_, bounds,
-                                                     std::numeric_limits<double>::infinity()),
-        robotRadius_, sim2d::Prices::Length);
+        sim2d::DistanceField::ofExactCells(map_, *obstacles_, bounds), robotRadius_,
+        sim2d::Prices::Length);
   }
   // The field of distances is kept per goal, and it is the start that stays the same.
   std::vector<Vec2> path = planner_->plan(to, from);

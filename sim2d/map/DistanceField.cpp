@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "sim2d/map/ObstacleCells.h"
@@ -10,8 +11,6 @@
 namespace sim2d {
 
 namespace {
-
-constexpr double kExactRange = 1.2;  // [m]
 
 /// A free grid over the points and all outlines, with a margin of 3 m.
 OccupancyGrid gridOver(const Obstacles& obstacles, const std::vector<Vec2>& points) {
@@ -52,68 +51,6 @@ OccupancyGrid gridOver(const Obstacles& obstacles, const std::vector<Vec2>& poin
                        std::move(free));
 }
 
-bool reachBeyond(const OccupancyGrid& grid, const Obstacles& obstacles) {
-  const auto isOutside = [&](const Vec2& point) {
-    constexpr double kEdge = 0.6;  // [cells] the outlines of the map itself may lie on its edge
-    const Vec2 corner = grid.worldToCorner(point);
-    return corner.minCoeff() < -kEdge || corner.x() > grid.width() + kEdge ||
-           corner.y() > grid.height() + kEdge;
-  };
-  for (int part = 0; part < obstacles.partCount(); ++part) {
-    for (const Outline& outline : obstacles.outlines(part)) {
-      if (obstacles.isEnabled(part) &&
-          std::any_of(outline.points.begin(), outline.points.end(), isOutside)) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-/// Lowers the distances [m] of a map to those of the obstacles. `cells` are what these cover.
-class ObstaclePass {
- public:
-  ObstaclePass(const OccupancyGrid& grid, const Obstacles& obstacles,
-               const std::vector<char>& cells, bool isLarge, const base::StopFlag& stop)
-      : grid_(grid),
-        obstacles_(obstacles),
-        cells_(cells),
-        toCovered_(grid.width(), grid.height(), cells, 1.0F, isLarge, stop),
-        size_(static_cast<float>(grid.resolution())),
-        limit_(kExactRange + 2.0 * grid.resolution()),
-        // What stands beyond the grid acts on the cells near its edge.
-        edge_(reachBeyond(grid, obstacles) ? static_cast<int>(limit_ / grid.resolution()) : 0) {}
-
-  float lowered(Cell cell, float distance) const {
-    const std::size_t i = grid_.indexOf(cell);
-    const float rough = size_ * toCovered_.at(i);  // covered cells reach up to a cell too far
-    const bool isNearEdge = std::min({cell.column, grid_.width() - 1 - cell.column, cell.row,
-                                      grid_.height() - 1 - cell.row}) < edge_;
-    if (rough >= distance && !isNearEdge) {
-      return distance;
-    }
-    if (cells_[i] != 0) {
-      return 0.0F;
-    }
-    const bool isFar = rough > static_cast<float>(kExactRange);
-    const float far = std::min(distance, rough + 0.5F * size_);
-    if (isFar && !isNearEdge) {
-      return far;
-    }
-    const double exact = obstacles_.clearance(grid_.cellToWorld(cell), limit_);
-    return exact < limit_ ? std::min(distance, static_cast<float>(std::max(0.0, exact))) : far;
-  }
-
- private:
-  const OccupancyGrid& grid_;
-  const Obstacles& obstacles_;
-  const std::vector<char>& cells_;
-  CellDistances toCovered_;  // [cells]
-  float size_;
-  double limit_;
-  int edge_;  // [cells]
-};
-
 CellDistances distancesToWalls(const OccupancyGrid& grid, bool isLarge,
                                const base::StopFlag& stop) {
   return CellDistances(grid.width(), grid.height(), cellsOfWalls(grid),
@@ -129,13 +66,14 @@ void lowerDistances(const OccupancyGrid& grid, const Obstacles& obstacles,
   if (!isCovered && !reachBeyond(grid, obstacles)) {
     return;
   }
-  const ObstaclePass pass(grid, obstacles, cells, isLarge, stop);
+  const ObstaclePass pass(grid, obstacles);
+  const CellDistances toCovered(grid.width(), grid.height(), cells, 1.0F, isLarge, stop);
   for (int row = 0; row < grid.height(); ++row) {
     stop.check();
     for (int column = 0; column < grid.width(); ++column) {
       const std::size_t index = grid.indexOf({column, row});
       const float before = distance.at(index);
-      const float after = pass.lowered({column, row}, before);
+      const float after = pass.lowered({column, row}, before, toCovered.at(index));
       if (after != before) {
         distance.set(index, after);
       }
@@ -182,18 +120,49 @@ DistanceField::DistanceField(const OccupancyGrid& grid, const Obstacles& obstacl
       isLarge_(!isOpenPlane_ && static_cast<double>(grid_.cells().size()) > mostCells) {
   distance_ = walls != nullptr ? *walls : distancesToWalls(grid_, isLarge_, *stop_);
   // Of a large map the cells alone count, not its outlines, which are off them by half a cell.
-  const std::vector<char> cells = cellsOfObstacles(grid_, obstacles, isLarge_, *stop_);
-  lowerDistances(grid_, obstacles, cells, isLarge_, *stop_, distance_);
-  if (!isLarge_ && std::find(cells.begin(), cells.end(), char{1}) != cells.end()) {
-    grid_ = withObstacles(grid_, cells);
+  keepDistances(obstacles, cellsOfObstacles(grid_, obstacles, isLarge_, *stop_));
+}
+
+/// Of the map as an ordinary one.
+DistanceField::DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles, Asked)
+    : stop_(std::make_shared<const base::StopFlag>()), grid_(grid) {
+  const std::vector<char> covered = cellsOfObstacles(grid_, obstacles, false, *stop_);
+  const auto isWall = [](std::int8_t value) { return value > 50; };
+  if (std::find(covered.begin(), covered.end(), char{1}) == covered.end() &&
+      std::none_of(grid_.cells().begin(), grid_.cells().end(), isWall)) {
+    distance_ = distancesToWalls(grid_, false, *stop_);
+    keepDistances(obstacles, covered);
+    return;
+  }
+  asked_ = std::make_unique<const AskedDistances>(grid_, obstacles, covered, *stop_);
+  findBorder();
+}
+
+std::shared_ptr<const DistanceField> DistanceField::ofExactCells(const OccupancyGrid& grid,
+                                                                 const Obstacles& obstacles,
+                                                                 const std::vector<Vec2>& bounds,
+                                                                 double mostKept) {
+  constexpr double kNoneIsLarge = std::numeric_limits<double>::infinity();
+  if (static_cast<double>(grid.cells().size()) <= mostKept) {
+    return std::make_shared<const DistanceField>(grid, obstacles, bounds, kNoneIsLarge);
+  }
+  return std::shared_ptr<const DistanceField>(new DistanceField(grid, obstacles, Asked()));
+}
+
+void DistanceField::keepDistances(const Obstacles& obstacles, const std::vector<char>& covered) {
+  lowerDistances(grid_, obstacles, covered, isLarge_, *stop_, distance_);
+  if (!isLarge_ && std::find(covered.begin(), covered.end(), char{1}) != covered.end()) {
+    grid_ = withObstacles(grid_, covered);
   }
   findBorder();
   measureUnknown();
 }
 
 bool DistanceField::isSolid(Cell cell) const {
-  return grid_.isWall(cell) ||
-         (isLarge_ && grid_.contains(cell) && distance_.at(grid_.indexOf(cell)) == 0.0F);
+  if (grid_.isWall(cell) || (!isLarge_ && asked_ == nullptr) || !grid_.contains(cell)) {
+    return grid_.isWall(cell);
+  }
+  return isLarge_ ? distance_.at(grid_.indexOf(cell)) == 0.0F : asked_->isCovered(cell);
 }
 
 void DistanceField::findBorder() {
@@ -234,6 +203,9 @@ void DistanceField::measureUnknown() {
 }
 
 double DistanceField::unknownDistance(Cell cell) const {
+  if (asked_ != nullptr && grid_.contains(cell)) {
+    return static_cast<double>(asked_->unknown().distance(cell));
+  }
   if (toUnknown_.empty() || !grid_.contains(cell)) {
     return std::numeric_limits<double>::infinity();
   }
@@ -249,8 +221,8 @@ double DistanceField::unknownDistance(Cell cell) const {
 }
 
 std::size_t DistanceField::bytes() const {
-  return distance_.bytes() + sizeof(float) * toUnknown_.capacity() +
-         sizeof(Cell) * border_.capacity();
+  const std::size_t kept = asked_ != nullptr ? asked_->bytes() : distance_.bytes();
+  return kept + sizeof(float) * toUnknown_.capacity() + sizeof(Cell) * border_.capacity();
 }
 
 double DistanceField::outsideDistance(const Vec2& corner) const {
@@ -264,12 +236,12 @@ double DistanceField::outsideDistance(const Vec2& corner) const {
 }
 
 double DistanceField::distanceAt(Cell cell) const {
-  return grid_.contains(cell) ? static_cast<double>(distance_.at(grid_.indexOf(cell)))
+  return grid_.contains(cell) ? static_cast<double>(valueAt(grid_.indexOf(cell)))
                               : outsideDistance(Vec2(cell.column + 0.5, cell.row + 0.5));
 }
 
 double DistanceField::distanceAt(const Vec2& point) const {
-  if (std::isinf(distance_.at(0))) {
+  if (std::isinf(valueAt(0))) {
     return std::numeric_limits<double>::infinity();
   }
   const Vec2 corner = grid_.worldToCorner(point);
@@ -287,7 +259,7 @@ double DistanceField::distanceAt(const Vec2& point) const {
   const double tx = x - low.column;
   const double ty = y - low.row;
   const auto value = [&](std::size_t offset) {
-    return static_cast<double>(distance_.at(first + offset));
+    return static_cast<double>(valueAt(first + offset));
   };
   return (1.0 - ty) * ((1.0 - tx) * value(0) + tx * value(right)) +
          ty * ((1.0 - tx) * value(up) + tx * value(up + right));

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "sim2d/map/CellDistances.h"
+#include "sim2d/map/ObstaclePass.h"
 #include "sim2d/map/Obstacles.h"
 
 namespace sim2d {
@@ -22,13 +24,20 @@ class DistanceField {
                 const std::vector<Vec2>& bounds = {}, double mostCells = kMostCells,
                 base::StopFlagPtr stop = std::make_shared<const base::StopFlag>(),
                 const std::shared_ptr<const CellDistances>& walls = nullptr);
+  /// As of an ordinary map, whatever its size; for one of more cells than `mostKept` distances are
+  /// worked out when they are asked for, so that `obstacles` must live and stay as long as this.
+  static std::shared_ptr<const DistanceField> ofExactCells(const OccupancyGrid& grid,
+                                                           const Obstacles& obstacles,
+                                                           const std::vector<Vec2>& bounds,
+                                                           double mostKept = kMostCells);
   /// The share of the walls of a map in its fields, whatever else stands there.
   static std::shared_ptr<const CellDistances> wallsOf(const OccupancyGrid& grid, bool isLarge,
                                                       const base::StopFlag& stop);
 
   static constexpr double kMostCells = 4e6;
 
-  /// Wall = map wall or obstacle; of a large map the map itself, whose cells are shared.
+  /// Wall = map wall or obstacle; where distances are few or none the map itself, whose cells are
+  /// shared.
   const OccupancyGrid& grid() const { return grid_; }
   bool isLarge() const { return isLarge_; }
   bool isOpenPlane() const { return isOpenPlane_; }  // there was no map: free beyond the grid
@@ -37,13 +46,27 @@ class DistanceField {
   /// [cells] from the centre to the nearest unknown cell: 0 inside, infinite when all is known. Of
   /// a large map, from any point of the cell and at least so much.
   double unknownDistance(Cell cell) const;
-  bool hasUnknown() const { return !toUnknown_.empty(); }
+  bool hasUnknown() const {
+    return asked_ != nullptr ? asked_->unknown().isAny() : !toUnknown_.empty();
+  }
+  /// No obstacle covers it either, unless the map is large.
+  bool isUnknown(Cell cell) const {
+    return grid_.isUnknown(cell) && (asked_ == nullptr || !asked_->isCovered(cell));
+  }
+  /// Distances are worked out when they are asked for, which takes a microsecond or more.
+  bool isAsked() const { return asked_ != nullptr; }
   /// For all that is worked out from it, as for itself.
   const base::StopFlag& stopFlag() const { return *stop_; }
   /// Memory taken, but for the cells of the map.
   std::size_t bytes() const;
 
  private:
+  struct Asked {};
+  DistanceField(const OccupancyGrid& grid, const Obstacles& obstacles, Asked);
+  void keepDistances(const Obstacles& obstacles, const std::vector<char>& covered);
+  float valueAt(std::size_t index) const {
+    return asked_ == nullptr ? distance_.at(index) : asked_->at(index);
+  }
   bool isSolid(Cell cell) const;
   void findBorder();
   void measureUnknown();
@@ -53,7 +76,8 @@ class DistanceField {
   OccupancyGrid grid_;
   bool isOpenPlane_ = false;
   bool isLarge_ = false;
-  CellDistances distance_;        // [m]
+  CellDistances distance_;  // [m]; none when there is the next
+  std::unique_ptr<const AskedDistances> asked_;
   std::vector<float> toUnknown_;  // [cells] by cell, [blocks] by block of a large map
   std::vector<Cell> border_;      // wall cells beside free ones, for places outside the grid
 };

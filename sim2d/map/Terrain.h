@@ -57,8 +57,12 @@ class Terrain {
     std::uint32_t length = 0;
     Index first = 0, second = 0;  // cells that a step passes; 0 for straight ones
   };
+  Terrain(const DistanceField& field, Cell low, Cell high);  // all closed
   std::uint32_t stepCost(Index from, const Neighbour& neighbour) const;
-  void makePricesEqual();
+  void setPrice(Index index, std::uint8_t price, bool isUnknown) {
+    price_[static_cast<std::size_t>(index)] =
+        static_cast<std::uint8_t>(isUnknown ? price | kUnknown : price);
+  }
 
  private:
   static constexpr std::uint32_t kUnknown = 0x80;  // beside the price

@@ -18,7 +18,7 @@ bool hasOpenUnknown(const DistanceField& field, double radius) {
     field.stopFlag().check();
     for (int column = 0; column < grid.width(); ++column) {
       const Cell cell{column, row};
-      if (grid.isUnknown(cell) && priceOf(field, radius, cell) != 0) {
+      if (field.isUnknown(cell) && priceOf(field, radius, cell) != 0) {
         return true;
       }
     }

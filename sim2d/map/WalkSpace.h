@@ -28,7 +28,7 @@ class WalkSpace {
   bool isOpen(Cell cell) const {
     return grid().contains(cell) && priceOf(*field_, radius_, cell) != 0;
   }
-  bool isUnknown(const Vec2& point) const { return grid().isUnknown(grid().worldToCell(point)); }
+  bool isUnknown(const Vec2& point) const { return field_->isUnknown(grid().worldToCell(point)); }
   bool fits(const Vec2& point) const;
   /// All of the line keeps `clearance` [m], to a millimetre, and stays in the world; unless the
   /// last is set, also off unknown cells.
