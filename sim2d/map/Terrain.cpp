@@ -25,8 +25,8 @@ double leastFor(const OccupancyGrid& grid, double radius) {
 /// How many cells behind one of that clearance, in a row, are as open or closed as it. Clearances
 /// of neighbours differ by a cell at most, but for the places where they begin to be exact.
 int alikeBehind(const DistanceField& field, double clearance, double least) {
-  constexpr double kSlack = 4.0;  // [cells]
-  const double cells = std::fabs(clearance - least) / field.grid().resolution() - kSlack;
+  constexpr double kAlikeSlack = 4.0;  // [cells]
+  const double cells = std::fabs(clearance - least) / field.grid().resolution() - kAlikeSlack;
   return static_cast<int>(std::clamp(cells, 0.0, 1e6));
 }
 

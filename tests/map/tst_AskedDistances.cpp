@@ -110,7 +110,7 @@ void AskedDistancesTest::distance_randomMarks_isThatByBruteForce() {
   });
 }
 
-/// Pythagoras: 3, 4, 5, from middle to border.
+/// From its middle to the nearer border of the other, along each axis.
 void AskedDistancesTest::distance_farMark_isExact() {
   const NearestMark nearest(9000, 9000, [](Cell cell) { return cell == Cell{8999, 8999}; }, {});
   QCOMPARE(nearest.distance({8999, 0}), 8998.5F);
@@ -120,7 +120,7 @@ void AskedDistancesTest::distance_farMark_isExact() {
 }
 
 void AskedDistancesTest::distanceAt_everyCell_isTheSame() {
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
     const Scene scene = sceneWithShapes(seed);
     const OccupancyGrid grid = randomMap(seed);
     const Pair pair(grid, scene.obstacles);
@@ -155,7 +155,7 @@ void AskedDistancesTest::distanceAt_mapWithoutWalls_isTheSame() {
 
 void AskedDistancesTest::evenTerrain_everyCell_isTheSame() {
   int open = 0, unknown = 0;
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
     const Scene scene = sceneWithShapes(seed);
     const OccupancyGrid grid = randomMap(seed);
     const Pair pair(grid, scene.obstacles);
@@ -176,7 +176,7 @@ void AskedDistancesTest::evenTerrain_everyCell_isTheSame() {
 
 void AskedDistancesTest::plan_byLength_isTheSame() {
   int ways = 0;
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
     const Scene scene = sceneWithShapes(seed);
     const Pair pair(randomMap(seed), scene.obstacles);
     PathPlanner kept(pair.kept, 0.25, Prices::Length);
@@ -191,7 +191,7 @@ void AskedDistancesTest::plan_byLength_isTheSame() {
       ways += way.size() > 2 ? 1 : 0;
     }
   }
-  QVERIFY2(ways > 40, qPrintable(QString::number(ways)));
+  QVERIFY2(ways > 25, qPrintable(QString::number(ways)));
 }
 
 void AskedDistancesTest::bytes_areHalfAByte() {
