@@ -7,13 +7,10 @@
 #include <string>
 #include <vector>
 
-#include <QTemporaryDir>
 #include <QtTest>
 
-#include "app/run/Experiment.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
-#include "sim2d/map/MapReader.h"
 
 namespace {
 
@@ -92,8 +89,6 @@ class LimitsTest : public QObject {
   void page_figures_areThoseOfTheCode();
   void people_oneMore_isRefused();
   void keys_oneMore_isRefused();
-  void runs_oneMore_isRefused();
-  void mapCells_oneRowMore_isRefused();
 };
 
 void LimitsTest::page_figures_areThoseOfTheCode_data() {
@@ -143,29 +138,6 @@ void LimitsTest::keys_oneMore_isRefused() {
   QCOMPARE(problemsOf(map), std::string());
   const std::string told = problemsOf(map + "more: 1\n");
   QVERIFY2(told.find("more than 250000 keys") != std::string::npos, told.c_str());
-}
-
-void LimitsTest::runs_oneMore_isRefused() {
-  const QTemporaryDir folder;
-  const std::string path = folder.filePath(QStringLiteral("e.yaml")).toStdString();
-  for (const int seeds : {10000000, 10000001}) {
-    std::ofstream(path) << "hunavsim_experiment: 1\nscenarios: [a.yaml]\nseeds: " << seeds << "\n";
-    const std::string told = allOf(app::readExperiment(path).diagnostics());
-    QCOMPARE(told.find("at most 10000000 are possible") != std::string::npos, seeds > 10000000);
-  }
-}
-
-/// By its header: there are no pixels behind it.
-void LimitsTest::mapCells_oneRowMore_isRefused() {
-  const QTemporaryDir folder;
-  const std::string path = folder.filePath(QStringLiteral("m.pgm")).toStdString();
-  for (const int rows : {10000, 10001}) {
-    std::ofstream(path) << "P5\n10000 " << rows << "\n255\n";
-    const std::string told = allOf(sim2d::readPgm(path).diagnostics());
-    const bool isTold = told.find("10000 x 10001 pixels is too large (at most 100000000 pixels") !=
-                        std::string::npos;
-    QCOMPARE(isTold, rows == 10001);
-  }
 }
 
 QTEST_APPLESS_MAIN(LimitsTest)
