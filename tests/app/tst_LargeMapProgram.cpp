@@ -109,6 +109,7 @@ Ended runToEnd(const std::vector<std::string>& words) {
   std::vector<std::string> all{HUNAVSIM_PROGRAM};
   all.insert(all.end(), words.begin(), words.end());
   std::vector<char*> pointers;
+  pointers.reserve(all.size() + 1);
   for (std::string& word : all) {
     pointers.push_back(word.data());
   }
@@ -190,6 +191,7 @@ void LargeMapProgramTest::command_largeMap_takesTenBytesPerCell_data() {
 std::vector<std::string> LargeMapProgramTest::wordsFor(const char* map,
                                                        const QStringList& words) const {
   std::vector<std::string> result;
+  result.reserve(static_cast<std::size_t>(words.size()));
   for (const QString& word : words) {
     result.push_back(word.startsWith(QLatin1Char('@')) ? at(map, word.mid(1).toUtf8().constData())
                                                        : word.toStdString());

@@ -57,10 +57,9 @@ std::optional<double> constantOf(const std::string& file, const std::string& nam
 
 /// The cells of a row of a table, without the blanks around them.
 std::vector<std::string> cellsOf(const std::string& line) {
-  std::vector<std::string> cells;
-  for (const std::string& cell : base::split(line, '|')) {
-    cells.push_back(base::trimmed(cell));
-  }
+  std::vector<std::string> cells = base::split(line, '|');
+  std::transform(cells.begin(), cells.end(), cells.begin(),
+                 [](const std::string& cell) { return base::trimmed(cell); });
   return cells;
 }
 
