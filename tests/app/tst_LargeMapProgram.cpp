@@ -88,7 +88,8 @@ std::string scenarioText(double metres) {
       "\n    agents:\n      - anna\n      - ben\n";
   int id = 0;
   for (const char* const name : {"anna", "ben"}) {
-    text += std::string("    ") + name + ":\n      id: " + std::to_string(++id) +
+    ++id;
+    text += std::string("    ") + name + ":\n      id: " + std::to_string(id) +
             "\n      init_pose:\n        x: " + std::to_string(0.4 * metres + id) +
             "\n        y: " + std::to_string(0.5 * metres) + "\n      goals:\n        - 1\n";
   }
