@@ -450,11 +450,12 @@ class RunPicture::Painting {
     text({left, y}, theme_.font(measures_.text(), QFont::DemiBold), Role::Text,
          QString::fromStdString(trace_.header.scenario) + QStringLiteral(" · ") + secondsAndSeed());
     y += measures_.row();
-    const auto places = static_cast<std::size_t>(columnsBelow() * rowsBelow());
+    const auto rows = static_cast<std::size_t>(std::max(1, rowsBelow()));
+    const std::size_t places = static_cast<std::size_t>(columnsBelow()) * rows;
     const std::size_t shown = entries_.size() > places ? places - 1 : entries_.size();
     const auto placeOf = [&](std::size_t k) {
-      const auto rows = static_cast<std::size_t>(std::max(1, rowsBelow()));
-      return QPointF(left + width * static_cast<double>(k / rows),
+      const std::size_t column = k / rows;
+      return QPointF(left + width * static_cast<double>(column),
                      y + measures_.row() * static_cast<double>(k % rows));
     };
     for (std::size_t k = 0; k < shown; ++k) {

@@ -278,7 +278,6 @@ constexpr ProblemText kTexts[] = {
     {"file.too-large", "the file is too large: {megabytes} MB at most"},
     {"file.cannot-make-folder", "cannot make the folder{reason?: %}"},
     {"file.cannot-restore", "cannot put the old file back: {reason}"},
-    {"file.cannot-write-picture", "cannot write: {reason}"},
     {"file.cannot-remove", "cannot remove the file: {reason}"},
     {"file.no-permission", "cannot write into the folder (no permission)"},
     {"file.is-read", "this file is read: results would take its place, write elsewhere"},
