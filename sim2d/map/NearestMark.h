@@ -47,7 +47,8 @@ class NearestMark {
 
   NearestMark(int width, int height);
   static Block bitOf(Cell cell) {
-    return Block{1} << static_cast<unsigned>(8 * (cell.row % 8) + cell.column % 8);
+    return Block{1} << (8U * (static_cast<unsigned>(cell.row) % 8U) +
+                        static_cast<unsigned>(cell.column) % 8U);
   }
   static std::size_t indexOf(const Level& level, Cell cell) {
     return static_cast<std::size_t>(cell.row / 8) * static_cast<std::size_t>(level.columns) +
