@@ -326,6 +326,9 @@ base::Diagnostics BatchFolder::removeRests() const {
     if (run < store_->study().runs &&
         (!store_->has(run) || !isThere((fs::path(path) / "manifest.json").string()))) {
       base::append(problems, removeRun(path));
+    } else if (run < store_->study().runs &&
+               isThere((fs::path(path) / FolderLock::kFile).string())) {
+      const auto lock = FolderLock::take(path);  // its end takes the file away
     }
   }
   std::error_code ignored;

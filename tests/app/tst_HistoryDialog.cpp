@@ -1,6 +1,7 @@
 #include "QuietWindow.h"
 #include "app/window/HistoryDialog.h"
 #include "editor/look/HouseStyle.h"
+#include "editor/look/Later.h"
 
 using app::HistoryDialog;
 
@@ -53,8 +54,8 @@ class HistoryDialogTest : public QObject {
     auto window = quiet::shownWindow();
     editor::SimulationRunner& runner = window->workspace().runner();
     QCOMPARE(runner.historyMemory(), 256 * kMega);
-    const auto answer = [](auto accept) {
-      QTimer::singleShot(0, [accept] {
+    const auto answer = [&](bool accept) {
+      editor::later(*window, [accept] {
         auto* dialog = qobject_cast<HistoryDialog*>(QApplication::activeModalWidget());
         QVERIFY(dialog != nullptr);
         dialog->findChild<QSpinBox*>()->setValue(48);
