@@ -146,7 +146,7 @@ class EncodedMovie : public Movie {
  public:
   EncodedMovie(std::string path, double perSecond)
       : path_(std::move(path)),
-        part_(path_ + ".new-" + std::to_string(::getpid()) + endingOf(path_)),
+        part_(path_ + ".new-" + std::to_string(::getpid()) + "-0"),
         perSecond_(perSecond) {}
   ~EncodedMovie() override {
     if (process_.state() != QProcess::NotRunning) {
@@ -178,11 +178,13 @@ class EncodedMovie : public Movie {
     process_.closeWriteChannel();
     const bool isDone = process_.waitForFinished(kWaitMs) &&
                         process_.exitStatus() == QProcess::NormalExit && process_.exitCode() == 0;
-    std::error_code problem;
-    if (isDone) {
-      fs::rename(part_, path_, problem);
+    if (!isDone) {
+      return failure();
     }
-    return isDone && !problem ? base::Diagnostics() : failure();
+    std::error_code problem;
+    fs::rename(part_, path_, problem);
+    return problem ? base::Diagnostics{base::error("file.cannot-write", {problem.message()}, path_)}
+                   : base::Diagnostics();
   }
 
  private:
@@ -215,16 +217,21 @@ class EncodedMovie : public Movie {
                             QStringLiteral("+bitexact"),
                             QStringLiteral("-flags:v"),
                             QStringLiteral("+bitexact"),
+                            QStringLiteral("-f"),
+                            isWebm ? QStringLiteral("webm") : QStringLiteral("mp4"),
                             QStringLiteral("file:") + QString::fromStdString(part_)};
     process_.setProcessChannelMode(QProcess::MergedChannels);
     process_.start(QStringLiteral("ffmpeg"), from + codec + to);
     return process_.waitForStarted();
   }
   base::Diagnostics failure() {
-    const QByteArray said = process_.readAll().trimmed().left(400);
-    return {base::error("movie.not-made",
-                        {said.isEmpty() ? std::string("ffmpeg") : "ffmpeg: " + said.toStdString()},
-                        path_)};
+    constexpr int kWordsMs = 3000;  // it may be about to tell why it ends
+    process_.closeWriteChannel();
+    process_.waitForFinished(kWordsMs);
+    const QList<QByteArray> said = process_.readAll().trimmed().split('\n');
+    const std::string reason = said.front().trimmed().toStdString();
+    return {
+        base::error("movie.not-made", {reason.empty() ? "ffmpeg" : "ffmpeg: " + reason}, path_)};
   }
 
   const std::string path_, part_;

@@ -21,7 +21,9 @@ namespace {
 
 constexpr double kNarrow = 900.0;    // px: below this the legend stands under the map
 constexpr double kLeastStep = 0.25;  // px between the points of a way
+constexpr double kLegendTop = 16.0;  // px to the title of a legend beside the map
 constexpr double kAround = 0.5;      // [m] of the ground around what is drawn
+constexpr double kTallest = 1.4;     // height of the map over the width of the picture
 constexpr int kFadeSteps = 12;
 constexpr double kMapDetail = 3.0;  // px of its image for each of the picture
 
@@ -107,11 +109,10 @@ class RunPicture::Painting {
     const double margin = measures_.margin();
     const double width = layout.width - 2.0 * margin - measures_.legend();
     const double rest = 2.0 * margin + measures_.foot() + legendBelow();
-    scale_ = width / world.width();
-    if (layout.height) {
-      scale_ = std::min(scale_, (*layout.height - rest) / world.height());
-    }
-    const double high = layout.height ? *layout.height - rest : scale_ * world.height();
+    const double most = layout.height ? *layout.height - rest : kTallest * layout.width;
+    scale_ = std::min(width / world.width(), most / world.height());
+    const double high =
+        layout.height ? most : std::max(scale_ * world.height(), legendBeside() - 2.0 * margin);
     const QPointF middle(margin + 0.5 * width, margin + 0.5 * high);
     origin_ = middle + QPointF(-world.center().x(), world.center().y()) * scale_;
     mapRect_ = QRectF(toPicture(world.bottomLeft()), toPicture(world.topRight())).normalized();
@@ -402,20 +403,21 @@ class RunPicture::Painting {
 
   void paintLegendBeside() {
     const double row = measures_.row();
-    double y = mapRect_.top() + 16.0;
-    const double x = mapRect_.right() + measures_.margin();
+    double y = measures_.margin() + kLegendTop;
+    const double x = layout_.width - measures_.legend();
     text({x, y}, theme_.font(measures_.title(), QFont::DemiBold), Role::Text,
          QString::fromStdString(trace_.header.scenario));
     y += row;
     text({x, y}, theme_.figureFont(measures_.small()), Role::TextSecondary, secondsAndSeed());
     y += 1.5 * row;
-    const double bottom = mapRect_.bottom() - row;
+    const double foot = size_.height() - measures_.margin() - 0.4 * measures_.foot();
+    const double bottom = foot - measures_.foot() - row;
     std::size_t shown = 0;
     for (const Entry& entry : entries_) {
       if (y > bottom) {
         break;
       }
-      legendRow(x, y, entry);
+      legendRow(x, y, entry, measures_.legend());
       y += row;
       ++shown;
     }
@@ -424,9 +426,17 @@ class RunPicture::Painting {
       text({x, y}, font, Role::TextSecondary,
            QStringLiteral("and %1 more").arg(entries_.size() - shown));
     }
-    text({x, mapRect_.bottom() + 21.0}, font, Role::TextSecondary,
+    text({x, foot}, font, Role::TextSecondary,
          isWhole_ ? QStringLiteral("○ start   the figure stands at the end")
                   : QStringLiteral("○ start   the figure stands at %1 s").arg(time_, 0, 'f', 1));
+  }
+
+  /// Its height [px] with everybody, up to a number that makes no picture tall.
+  double legendBeside() const {
+    constexpr std::size_t kMostRows = 24;
+    const auto rows = static_cast<double>(std::min(kMostRows, entries_.size()));
+    return measures_.isNarrow ? 0.0
+                              : kLegendTop + measures_.row() * (rows + 4.0) + measures_.foot();
   }
 
   int columnsBelow() const {
@@ -459,7 +469,7 @@ class RunPicture::Painting {
                      y + measures_.row() * static_cast<double>(k % rows));
     };
     for (std::size_t k = 0; k < shown; ++k) {
-      legendRow(placeOf(k).x(), placeOf(k).y(), entries_[k]);
+      legendRow(placeOf(k).x(), placeOf(k).y(), entries_[k], width);
     }
     if (shown < entries_.size()) {
       text(placeOf(shown), theme_.font(measures_.text()), Role::TextSecondary,
@@ -486,7 +496,8 @@ class RunPicture::Painting {
     return entries;
   }
 
-  void legendRow(double x, double y, const Entry& entry) {
+  /// In a column of that width; what does not fit is cut with dots.
+  void legendRow(double x, double y, const Entry& entry, double width) {
     const double line = measures_.isNarrow ? 18.0 : 28.0;
     painter_->setPen(QPen(colorOf(entry.id), measures_.line() * 4.0 / 3.0,
                           entry.id < 0 ? Qt::DashLine : Qt::SolidLine));
@@ -495,12 +506,16 @@ class RunPicture::Painting {
       figures_.mark(*painter_, lookOf(entry.id), QPointF(x + line + 14.0, y - 4.0), 10.0);
     }
     const QFont font = theme_.font(measures_.text());
+    const QFontMetricsF metrics(font);
     const double names = x + line + 28.0;
-    const double kinds = measures_.isNarrow
-                             ? names + QFontMetricsF(font).horizontalAdvance(entry.name) + 6.0
-                             : x + 176.0;
-    text({names, y}, font, Role::Text, entry.name);
-    text({kinds, y}, font, Role::TextSecondary, entry.kind);
+    const double room = measures_.isNarrow ? x + width - 6.0 - names : 176.0 - line - 34.0;
+    const QString name = metrics.elidedText(entry.name, Qt::ElideRight, room);
+    text({names, y}, font, Role::Text, name);
+    const double kinds =
+        measures_.isNarrow ? names + metrics.horizontalAdvance(name) + 6.0 : x + 176.0;
+    if (kinds + metrics.horizontalAdvance(entry.kind) < x + width) {
+      text({kinds, y}, font, Role::TextSecondary, entry.kind);
+    }
   }
 
   const sim2d::Trace& trace_;

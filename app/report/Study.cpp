@@ -369,7 +369,7 @@ base::Result<Study> readStudy(const Wishes& wishes) {
   study.commit = manifest.commit;
   study.status = manifest.status;
   study.inputs = std::move(manifest.inputs);
-  study.resultsHash = app::sha256OfFile(file).value_or("");
+  study.resultsHash = app::sha256Of(*text);
   readRunWords(study);
   return base::Result<Study>(std::move(study), std::move(problems));
 }

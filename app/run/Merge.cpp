@@ -111,9 +111,10 @@ base::Diagnostics copyRuns(const std::string& from, const std::string& to) {
   std::error_code error;
   std::vector<fs::path> files;
   if (fs::is_directory(runs, error)) {
-    for (fs::recursive_directory_iterator at(runs, error), end; !error && at != end;
+    constexpr auto kFollow = fs::directory_options::follow_directory_symlink;
+    for (fs::recursive_directory_iterator at(runs, kFollow, error), end; !error && at != end;
          at.increment(error)) {
-      if (!at->is_directory()) {
+      if (!at->is_directory(error) && !error) {
         files.push_back(at->path().lexically_relative(runs));
       }
     }

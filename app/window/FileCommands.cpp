@@ -314,7 +314,8 @@ void FileCommands::askOpenRun() {
 
 /// The document is the scenario of the run meanwhile, as far as it is known.
 bool FileCommands::openRun(const QString& path) {
-  const base::Result<RecordedRun> run = readRecordedRun(path.toStdString(), workspace_.runner().historyMemory());
+  const base::Result<RecordedRun> run =
+      readRecordedRun(path.toStdString(), workspace_.runner().historyMemory());
   if (!run) {
     return tell(run.diagnostics());
   }

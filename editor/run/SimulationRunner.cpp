@@ -210,7 +210,13 @@ double SimulationRunner::oldestTime() const {
 
 /// The oldest one that is kept for those before it.
 FramePtr SimulationRunner::stateAt(std::size_t index) const {
-  return recording_->frame(std::max(index, recording_->first()));
+  std::size_t first = recording_->first();
+  FramePtr kept = recording_->frameIfKept(std::max(index, first));
+  while (kept == nullptr && first != recording_->first()) {  // dropped meanwhile
+    first = recording_->first();
+    kept = recording_->frameIfKept(std::max(index, first));
+  }
+  return kept != nullptr ? kept : recording_->frame(std::max(index, first));
 }
 
 void SimulationRunner::watchHistory() {

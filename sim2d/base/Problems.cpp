@@ -448,6 +448,10 @@ constexpr ProblemText kTexts[] = {
     {"run.unknown-leaf", "the tree has no leaf '{found}' that is scripted{nearest}"},
     {"run.tree-stops", "{reason} (the tree stops)"},
     {"run.not-measured", "the run cannot be measured"},
+    {"run.states-lost",
+     "nothing can be compared: the disk takes no more states of the run (free room in $TMPDIR, "
+     "else "
+     "/var/tmp)"},
     {"run.history-cut",
      "the disk takes no more of this run ({reason}): its oldest moments are dropped, the timeline "
      "begins later"},
@@ -559,6 +563,7 @@ constexpr ProblemText kTexts[] = {
      "cannot draw '{found}' files (use a name that ends in .png, .svg, .pdf, .gif, .mp4, .webm or "
      ".html)"},
     {"option.not-of-this-file", "{option} does nothing for such a file"},
+    {"option.gif-rate", "a .gif is shown with 50 frames per second at most: take --fps 50"},
     {"movie.not-made", "the film cannot be made: {reason}"},
     {"movie.no-encoder",
      "films of this kind need the program ffmpeg, which is not installed (apt-get install ffmpeg, "

@@ -53,8 +53,9 @@ class DistanceField {
   bool isUnknown(Cell cell) const {
     return grid_.isUnknown(cell) && (asked_ == nullptr || !asked_->isCovered(cell));
   }
-  /// Distances are worked out when they are asked for, which takes a microsecond or more.
-  bool isAsked() const { return asked_ != nullptr; }
+  /// Distances are worked out when they are asked for, which takes a microsecond or more, and those
+  /// of neighbours differ by a cell at most, but for the places where they begin to be exact.
+  bool isAskedAndSmooth() const { return asked_ != nullptr && asked_->isSmooth(); }
   /// For all that is worked out from it, as for itself.
   const base::StopFlag& stopFlag() const { return *stop_; }
   /// Memory taken, but for the cells of the map.

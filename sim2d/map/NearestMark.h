@@ -9,7 +9,7 @@
 
 namespace sim2d {
 
-/// Which cells of a grid are marked and how far the nearest of them is, in about 1/7 byte per cell:
+/// Which cells of a grid are marked and how far the nearest of them is, in about 1/8 byte per cell:
 /// a bit for each cell, and for each block of 8 x 8 bits one that tells whether any is set, up to
 /// one block for all. Immutable; thread: any.
 class NearestMark {

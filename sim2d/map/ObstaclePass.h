@@ -23,6 +23,8 @@ class ObstaclePass {
 
   /// `distance` [m] of the cell to the walls, `toCovered` [cells] to cells that obstacles cover.
   float lowered(Cell cell, float distance, float toCovered) const;
+  /// Something stands beyond the grid: it lowers what is near the edge, and nothing farther in.
+  bool reachesIn() const { return edge_ > 0; }
 
  private:
   const OccupancyGrid& grid_;
@@ -47,6 +49,7 @@ class AskedDistances {
   ~AskedDistances() = default;
 
   float at(std::size_t index) const;  // [m]
+  bool isSmooth() const { return !pass_.reachesIn(); }
   bool isCovered(Cell cell) const { return covered_.isMarked(cell); }
   /// To the unknown cells that nothing covers.
   const NearestMark& unknown() const { return unknown_; }

@@ -82,7 +82,7 @@ EvenTerrain::EvenTerrain(const DistanceField& field, double radius)
     stopFlag().check();
     for (int column = 0; column < grid.width();) {
       const double clearance = field.distanceAt(Cell{column, row});
-      const int alike = field.isAsked() ? alikeBehind(field, clearance, least) : 0;
+      const int alike = field.isAskedAndSmooth() ? alikeBehind(field, clearance, least) : 0;
       for (const int end = std::min(column + 1 + alike, grid.width()); column < end; ++column) {
         if (clearance >= least) {
           setPrice(indexOf({column, row}), 1, field.isUnknown({column, row}));

@@ -6,8 +6,8 @@
 namespace sim2d {
 namespace {
 
-constexpr std::size_t kFewInChunk = 16, kMostInChunk = 64;                                   // states
-constexpr std::size_t kLargeChunk = std::size_t{1} << 20;                // [B] unpacked
+constexpr std::size_t kFewInChunk = 16, kMostInChunk = 64;                 // states
+constexpr std::size_t kLargeChunk = std::size_t{1} << 20;                  // [B] unpacked
 constexpr std::size_t kLargestCache = std::size_t{32} << 20;               // [B]
 constexpr std::size_t kChunkShare = 16, kCacheShare = 8, kOtherShare = 4;  // of all memory
 constexpr long long kLeavesFree = 256LL << 20;  // [B] on the disk, for what others have to save

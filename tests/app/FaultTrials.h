@@ -173,9 +173,11 @@ inline QString damagedFile(const Operation& operation, const Known& known, Files
     const bool isBegun = isBatch(operation) && fresh != known.after.end() &&
                          (name.endsWith(text("/manifest.json")) ||
                           (name.endsWith(text("/results.csv")) && isPartOf(bytes, fresh->second)));
+    const bool isLess = qstrcmp(operation.name, "report") == 0 && fresh != known.after.end() &&
+                        said.contains(text(": warning: "));  // it says what it lacks
     if (!isFresh && fresh != known.after.end() && isWarned(bytes, fresh->second, said)) {
       bytes = fresh->second;
-    } else if (!isOld && !isFresh && !isBegun) {
+    } else if (!isOld && !isFresh && !isBegun && !isLess) {
       return text("damaged: ") + name;
     }
   }

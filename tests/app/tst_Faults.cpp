@@ -69,6 +69,12 @@ constexpr Finding kFindings[] = {
      "open @/q/runs$"},
     {"beginnings of files stay beside a saved scenario", "save", Kind::Kill,
      "rename @/d/two_workers_agents.yaml$"},
+    {"a report that lacks a run is told to be fine", "report", Kind::ReadError,
+     "read @/b/runs/1/trace.json$"},
+    {"a report lacks the checksum of its table", "report", Kind::ReadError,
+     "open @/b/results.csv$"},
+    {"the lock of a finished run stays when it cannot be removed", "batch-resumed",
+     Kind::WriteError, R"(unlink @/h/runs/\d+/.hunavsim-lock$)"},
 };
 
 /// A tenth of them lies at the end, where what is complete is put in its place.

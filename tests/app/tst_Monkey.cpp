@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <grp.h>
 #include <map>
 #include <unistd.h>
@@ -20,6 +21,9 @@ namespace {
 QStringList* heard = nullptr;  // what the libraries complain of
 
 void listen(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+  if (type == QtFatalMsg) {
+    std::fprintf(stderr, "%s\n", qPrintable(text));  // the program ends here
+  }
   const bool isOfInterest = type == QtWarningMsg || type == QtCriticalMsg || type == QtFatalMsg;
   const bool isOfPlatform = QByteArray(context.category).startsWith("qt.qpa") ||
                             text.contains(QLatin1String("XDG_RUNTIME_DIR")) ||

@@ -149,6 +149,10 @@ class RenderProgramTest : public QObject {
     QTest::newRow("instant of a film") << text("x.gif") << QStringList{text("--at"), text("1")};
     QTest::newRow("rate of a picture") << text("x.png") << QStringList{text("--fps"), text("10")};
     QTest::newRow("width of a page") << text("x.html") << QStringList{text("--width"), text("100")};
+    QTest::newRow("no number") << text("x.png") << QStringList{text("--at"), text("nan")};
+    QTest::newRow("no rate") << text("x.mp4") << QStringList{text("--fps"), text("nan")};
+    QTest::newRow("before the beginning") << text("x.svg") << QStringList{text("--at"), text("-1")};
+    QTest::newRow("faster than viewers") << text("x.gif") << QStringList{text("--fps"), text("60")};
     QTest::newRow("no width") << text("x.png") << QStringList{text("--width"), text("-3")};
   }
   void wrongWords_areTold() {

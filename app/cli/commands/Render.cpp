@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -40,6 +41,7 @@ constexpr double kPixelsPerMm = 96.0 / 25.4;
 constexpr double kVectorWidth = 170.0;     // [mm] of two columns
 constexpr double kPictureHeight = 1000.0;  // [px] of the usual picture
 constexpr double kFilmWidth = 1280.0;      // [px]
+constexpr double kMostGifRate = 50.0;      // frames per second that viewers show
 constexpr double kFilmRate = 20.0;         // frames per second
 
 std::optional<Kind> kindOf(const std::string& ending) {
@@ -59,8 +61,8 @@ std::string endingOf(const RenderOptions& options) {
   return base::lowered(fs::path(options.output).extension().string());
 }
 
-/// Options that do nothing for such a file.
-base::Diagnostics uselessOptions(const RenderOptions& options, Kind kind) {
+/// Options that do nothing for such a file, and numbers that are none.
+base::Diagnostics wrongOptions(const RenderOptions& options, Kind kind) {
   base::Diagnostics problems;
   const bool isPicture = kind == Kind::Picture || kind == Kind::Vectors;
   const auto tell = [&](bool isGiven, bool isUseful, const char* option) {
@@ -72,6 +74,20 @@ base::Diagnostics uselessOptions(const RenderOptions& options, Kind kind) {
   tell(options.width.has_value(), kind != Kind::Page, "--width");
   tell(options.fps.has_value(), kind == Kind::Film, "--fps");
   tell(options.speed.has_value(), kind == Kind::Film, "--speed");
+  const auto tellNumber = [&](const std::optional<double>& number, const char* option) {
+    if (number && !std::isfinite(*number)) {
+      problems.push_back(base::error("option.not-positive", {option}));
+    }
+  };
+  tellNumber(options.width, "--width");
+  tellNumber(options.fps, "--fps");
+  tellNumber(options.speed, "--speed");
+  if (options.at && !(*options.at >= 0.0 && std::isfinite(*options.at))) {
+    problems.push_back(base::error("option.at"));
+  }
+  if (endingOf(options) == ".gif" && options.fps.value_or(kFilmRate) > kMostGifRate) {
+    problems.push_back(base::error("option.gif-rate", {}, options.output));
+  }
   return problems;
 }
 
@@ -119,7 +135,7 @@ bool makeFilm(const RenderOptions& options, const sim2d::Trace& trace, RunPictur
   const double step = options.speed.value_or(1.0) / rate;
   const double first = trace.frames.empty() ? 0.0 : trace.frames.front().time;
   const double last = trace.frames.empty() ? 0.0 : trace.frames.back().time;
-  const auto count = static_cast<long long>(std::floor((last - first) / step + 1e-9)) + 1;
+  const auto count = static_cast<long long>(std::ceil((last - first) / step - 1e-9)) + 1;
   base::Result<std::unique_ptr<Movie>> film = Movie::begin(options.output, rate);
   requireFine(film.diagnostics());
   Progress progress(quiet);
@@ -128,7 +144,8 @@ bool makeFilm(const RenderOptions& options, const sim2d::Trace& trace, RunPictur
       return false;
     }
     progress.show("frame " + std::to_string(k + 1) + " of " + std::to_string(count));
-    requireFine((*film)->add(frameAt(first + static_cast<double>(k) * step, picture)));
+    requireFine(
+        (*film)->add(frameAt(std::min(last, first + static_cast<double>(k) * step), picture)));
   }
   requireFine((*film)->finish());
   return true;
@@ -140,7 +157,7 @@ int renderCommand(const RenderOptions& options, const Invocation& given) {
     printError(base::error("option.picture-format", {endingOf(options)}, options.output).text());
     return ExitWrongCommandLine;
   }
-  requireFine(uselessOptions(options, *kind), ExitWrongCommandLine);
+  requireFine(wrongOptions(options, *kind), ExitWrongCommandLine);
   const base::Result<sim2d::Trace> trace = readRun(options.run);
   requireFine(trace.diagnostics());
   if (*kind == Kind::Page) {

@@ -114,7 +114,7 @@ int reportCommand(const ReportOptions& options, const Invocation& given) {
   } else if (!given.quiet) {
     printLine((fs::path(options.wishes.folder) / "report.html").string());
   }
-  return ExitFine;
+  return report.problems.empty() ? ExitFine : ExitRunFailed;  // it lacks runs that were kept
 }
 
 Drawing drawingOfReport(const ReportOptions& /*options*/) {

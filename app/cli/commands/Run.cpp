@@ -35,6 +35,13 @@ FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::Wo
   });
 }
 
+/// Two runs are compared as a whole, or not at all.
+base::Diagnostics lostStates(const Session& session, const std::string& scenario) {
+  return session.history()->first() == 0
+             ? base::Diagnostics()
+             : base::Diagnostics{base::error("run.states-lost", {}, scenario)};
+}
+
 /// The same people with the same draws, alone; as many steps as the run had.
 base::Result<sim2d::Trace> simulateWithoutRobots(Bundle bundle, std::int64_t steps) {
   auto scenario = std::make_shared<sim2d::Scenario>(*bundle.scenario);
@@ -57,7 +64,10 @@ base::Result<sim2d::Trace> simulateWithoutRobots(Bundle bundle, std::int64_t ste
   if (result.status != sim2d::RunStatus::Finished) {
     return base::error("run.ended-without-robots", {result.reason}, bundle.path);
   }
-  return session.history()->trace(verdict.world->header());
+  base::Diagnostics lost = lostStates(session, bundle.path);
+  return lost.empty()
+             ? base::Result<sim2d::Trace>(session.history()->trace(verdict.world->header()))
+             : base::Result<sim2d::Trace>(std::move(lost));
 }
 
 /// Adds the sums to the metrics and makes the table of people.
@@ -69,6 +79,10 @@ base::Diagnostics compareWithoutRobots(const Bundle& bundle, const Session& sess
   const base::Result<sim2d::Trace> alone = simulateWithoutRobots(bundle, run.result.steps);
   if (!alone) {
     return alone.diagnostics();
+  }
+  base::Diagnostics lost = lostStates(session, bundle.path);
+  if (!lost.empty()) {
+    return lost;
   }
   const std::vector<metrics::PersonEffect> effects =
       metrics::personEffects(session.history()->trace(run.header), *alone);
