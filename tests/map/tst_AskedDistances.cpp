@@ -178,9 +178,10 @@ void AskedDistancesTest::evenTerrain_everyCell_isTheSame() {
 /// What stands beyond the edge acts on what is near it alone: from far in, nobody can tell.
 void AskedDistancesTest::evenTerrain_obstacleBesideTheMap_isTheSame() {
   const int width = 600, height = 30;
-  std::vector<std::int8_t> cells(static_cast<std::size_t>(width * height), std::int8_t{0});
-  for (int row = 0; row < height; ++row) {
-    cells[static_cast<std::size_t>(row * width)] = 100;  // a wall at the left end
+  const auto columns = static_cast<std::size_t>(width);
+  std::vector<std::int8_t> cells(columns * static_cast<std::size_t>(height), std::int8_t{0});
+  for (std::size_t left = 0; left < cells.size(); left += columns) {
+    cells[left] = 100;  // a wall at the left end
   }
   const OccupancyGrid grid(width, height, 0.05, {}, cells);
   const Scene scene = sceneOf(grid, {{boxOutline({{30.2, 0.75}, 0.0}, 0.3, 3.0)}});
