@@ -436,7 +436,7 @@ class RunPicture::Painting {
     constexpr std::size_t kMostRows = 24;
     const auto rows = static_cast<double>(std::min(kMostRows, entries_.size()));
     return measures_.isNarrow ? 0.0
-                              : kLegendTop + measures_.row() * (rows + 4.0) + measures_.foot();
+                              : kLegendTop + measures_.row() * (rows + 5.0) + measures_.foot();
   }
 
   int columnsBelow() const {
