@@ -318,16 +318,19 @@ std::vector<std::size_t> BatchFolder::missing() const {
   return runs;
 }
 
-/// Folders of runs that were cut short: their manifest would be written last.
+/// Folders of runs that were cut short. A run that is in the table is whole and stays, even when
+/// somebody has taken its manifest away.
 base::Diagnostics BatchFolder::removeRests() const {
   const auto folders = numberedRuns(runsFolder());
   base::Diagnostics problems = folders.diagnostics();
   for (const auto& [run, path] : folders ? *folders : NumberedRuns()) {
+    const auto holds = [&place = path](const char* name) {
+      return isThere((fs::path(place) / name).string());
+    };
     if (run < store_->study().runs &&
-        (!store_->has(run) || !isThere((fs::path(path) / "manifest.json").string()))) {
+        (!store_->has(run) || !(holds("manifest.json") || holds("trace.json")))) {
       base::append(problems, removeRun(path));
-    } else if (run < store_->study().runs &&
-               isThere((fs::path(path) / FolderLock::kFile).string())) {
+    } else if (run < store_->study().runs && holds(FolderLock::kFile)) {
       const auto lock = FolderLock::take(path);  // its end takes the file away
     }
   }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -50,32 +52,52 @@ bool endsWith(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-/// "<file>.new-<process>-<number>", with "-old" or without.
-bool isBeside(std::string_view name, std::string_view file) {
+/// Of "<file>.new-<process>-<number>", with "-old" or without, the process; none: another name.
+std::optional<long long> makerOf(std::string_view name, std::string_view file) {
   if (name.substr(0, file.size()) != file || name.substr(file.size(), kNew.size()) != kNew) {
-    return false;
+    return std::nullopt;
   }
   name.remove_prefix(file.size() + kNew.size());
   name.remove_suffix(endsWith(name, kOld) ? kOld.size() : 0);
   const std::vector<std::string> numbers = split(std::string(name), '-');
-  return numbers.size() == 2 && std::all_of(numbers.begin(), numbers.end(), [](const auto& text) {
-           return !text.empty() && std::all_of(text.begin(), text.end(), isDigit);
-         });
+  const bool isMade =
+      numbers.size() == 2 && std::all_of(numbers.begin(), numbers.end(), [](const auto& text) {
+        return !text.empty() && std::all_of(text.begin(), text.end(), isDigit);
+      });
+  return isMade ? parseInt(numbers.front()) : std::nullopt;
 }
 
-/// Somebody who lives has its lock, or that cannot be found out.
-bool isHeld(const std::string& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-  if (file < 0) {
-    return errno != ENOENT;
+/// On this machine: a name that it uses may be made again at any moment.
+bool isAlive(long long process) {
+  return ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
+}
+
+/// The lock of a file that nobody who lives has; it lasts as long as this.
+class FreeFile {
+ public:
+  explicit FreeFile(const std::string& path)
+      : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK)),
+        isFree_(file_ < 0 ? errno == ENOENT : ::flock(file_, LOCK_EX | LOCK_NB) == 0) {}
+  ~FreeFile() {
+    if (file_ >= 0) {
+      ::close(file_);
+    }
   }
-  const bool isFree = ::flock(file, LOCK_EX | LOCK_NB) == 0;
-  ::close(file);
-  return !isFree;
-}
+  FreeFile(const FreeFile&) = delete;
+  FreeFile& operator=(const FreeFile&) = delete;
+  FreeFile(FreeFile&&) = delete;
+  FreeFile& operator=(FreeFile&&) = delete;
 
-/// What killed processes left of their work on a file. One that lives has the lock of the new file
-/// until its end, wherever that lies by now.
+  /// No: somebody has it, or that cannot be found out.
+  bool isFree() const { return isFree_; }
+
+ private:
+  int file_;
+  bool isFree_;
+};
+
+/// What killed processes left of their work on a file. One that lives on another machine has the
+/// lock of the new file until its end, wherever that lies by now.
 void removeLeftBehind(const std::string& target) {
   const std::string file = fs::path(target).filename().string();
   const fs::path folder = fs::path(target).parent_path();
@@ -84,15 +106,16 @@ void removeLeftBehind(const std::string& target) {
   for (fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, error), end;
        !error && at != end; at.increment(error)) {
     std::error_code ignored;
-    if (isBeside(at->path().filename().string(), file) &&
-        fs::is_regular_file(at->symlink_status(ignored))) {
+    const std::optional<long long> maker = makerOf(at->path().filename().string(), file);
+    if (maker && !isAlive(*maker) && fs::is_regular_file(at->symlink_status(ignored))) {
       left.push_back(at->path().string());
     }
   }
   for (const std::string& name : left) {
     const bool isOld = endsWith(name, kOld);
     const std::string made = isOld ? name.substr(0, name.size() - kOld.size()) : name;
-    if (!isHeld(made) && !(isOld && isHeld(target))) {
+    const FreeFile maker(made);  // nobody else takes it up before it is gone
+    if (maker.isFree() && (!isOld || FreeFile(target).isFree())) {
       ::unlink(name.c_str());
     }
   }
@@ -103,8 +126,9 @@ int makeLocked(const std::string& name) {
   const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   struct stat made = {};
   if (file >= 0) {
-    ::flock(file, LOCK_EX | LOCK_NB);  // where a disk has no locks nobody takes it away either
-    if (::fstat(file, &made) == 0 && made.st_nlink == 0) {  // taken away just before
+    // Where a disk has no locks nobody takes it away either.
+    const bool isTaken = ::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (isTaken || (::fstat(file, &made) == 0 && made.st_nlink == 0)) {  // taken for left behind
       ::close(file);
       errno = EEXIST;
       return -1;

@@ -185,6 +185,23 @@ class BatchProgramTest : public QObject {
     QVERIFY(!QFile::exists(out + QStringLiteral("/runs/0/trajectory.csv.new-1-0")));
   }
 
+  /// Without its manifest a run is read as it is: who takes it away does not want to lose the run.
+  void resume_runWithoutManifest_isKept() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("e.yaml"));
+    const QString out = folder.filePath(QStringLiteral("out"));
+    outside::writeText(experiment, QByteArray(kShortRun) + "record: all\n");
+    const QStringList words{QStringLiteral("batch"), experiment, QStringLiteral("-q"),
+                            QStringLiteral("-o"), out};
+    QCOMPARE(outside::runProgram(words).exitCode, 0);
+    const QString run = out + QStringLiteral("/runs/0/");
+    const QByteArray recorded = outside::bytesOf(run + QStringLiteral("trajectory.csv"));
+    QVERIFY(!recorded.isEmpty());
+    QVERIFY(QFile::remove(run + QStringLiteral("manifest.json")));
+    QCOMPARE(outside::runProgram(words + QStringList{QStringLiteral("--resume")}).exitCode, 0);
+    QCOMPARE(outside::bytesOf(run + QStringLiteral("trajectory.csv")), recorded);
+  }
+
   /// Somebody's work on the table is not lost.
   void batch_overAChangedTable_isRefused() {
     QTemporaryDir folder;

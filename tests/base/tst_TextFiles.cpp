@@ -1,7 +1,9 @@
 #include <memory>
 #include <string>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
+#include <vector>
 
 #include <QtTest>
 
@@ -17,6 +19,7 @@ class TextFilesTest : public QObject {
   void write_anyBytes_readBackEqual();
   void write_existingFile_isReplacedAndKeepsItsMode();
   void write_symlink_replacesWhatItPointsAt();
+  void write_byManyProcesses_allSucceed();
   void write_directory_isAnError();
   void write_parentIsAFile_isAnError();
   void write_emptyPath_isAnError();
@@ -87,6 +90,30 @@ void TextFilesTest::write_symlink_replacesWhatItPointsAt() {
   QVERIFY(base::writeFileAtomically(at("link"), "new").empty());
   QVERIFY(*base::readTextFile(at("real")) == "new");
   QVERIFY(QFileInfo(folder_->filePath(QStringLiteral("link"))).isSymLink());
+}
+
+/// Each looks for what others left behind, and takes no file of one that lives.
+void TextFilesTest::write_byManyProcesses_allSucceed() {
+  constexpr int kProcesses = 6, kTimes = 150;
+  std::vector<pid_t> children;
+  children.reserve(kProcesses);
+  for (int k = 0; k < kProcesses; ++k) {
+    children.push_back(::fork());
+    if (children.back() == 0) {
+      int failures = 0;
+      for (int time = 0; time < kTimes; ++time) {
+        failures += base::writeFileAtomically(at("shared"), "whole").empty() ? 0 : 1;
+      }
+      ::_exit(failures == 0 ? 0 : 1);
+    }
+  }
+  for (const pid_t child : children) {
+    int status = -1;
+    QCOMPARE(::waitpid(child, &status, 0), child);
+    QCOMPARE(status, 0);
+  }
+  QCOMPARE(*base::readTextFile(at("shared")), std::string("whole"));
+  QCOMPARE(fileCount(), 1);
 }
 
 void TextFilesTest::write_directory_isAnError() {
