@@ -250,19 +250,28 @@ std::string textIn(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// The options that the experiment gives to all runs, if it still is the one that was run.
-void readRunWords(Study& study) {
-  if (study.inputs.empty() || study.inputs.front().sha256.empty() ||
-      app::sha256OfFile(study.inputs.front().path) != study.inputs.front().sha256) {
-    return;
+/// The options that the experiment gives to all runs, if it still is the one that was run. What
+/// keeps it from being read, although it is there.
+base::Diagnostics readRunWords(Study& study) {
+  std::error_code gone;
+  if (study.inputs.empty() || !fs::exists(study.inputs.front().path, gone)) {
+    return {};
   }
-  const base::Result<app::Experiment> experiment = app::readExperiment(study.inputs.front().path);
-  if (experiment) {
-    study.knowsRunWords = true;
-    for (const auto& [option, value] : experiment->options) {
-      study.runWords.insert(study.runWords.end(), {option, value});
-    }
+  const auto& [path, hash] = study.inputs.front();
+  const base::Result<std::string> text = base::readTextFile(path);
+  if (text && app::sha256Of(*text) != hash) {
+    return {};
   }
+  const base::Result<app::Experiment> experiment =
+      text ? app::readExperiment(path) : base::Result<app::Experiment>(text.diagnostics());
+  if (!experiment) {
+    return experiment.diagnostics();
+  }
+  study.knowsRunWords = true;
+  for (const auto& [option, value] : experiment->options) {
+    study.runWords.insert(study.runWords.end(), {option, value});
+  }
+  return {};
 }
 
 base::Diagnostics readManifest(const fs::path& path, Study& study) {
@@ -370,7 +379,11 @@ base::Result<Study> readStudy(const Wishes& wishes) {
   study.status = manifest.status;
   study.inputs = std::move(manifest.inputs);
   study.resultsHash = app::sha256Of(*text);
-  readRunWords(study);
+  for (base::Diagnostic& problem : readRunWords(study)) {
+    problem.severity = base::Severity::Warning;
+    problems.push_back(std::move(problem));
+    study.lacksFile = true;
+  }
   return base::Result<Study>(std::move(study), std::move(problems));
 }
 

@@ -53,6 +53,7 @@ struct Study {
   std::vector<Input> inputs;
   std::vector<std::string> runWords;  // options of `run` that the experiment sets for all
   bool knowsRunWords = false;         // the experiment file is still the one that was run
+  bool lacksFile = false;             // that is there and cannot be read
   std::string status;                 // "finished", "interrupted"; empty = not known
 
   std::size_t runCount() const { return results.runs.size(); }

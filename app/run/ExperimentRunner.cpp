@@ -123,7 +123,11 @@ base::Diagnostics ExperimentRunner::keep(std::size_t index, FinishedRun& run, Ru
   std::vector<std::string> words = experiment_.wordsOf(index);
   words.insert(words.begin(), programPath());
   words.insert(words.end(), {"--quiet", "-o", folderOf(index)});
-  return writeRunFolder(output, run, writer, bundle, words);
+  base::Diagnostics problems = writeRunFolder(output, run, writer, bundle, words);
+  for (base::Diagnostic& problem : problems) {  // nobody would see a warning
+    problem.severity = base::Severity::Error;
+  }
+  return problems;
 }
 
 }  // namespace app

@@ -143,8 +143,10 @@ base::Diagnostics finishCommit(const std::string& folder) {
     }
   }
   if (problems.empty()) {
-    std::error_code ignored;  // an empty folder that stays is taken away the next time
-    fs::remove_all(from, ignored);
+    std::error_code ignored;           // an empty folder that stays is taken away the next time
+    if (::rmdir(from.c_str()) != 0) {  // there were folders in it
+      fs::remove_all(from, ignored);
+    }
     flushFolder(folder);
   }
   return problems;

@@ -156,10 +156,13 @@ base::Result<std::unique_ptr<ResultStore>> ResultStore::create(const std::string
   const std::filesystem::path place(path);
   const std::string beside =
       (place.parent_path() / (".hunavsim-new-" + place.filename().string())).string();
-  for (const char* ending : {"", "-journal", "-wal"}) {  // of a process that was
-    std::error_code ignored;
-    std::filesystem::remove(beside + ending, ignored);
-  }
+  const auto removeRests = [&beside] {
+    for (const char* ending : {"", "-journal", "-wal"}) {
+      std::error_code ignored;
+      std::filesystem::remove(beside + ending, ignored);
+    }
+  };
+  removeRests();  // of a process that was
   base::Diagnostics problems;
   {
     ResultStore made(beside);
@@ -175,6 +178,7 @@ base::Result<std::unique_ptr<ResultStore>> ResultStore::create(const std::string
   if (error) {
     problems = {base::error("batch.cannot-store", {error.message()}, path)};
   }
+  removeRests();  // a journal that SQLite could not take away
   return problems.empty() ? open(path) : base::Result<std::unique_ptr<ResultStore>>(problems);
 }
 

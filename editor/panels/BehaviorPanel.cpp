@@ -64,7 +64,8 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
   connect(blockForm_, &ValueForm::edited, this, &BehaviorPanel::editBlock);
   connect(portForm_, &ValueForm::edited, this,
           [this](const std::string& port, const QString& text) {
-            if (const OutlineNode* node = outline_->current()) {
+            const OutlineNode* node = outline_->current();
+            if (node != nullptr && hasPerson()) {
               pushPort(document_, person_, *node, port, text.toStdString());
             }
           });
@@ -103,7 +104,11 @@ QWidget* BehaviorPanel::makePage() {
 
 void BehaviorPanel::makeLinks(QVBoxLayout& layout) {
   const auto link = [this](const QString& text, const QString& says, const auto& action) {
-    QToolButton* button = linkButton(text, says, this, action);
+    QToolButton* button = linkButton(text, says, this, [this, action] {
+      if (hasPerson()) {
+        action();
+      }
+    });
     button->setAccessibleName(says);
     return button;
   };
@@ -219,7 +224,7 @@ void BehaviorPanel::showNode() {
 
 void BehaviorPanel::editBlock(const std::string& key, const QString& text) {
   const int place = currentBlock();
-  if (place >= 0) {
+  if (place >= 0 && hasPerson()) {
     std::vector<bt::Block> blocks = blocks_;  // which are read anew when the edit is taken
     bt::Block& block = blocks[static_cast<std::size_t>(place)];
     setValue(block, key, text);
@@ -230,7 +235,7 @@ void BehaviorPanel::editBlock(const std::string& key, const QString& text) {
 
 void BehaviorPanel::moveBlock(int by) {
   const int place = currentBlock();
-  if (place < 0) {
+  if (place < 0 || !hasPerson()) {
     return;
   }
   std::vector<bt::Block> blocks = blocks_;

@@ -44,6 +44,8 @@ class BehaviorPanel : public QWidget {
   QWidget* makePage();
   void makeLinks(QVBoxLayout& layout);
   void follow();
+  /// False for a moment after the person was taken away, before the panel is built anew.
+  bool hasPerson() const { return document_.human(person_) != nullptr; }
   void rebuild();
   void showWords();
   void showNode();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <ios>
 #include <limits>
 #include <optional>
 #include <string>
@@ -22,6 +23,15 @@ class PgmReader {
   explicit PgmReader(const std::string& path) : path_(path), input_(path, std::ios::binary) {}
 
   base::Result<MapImage> read() {
+    try {
+      return readFile();
+    } catch (const std::ios_base::failure&) {  // of the disk
+      return base::error("image.not-readable", {}, path_);
+    }
+  }
+
+ private:
+  base::Result<MapImage> readFile() {
     std::error_code code;
     const auto size = std::filesystem::file_size(path_, code);
     if (code || !input_) {
@@ -44,7 +54,6 @@ class PgmReader {
     return image_.maximum > 255 ? readPixels<std::uint16_t>() : readPixels<std::uint8_t>();
   }
 
- private:
   bool fail(const char* code, base::ProblemValues values = {}) {
     problem_ = base::error(code, std::move(values), path_);
     return false;

@@ -134,7 +134,7 @@ class Monkey : public QObject {
         testers_(testers),
         rng_(static_cast<std::uint64_t>(seed), 1),
         left_(events) {
-    timer_.setInterval(0);
+    timer_.setInterval(numberIn("HUNAV_MONKEY_PAUSE", 0));  // [ms]
     connect(&timer_, &QTimer::timeout, this, [this] { step(); });
     connect(this, &Monkey::wants, this, &Monkey::act, Qt::QueuedConnection);
   }
@@ -160,6 +160,9 @@ class Monkey : public QObject {
     if (left_-- <= 0) {
       leave();
       return;
+    }
+    if (!window_.isVisible()) {
+      window_.show();  // it was closed: the program is started again
     }
     if (left_ % kBetweenLooks == 0) {
       testers_.meetAll();

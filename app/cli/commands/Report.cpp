@@ -114,7 +114,8 @@ int reportCommand(const ReportOptions& options, const Invocation& given) {
   } else if (!given.quiet) {
     printLine((fs::path(options.wishes.folder) / "report.html").string());
   }
-  return report.problems.empty() ? ExitFine : ExitRunFailed;  // it lacks runs that were kept
+  // else it lacks what is there
+  return report.problems.empty() && !study->lacksFile ? ExitFine : ExitRunFailed;
 }
 
 Drawing drawingOfReport(const ReportOptions& /*options*/) {
