@@ -100,7 +100,7 @@ base::Result<ResultRow> ExperimentRunner::run(std::size_t index) {
   if (!output) {
     return output.diagnostics();
   }
-  RunWriter writer(hasFiles ? (*output)->staging() : std::string(), world,
+  RunWriter writer(hasFiles ? (*output)->staging() : std::string(), world, world.header(),
                    verdict.metrics.selection, verdict.metrics.parameters, bundle.routes);
   Session session(sim2d::stopRuleOf(*bundle.scenario));
   FinishedRun run = simulate(session, world, verdict.scenarioMetrics, writer,

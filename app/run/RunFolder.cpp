@@ -121,6 +121,12 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
   json["status"] = kStatusNames[static_cast<int>(result.status)];
   json["reason"] = result.reason;
   json["inputs"] = inputHashes<Json>(inputsOf(bundle), warnings);
+  if (run.before) {
+    json["from"] = {{"run", run.before->folder},
+                    {"time", run.before->time},
+                    {"step", run.before->step},
+                    {"seed", run.before->seed}};
+  }
   json["code"] = codeJson(bundle, warnings);
   json["seed"] = header.seed;
   json["dt"] = header.dt;
@@ -260,14 +266,13 @@ void RunWriter::begin(File file, std::string_view head) {
 }
 
 RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
-                     const metrics::Selection& selection,
+                     const sim2d::TraceHeader& header, const metrics::Selection& selection,
                      const metrics::MetricParameters& parameters,
                      const std::shared_ptr<metrics::KnownRoutes>& known)
     : world_(world),
       dt_(world.dt()),
       folder_(folder),
-      evaluation_(world.header(), selection, parameters, {known, &world.obstacles()}) {
-  const sim2d::TraceHeader header = world.header();
+      evaluation_(header, selection, parameters, {known, &world.obstacles()}) {
   recordEvery_ = header.recordEvery;
   for (const sim2d::TraceHuman& human : header.humans) {
     known_.insert(human.id);

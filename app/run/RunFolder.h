@@ -22,7 +22,8 @@ namespace app {
 class RunWriter : public sim2d::FrameSink {
  public:
   /// An empty folder: no files. The world must outlive the writer. `known`: routes of runs before.
-  RunWriter(const std::string& folder, const sim2d::World& world,
+  /// `header`: of the record as it will be in the end, the world's own mostly.
+  RunWriter(const std::string& folder, const sim2d::World& world, const sim2d::TraceHeader& header,
             const metrics::Selection& selection, const metrics::MetricParameters& parameters,
             const std::shared_ptr<metrics::KnownRoutes>& known = nullptr);
   void append(const sim2d::Frame& frame) override;
@@ -62,6 +63,14 @@ class RunWriter : public sim2d::FrameSink {
   std::vector<Column> columns_;  // in the store
 };
 
+/// The run that another one goes on from.
+struct RunBefore {
+  std::string folder;
+  double time = 0.0;  // [s]
+  std::int64_t step = 0;
+  std::uint64_t seed = 1;  // of what is drawn from there on
+};
+
 /// All that is known after a run, beside the files that were written while it went on.
 struct FinishedRun {
   sim2d::TraceHeader header;
@@ -70,6 +79,7 @@ struct FinishedRun {
   base::Result<metrics::Evaluation> evaluation;
   std::string effectsCsv;   // of the run without robots; empty = there was none
   bool totalsOnly = false;  // nothing per step is written
+  std::optional<RunBefore> before;
 };
 
 /// The files of a run (FORMAT.md), beside those that `writer` makes in the staging folder of the

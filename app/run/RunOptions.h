@@ -24,7 +24,9 @@ struct RunOptions {
   int threads = 1;
   MetricsWords metrics;
   std::optional<int> recordEvery;
-  std::vector<std::string> set;  // PATH=VALUE
+  std::vector<std::string> set;    // PATH=VALUE
+  std::string from;                // RUN@SECONDS; empty: from the beginning
+  std::vector<std::string> moves;  // NAME X Y HEADING, then
   bool exact = false;
   bool counterfactual = false;  // the same seed again without robots
   std::string compat;

@@ -591,6 +591,32 @@ constexpr ProblemText kTexts[] = {
     {"option.set", "--set takes PATH=VALUE, not \"{found}\""},
     {"option.no-trees-folder", "--trees: this is no folder"},
 
+    // Runs that go on from another.
+    {"again.no-moment", "--from takes RUN@SECONDS, not \"{found}\""},
+    {"again.no-move",
+     "--move takes a name and three numbers: \"NAME X Y HEADING\" (m, m, rad), not \"{found}\""},
+    {"again.move-without-run", "--move is for a run that goes on from another (--from)"},
+    {"again.fixed-option",
+     "{option} cannot change while a run goes on (--from): planners, goals and limits of robots, "
+     "the "
+     "seed, places of people and the end of the run can"},
+    {"again.fixed",
+     "--set {found}: this cannot change while a run goes on (--from): planners, goals and limits "
+     "of "
+     "robots and the end of the run can"},
+    {"again.not-told", "the folder does not tell how the run was made"},
+    {"again.no-beginning", "the runs that this one goes on from have no beginning"},
+    {"again.input-changed", "it is not what the run was made of: that cannot be made again"},
+    {"again.other-inputs",
+     "the run was made of {then} files, now it would be {now}: it cannot be made again"},
+    {"again.no-such-time", "the run ends at {end} s, before {wanted} s"},
+    {"again.move-of-nobody", "there is no person '{name}' in the run"},
+    {"again.goes-elsewhere",
+     "made again, the run is another one from {time} s on (it was made by version {then}, this is "
+     "{now})"},
+    {"again.ends-before", "with these options the run ends at {time} s, before {wanted} s"},
+    {"again.itself", "the run that it goes on from would be lost: write elsewhere"},
+
     // Scripts of leaves.
     {"script.empty-list", "the list of '{key}' is empty (one status at least)"},
     {"script.no-status", "{found} no status of a leaf ({known})"},

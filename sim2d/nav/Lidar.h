@@ -44,6 +44,8 @@ class Lidar {
   /// several that are due only the last is. Returns whether one was made. With `isRead` false legs
   /// walk on, but no turn is made: nobody would look at it. The turns after that are the same.
   bool update(const SensedWorld& world, bool isRead = true);
+  /// Draws of further turns; legs walk on as they do.
+  void reseed(std::uint64_t seed) { seed_ = seed; }
   /// The last turn that was made, stamped with the time of its step; null before the first.
   const LaserScan* scan() const { return scan_.distances.empty() ? nullptr : &scan_; }
 

@@ -42,6 +42,9 @@ class Odometry {
   /// less than half a turn. Without errors both are believed as they are, to the bit.
   void advance(const Pose2& truth, const BodyTwist& motion, double dt, std::uint64_t step);
 
+  /// Draws of further steps.
+  void reseed(std::uint64_t seed) { seed_ = seed; }
+
   const Pose2& pose() const { return pose_; }
   /// The true twist plus the errors of the last step, over its time.
   const BodyTwist& motion() const { return motion_; }

@@ -53,6 +53,8 @@ class PeopleDetector {
   PeopleDetector(const DetectorParameters& parameters, std::uint64_t seed, int robotId);
 
   void update(const SensedWorld& world);  // each step
+  /// Draws of further cycles.
+  void reseed(std::uint64_t seed) { seed_ = seed; }
   /// People, then robots, by id: what has been told last.
   const std::vector<TrackedBody>& bodies() const { return bodies_; }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -44,6 +45,9 @@ class Planner {
   virtual std::vector<Vec2> path() const { return {}; }
   /// What it weighed in the last call, for display; a sample of it when there is much.
   virtual std::vector<Candidate> candidates() const { return {}; }
+  /// Draws by another seed from now on. Planners that draw nothing, and those outside, stay as they
+  /// are.
+  virtual void reseed(std::uint64_t /*seed*/) {}
   /// It planned anew, or does not get on, since the last call.
   virtual bool takeReplanned() { return false; }
 };

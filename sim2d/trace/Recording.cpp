@@ -108,6 +108,15 @@ FramePtr Recording::frame(std::size_t index) const {
   return nobody;
 }
 
+StepInputs Recording::inputsAt(std::int64_t step) const {
+  StepInputs inputs;
+  for (std::size_t k = inputs_.count([step](const auto& each) { return each.first < step; });
+       k < inputs_.size() && inputs_[k].first == step; ++k) {
+    inputs.push_back(inputs_[k].second);
+  }
+  return inputs;
+}
+
 std::shared_ptr<const TraceHeader> Recording::header() const {
   const std::size_t count = headers_.size();
   return count > 0 ? headers_[count - 1] : std::make_shared<const TraceHeader>();

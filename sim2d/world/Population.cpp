@@ -83,7 +83,7 @@ Population::Population(const WorldModel& model) {
 void Population::scheduleNext(const WorldModel& model, Source& source) const {
   const Area& area = *model.areas[source.area];
   const double rate = area.rate.value_or(0.0);
-  const base::AgentRng rng(model.seed, counterOf(source.area));
+  const base::AgentRng rng(model.drawSeed, counterOf(source.area));
   const double draw = rng.uniform01(base::Draw::Source, static_cast<std::uint32_t>(source.arrived));
   source.next = rate > 0.0 ? source.next - base::log(1.0 - draw) / rate : kNever;
   const bool isOver =
@@ -104,7 +104,7 @@ bool Population::addCopy(Source& source, WorldModel& model, WorldState& state,
   copy.id = id;
   copy.name = area.name + "_" + std::to_string(source.arrived + 1);
   person.constants = resolvePerson(model, copy);
-  const base::AgentRng rng(model.seed, id, static_cast<std::uint64_t>(state.step));
+  const base::AgentRng rng(model.drawSeed, id, static_cast<std::uint64_t>(state.step));
   for (std::uint32_t trial = 0; trial < kPlaceTrials; ++trial) {
     const Vec2 place = drawnPlace(area, rng, 2 * trial);
     const double radius = person.constants.radius;

@@ -76,6 +76,13 @@ void RobotDrive::observe(const FrozenWorld& world, std::size_t robot) {
   observation_.navigation = &world.navigation;
 }
 
+void RobotDrive::reseed(std::uint64_t seed) {
+  sensors_.reseed(seed);
+  for (const std::shared_ptr<Planner>& planner : planners_) {
+    planner->reseed(seed);
+  }
+}
+
 BodyTwist RobotDrive::ask(std::size_t robot, const std::string& name) {
   const base::Result<BodyTwist> wanted = planners_[robot]->command(observation_);
   if (wanted) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -22,6 +23,13 @@ class RobotDrive {
   void steer(std::size_t robot, const BodyTwist& command);
   /// Commands of this step, within the limits of speed and acceleration. Emits `replan`.
   const std::vector<BodyTwist>& command(const FrozenWorld& world, WorldState& state);
+  /// From now on the robot drives by the planner and the limits that it has there.
+  void takePlanner(std::size_t robot, const RobotDrive& from) {
+    planners_[robot] = from.planners_[robot];
+    bodies_[robot] = from.bodies_[robot];
+  }
+  /// Sensors and planners draw by another seed from now on.
+  void reseed(std::uint64_t seed);
   /// What a planner said when it could not go on; empty: nothing did.
   const std::string& failure() const { return failure_; }
   /// After the step: goals reached, arrivals.

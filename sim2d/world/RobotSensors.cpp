@@ -15,6 +15,16 @@ RobotSensors::RobotSensors(const WorldModel& model) {
   }
 }
 
+void RobotSensors::reseed(std::uint64_t seed) {
+  for (Sensors& robot : robots_) {
+    robot.odometry.reseed(seed);
+    robot.detector.reseed(seed);
+    if (robot.lidar) {
+      robot.lidar->reseed(seed);
+    }
+  }
+}
+
 /// People by id, then robots by id.
 void RobotSensors::gatherBodies(const FrozenWorld& world) {
   const WorldState& state = world.state;

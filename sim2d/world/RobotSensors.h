@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,9 @@ class RobotSensors {
   /// Each step from the first one on, before anybody decides. `isScanRead`, by robot: somebody
   /// looks at its scan.
   void update(const FrozenWorld& world, const std::vector<char>& isScanRead);
+
+  /// Errors are drawn by another seed from now on; people walk on with their legs as they do.
+  void reseed(std::uint64_t seed);
 
   const Odometry& odometry(std::size_t robot) const { return robots_[robot].odometry; }
   /// Whom it knows of: people, then other robots, by id.

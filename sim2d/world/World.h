@@ -75,6 +75,12 @@ class World {
   /// From now on every step adds its times to `times`; nullptr: no more.
   virtual void measure(StepTimes* times) = 0;
 
+  /// From the next step on robots have the planners, limits, goals and patience of those of
+  /// `other`: a world of the same scenario but for these, not stepped yet, and of no use
+  /// afterwards. A planner that is the same goes on as it is; a robot with other goals sets off for
+  /// the first. `seed`: of what is drawn from here on; people stay as their own seed drew them.
+  virtual void goOnAs(World& other, std::uint64_t seed) = 0;
+
   /// From the next step on frames have the senses of robots, or no more.
   virtual void tellSenses(bool wanted) = 0;
 

@@ -233,6 +233,7 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
   model.compatibility = setup.compatibility;
   model.dt = scenario.desktop.dt.value_or(0.05);
   model.seed = static_cast<std::uint64_t>(scenario.desktop.seed.value_or(1));
+  model.drawSeed = model.seed;
   model.threads = std::max(1, setup.threads);
   model.exact = setup.exact;
   model.peoplePass = setup.compatibility.hunav2();

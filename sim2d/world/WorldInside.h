@@ -67,6 +67,7 @@ class RunningWorld : public World {
   bool step(const StepInputs& inputs) override;
   const std::string& failure() const override { return failure_; }
   const base::Diagnostics& refused() const override { return refused_; }
+  void goOnAs(World& world, std::uint64_t seed) override;
   void measure(StepTimes* times) override { times_ = times; }
   void tellSenses(bool wanted) override { robots_.tellSenses(wanted); }
   const Frame& frame() const override { return frame_; }

@@ -41,7 +41,7 @@ void appendRobot(const ResolvedRobot& constants, const RobotState& robot, RobotC
   robots.add(constants.id, robot.pose, robot.velocity, robot.omega, goal > 0 ? goal : kNoGoal);
 }
 
-std::vector<std::pair<std::string, double>> parametersOf(const ResolvedHuman& person) {
+std::vector<std::pair<std::string, double>> numbersOf(const ResolvedHuman& person) {
   std::vector<std::pair<std::string, double>> parameters = {
       {"max_vel", person.desiredSpeed},
       {"radius", person.radius},
@@ -93,7 +93,7 @@ TraceHuman traceHuman(const Person& person) {
           static_cast<int>(of.configuration),
           of.cyclicGoals,
           std::move(goals),
-          parametersOf(of)};
+          numbersOf(of)};
 }
 
 TraceRobot traceRobot(const ResolvedRobot& robot) {

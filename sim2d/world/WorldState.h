@@ -60,8 +60,9 @@ struct WorldModel {
   std::shared_ptr<const Environment> environment;
   std::shared_ptr<const Registries> registries;
   Compatibility compatibility;
-  double dt = 0.05;  // [s]
-  std::uint64_t seed = 1;
+  double dt = 0.05;            // [s]
+  std::uint64_t seed = 1;      // of who is there
+  std::uint64_t drawSeed = 1;  // of what is drawn while it runs; nearly always the same
   int threads = 1;
   bool exact = false;
   bool peoplePass = false;  // through each other, as in the original

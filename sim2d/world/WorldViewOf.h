@@ -19,7 +19,7 @@ class WorldViewOf : public WorldView {
   std::int64_t step() const override { return state_.step + 1; }
   double time() const override { return state_.time; }
   double dt() const override { return model_.dt; }
-  std::uint64_t seed() const override { return model_.seed; }
+  std::uint64_t seed() const override { return model_.drawSeed; }
   const Environment& scenario() const override { return *model_.environment; }
   const Compatibility& compatibility() const override { return model_.compatibility; }
 

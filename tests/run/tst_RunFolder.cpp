@@ -38,12 +38,12 @@ base::Diagnostics runInto(const std::string& folder, const std::vector<sim2d::Ro
   }
   metrics::Selection selection = verdict.metrics.selection;
   selection.everyRobot = true;
-  app::RunWriter writer((*output)->staging(), *verdict.world, selection,
+  app::RunWriter writer((*output)->staging(), *verdict.world, verdict.world->header(), selection,
                         verdict.metrics.parameters);
   app::Session session(sim2d::stopRuleOf(*bundle.scenario));
   sim2d::RunResult result = session.run(*verdict.world, &writer);
   const app::FinishedRun run{
-      verdict.world->header(), std::move(result), {}, writer.evaluation(), {}, false};
+      verdict.world->header(), std::move(result), {}, writer.evaluation(), {}, false, {}};
   return app::writeRunFolder(**output, run, writer, bundle, {"hunavsim"});
 }
 

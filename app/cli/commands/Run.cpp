@@ -1,5 +1,7 @@
 #include <cmath>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 
@@ -8,6 +10,7 @@
 #include "app/cli/MapImages.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
+#include "app/run/RunAgain.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
 #include "app/run/Simulation.h"
@@ -24,12 +27,15 @@ std::string oneDecimal(double value) {
 }
 
 FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::World& world,
-                          RunWriter& writer, const Invocation& given) {
+                          RunWriter& writer, RunAgain* again, const Invocation& given) {
   const double end = static_cast<double>(session.rule().maximumSteps) * world.dt();
   Progress progress(given.quiet);
   return simulate(session, world, setup, writer, [&](const sim2d::Frame& frame) {
     if (progress.isDue()) {
       progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
+    }
+    if (again != nullptr) {
+      again->look(frame, world, session);
     }
     return wasInterrupted();
   });
@@ -177,12 +183,91 @@ std::unique_ptr<OutputFolder> openOutput(const RunOptions& options, Verdict& ver
   return lost.empty() ? *std::move(opened) : nullptr;
 }
 
-int runCommand(const RunOptions& options, const Invocation& given) {
+/// Options and arguments of `run`.
+void addAll(CLI::App& command, RunOptions& options) {
+  command.add_option("scenario", options.scenario, "Scenario: a file, or a name of list scenarios")
+      ->transform(scenarioFile);
+  addOutputFolder(command, options.output, "Folder for the files of the run");
+  addRunOptions(command, options);
+  command.add_option("--from", options.from,
+                     "RUN@SECONDS: a recorded run again up to there, then on with these options");
+  command
+      .add_option("--move", options.moves,
+                  "\"NAME X Y HEADING\": with --from, where a person is put then (m, m, rad)")
+      ->allow_extra_args(false);
+  command.add_flag("--counterfactual", options.counterfactual,
+                   "The same seed again without robots: what they did to people");
+  addForce(command, options.force);
+  command.add_flag("--totals", options.totals,
+                   "Only manifest.json and the totals of metrics.json, for many long runs");
+}
+
+/// The words of a run that was made before, without the name of the program.
+base::Result<RunOptions> readRunWords(const std::vector<std::string>& words) {
+  RunOptions options;
+  bool ignored = false;
+  CLI::App root;
+  root.add_flag("-q,--quiet", ignored);
+  CLI::App& command = *root.add_subcommand("run");
+  root.require_subcommand(1);
+  command.add_flag("-q,--quiet", ignored);
+  command.add_flag("--json", ignored);
+  addAll(command, options);
+  try {
+    root.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+  } catch (const CLI::Error&) {
+    return base::error("again.not-told");
+  }
+  return options;
+}
+
+/// What is run, and what is said of it.
+struct Prepared {
+  Bundle bundle;
+  Verdict verdict;
+  std::unique_ptr<RunAgain> again;  // null: a run from the beginning
+};
+
+Prepared prepareAgain(const RunOptions& options) {
+  base::Result<std::unique_ptr<RunAgain>> again =
+      RunAgain::prepare(options, readRunWords, loadMapImage, interruptStop());
+  requireFine(again.diagnostics());
+  std::error_code none;
+  if (!options.output.empty() &&
+      std::filesystem::equivalent(options.output, (*again)->before().folder, none)) {
+    requireFine({base::error("again.itself", {}, options.output)});
+  }
+  return {(*again)->bundle(), std::move((*again)->verdict()), *std::move(again)};
+}
+
+Prepared prepare(const RunOptions& options) {
   const base::Result<RunSettings> settings = runSettingsOf(options);
-  requireFine(settings.diagnostics(), ExitWrongCommandLine);
-  Bundle bundle = readBundle(options, *settings, loadMapImage);
-  bundle.left = interruptStop();
-  Verdict verdict = check(bundle);
+  base::Diagnostics wrong = checkFromWords(options);
+  base::append(wrong, settings.diagnostics());
+  requireFine(wrong, ExitWrongCommandLine);
+  if (!options.from.empty()) {
+    return prepareAgain(options);
+  }
+  Prepared run;
+  run.bundle = readBundle(options, *settings, loadMapImage);
+  run.bundle.left = interruptStop();
+  run.verdict = check(run.bundle);
+  return run;
+}
+
+void tellTroubles(sim2d::World& world, const FinishedRun& run) {
+  base::Diagnostics troubles;
+  world.behavior().takeDiagnostics(troubles);
+  printDiagnostics(troubles);
+  if (!run.evaluation) {
+    printDiagnostics(run.evaluation.diagnostics());
+  }
+}
+
+int runCommand(const RunOptions& options, const Invocation& given) {
+  Prepared prepared = prepare(options);
+  const Bundle& bundle = prepared.bundle;
+  Verdict& verdict = prepared.verdict;
   requireFine(verdict.wrongWords, ExitWrongCommandLine);
   std::unique_ptr<OutputFolder> output;
   if (!options.output.empty() && verdict.ok()) {  // else nothing will be written
@@ -194,20 +279,21 @@ int runCommand(const RunOptions& options, const Invocation& given) {
   catchInterrupts();
   const bool hasFiles = !options.totals && !options.output.empty();
   wantNoMore(hasFiles, hasFiles || (given.json && !options.totals), verdict.metrics.selection);
-  RunWriter writer(hasFiles ? output->staging() : std::string(), world, verdict.metrics.selection,
-                   verdict.metrics.parameters);
+  RunWriter writer(hasFiles ? output->staging() : std::string(), world,
+                   prepared.again ? prepared.again->header() : world.header(),
+                   verdict.metrics.selection, verdict.metrics.parameters);
   Session session(sim2d::stopRuleOf(*bundle.scenario));
   if (options.counterfactual) {
     session.keepHistory(bundle.scenario->desktop.recordEvery.value_or(1));
   }
-  FinishedRun run = simulateShown(session, verdict.scenarioMetrics, world, writer, given);
+  FinishedRun run =
+      simulateShown(session, verdict.scenarioMetrics, world, writer, prepared.again.get(), given);
   run.totalsOnly = options.totals;
-  base::Diagnostics troubles;
-  world.behavior().takeDiagnostics(troubles);
-  printDiagnostics(troubles);
-  if (!run.evaluation) {
-    printDiagnostics(run.evaluation.diagnostics());
+  if (prepared.again) {
+    requireFine(prepared.again->trouble(run.result));
+    run.before = prepared.again->before();
   }
+  tellTroubles(world, run);
   bool isCompared = true;
   if (options.counterfactual && run.result.status == sim2d::RunStatus::Finished) {
     isCompared = printDiagnostics(compareWithoutRobots(bundle, session, run));
@@ -219,18 +305,14 @@ int runCommand(const RunOptions& options, const Invocation& given) {
 }  // namespace
 
 void addRun(CommandRegistry& commands) {
-  const auto [command, options] =
-      commands.add("run", "Simulate one scenario without a window", runCommand);
-  command.add_option("scenario", options.scenario, "Scenario: a file, or a name of list scenarios")
-      ->required()
-      ->transform(scenarioFile);
-  addOutputFolder(command, options.output, "Folder for the files of the run");
-  addRunOptions(command, options);
-  command.add_flag("--counterfactual", options.counterfactual,
-                   "The same seed again without robots: what they did to people");
-  addForce(command, options.force);
-  command.add_flag("--totals", options.totals,
-                   "Only manifest.json and the totals of metrics.json, for many long runs");
+  const auto added = commands.add("run", "Simulate one scenario without a window", runCommand);
+  RunOptions& options = added.second;
+  addAll(added.first, options);
+  added.first.callback([&options] {
+    if (options.scenario.empty() && options.from.empty()) {
+      throw CLI::RequiredError("scenario");
+    }
+  });
 }
 
 }  // namespace app

@@ -52,8 +52,7 @@ MppiPlanner::MppiPlanner(const PlannerSetup& setup, const MppiParameters& parame
   problem_.steps = static_cast<int>(
       std::clamp(std::round(parameters_.steps), 2.0, static_cast<double>(kMostMppiSteps)));
   problem_.dt = static_cast<float>(parameters_.modelDt);
-  problem_.noise.key[0] = static_cast<std::uint32_t>(setup.seed);
-  problem_.noise.key[1] = static_cast<std::uint32_t>(setup.seed >> 32U);
+  setNoise(setup.seed);
   problem_.noise.robot = static_cast<std::uint32_t>(setup.robotId);
   const double registers =
       std::ceil(std::max(parameters_.samples, 2.0 * kMppiColumns) / kMppiColumns);
@@ -65,6 +64,15 @@ MppiPlanner::MppiPlanner(const PlannerSetup& setup, const MppiParameters& parame
   setCosts();
   setSocial();
   reset();
+}
+
+void MppiPlanner::setNoise(std::uint64_t seed) {
+  problem_.noise.key[0] = static_cast<std::uint32_t>(seed);
+  problem_.noise.key[1] = static_cast<std::uint32_t>(seed >> 32U);
+}
+
+void MppiPlanner::reseed(std::uint64_t seed) {
+  setNoise(seed);
 }
 
 void MppiPlanner::reset() {

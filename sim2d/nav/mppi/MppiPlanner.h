@@ -29,6 +29,7 @@ class MppiPlanner : public Planner {
   base::Result<BodyTwist> command(const Observation& observation) override;
   std::vector<Vec2> path() const override;
   std::vector<Candidate> candidates() const override;
+  void reseed(std::uint64_t seed) override;
   bool takeReplanned() override { return route_.takeReplanned(); }
 
  private:
@@ -44,6 +45,7 @@ class MppiPlanner : public Planner {
     std::vector<float> costs, hits;
   };
 
+  void setNoise(std::uint64_t seed);
   void setDrive();
   void setCosts();
   void setSocial();
