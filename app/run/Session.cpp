@@ -94,6 +94,9 @@ sim2d::RunResult Session::run(sim2d::World& world, sim2d::FrameSink* sink, const
 }
 
 sim2d::StepInputs Session::takeInputs(const sim2d::Frame& frame) {
+  if (frame.step < repeatUntil_) {
+    return record_->inputsAt(frame.step + 1);
+  }
   sim2d::StepInputs inputs;
   Steering steering;
   {
@@ -176,7 +179,9 @@ SessionNews Session::takeNews() {
 bool Session::waitForTurn(const sim2d::World& world) {
   std::unique_lock<std::mutex> lock(mutex_);
   while (!stop_) {
-    if (stepsAllowed_ > 0) {
+    if (world.stepIndex() < repeatUntil_) {
+      return false;
+    } else if (stepsAllowed_ > 0) {
       --stepsAllowed_;
       return false;
     } else if (paused_) {

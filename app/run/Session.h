@@ -2,12 +2,14 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "sim2d/trace/Recording.h"
 #include "sim2d/world/Runner.h"
@@ -47,6 +49,12 @@ class Session {
   }
   /// Null without; complete when the run is over.
   RecordingPtr history() const { return history_; }
+  /// Up to that step the inputs are those of the record, whatever pace and pauses are asked for;
+  /// then it is as if it began there.
+  void repeat(RecordingPtr record, std::int64_t until) {
+    record_ = std::move(record);
+    repeatUntil_ = until;
+  }
   /// Once. `watch` sees each state before the next step and may give orders; `sink` gets all of
   /// them, the last with the event `stop`.
   sim2d::RunResult run(sim2d::World& world, sim2d::FrameSink* sink = nullptr,
@@ -80,6 +88,8 @@ class Session {
 
   const sim2d::StopRule rule_;
   std::shared_ptr<sim2d::Recording> history_;
+  RecordingPtr record_;  // that is repeated; null: none is
+  std::int64_t repeatUntil_ = 0;
   std::mutex mutex_;
   std::condition_variable changed_;
   // guarded by the mutex

@@ -169,8 +169,8 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
 
   const editor::PlaybackActions& playback = workspace.playback();
   addGroups(*bar.addMenu(QObject::tr("&Run")),
-            {{playback.playPause, playback.step, playback.stepBack, playback.newest, playback.reset,
-              workspace.drive().toggle()},
+            {{playback.playPause, playback.step, playback.stepBack, playback.newest, playback.goOn,
+              playback.reset, workspace.drive().toggle()},
              {actions.history}});
   addBehaviorMenu(bar, workspace);
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});

@@ -87,6 +87,9 @@ PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
                       this)),
       newest(makeAction(tr("Back to now"), QKeySequence(Qt::Key_End),
                         tr("Leave the past and show the newest step"), this)),
+      goOn(makeAction(tr("Go on from here"), {},
+                      tr("Make the run again up to this moment and go on from it another way"),
+                      this)),
       runner_(runner),
       theme_(theme) {
   playPause->setShortcuts({Qt::Key_Space, int{Qt::CTRL} | Qt::Key_Space});  // one while typing
@@ -94,6 +97,7 @@ PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
   connect(stepBack, &QAction::triggered, &runner_, &SimulationRunner::stepBack);
   connect(step, &QAction::triggered, &runner_, &SimulationRunner::stepOnce);
   connect(newest, &QAction::triggered, &runner_, &SimulationRunner::seekNewest);
+  connect(goOn, &QAction::triggered, &runner_, &SimulationRunner::goOnFromShown);
   connect(playPause, &QAction::triggered, this, [this] {
     runner_.state() == SimulationRunner::State::Running ? runner_.pause() : runner_.play();
   });
@@ -123,6 +127,7 @@ void PlaybackActions::follow() {
   reset->setEnabled(!editing);
   stepBack->setEnabled(!editing);
   newest->setEnabled(runner_.isLookingBack());
+  goOn->setEnabled(runner_.canGoOnFromShown());
 }
 
 QComboBox* PlaybackActions::makeSpeedBox(QWidget* parent) {

@@ -15,7 +15,7 @@ class PlaybackActions : public QObject {
   PlaybackActions(SimulationRunner& runner, const Theme& theme);
   void setTheme(const Theme& theme);
 
-  QAction *const reset, *const stepBack, *const playPause, *const step, *const newest;
+  QAction *const reset, *const stepBack, *const playPause, *const step, *const newest, *const goOn;
   QList<QAction*> all() const { return {reset, stepBack, playPause, step}; }
   /// A combo box of speeds, for a tool bar that takes it.
   QComboBox* makeSpeedBox(QWidget* parent);

@@ -21,13 +21,11 @@ bool isOver(const std::future<void>& thread, std::chrono::milliseconds patience)
 
 }  // namespace
 
-RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& settings) {
-  app::Bundle bundle = document.bundle();
-  bundle.settings = settings;
-  if (settings.code == sim2d::CodeUse::LeftOut) {  // there would be no world
-    bundle.settings.code = sim2d::CodeUse::Refused;
-  }
+namespace {
+
+RunRequest requestOf(app::Bundle bundle) {
   RunRequest request;
+  request.again = [bundle] { return requestOf(bundle); };
   request.rule = sim2d::stopRuleOf(*bundle.scenario);
   request.recordEvery = bundle.scenario->desktop.recordEvery.value_or(1);
   bundle.left = request.left;
@@ -41,6 +39,17 @@ RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& set
     return {std::move(verdict.world), std::move(verdict.worldRemarks)};
   };
   return request;
+}
+
+}  // namespace
+
+RunRequest runRequestOf(const ScenarioDocument& document, const RunSettings& settings) {
+  app::Bundle bundle = document.bundle();
+  bundle.settings = settings;
+  if (settings.code == sim2d::CodeUse::LeftOut) {  // there would be no world
+    bundle.settings.code = sim2d::CodeUse::Refused;
+  }
+  return requestOf(std::move(bundle));
 }
 
 QString runEndText(const sim2d::Scenario& scenario) {
@@ -79,11 +88,18 @@ bool SimulationRunner::start(bool paused) {
   if (mayStart_ && !mayStart_(paused)) {
     return false;
   }
+  begin(request_(), paused);
+  return true;
+}
+
+void SimulationRunner::begin(RunRequest request, bool paused, RecordingPtr record,
+                             std::int64_t until) {
   measuredSpeed_ = 0.0;
-  RunRequest request = request_();
   session_ = std::make_unique<app::Session>(request.rule);
   left_ = request.left;
+  again_ = std::move(request.again);
   session_->keepHistory(request.recordEvery, historyMemory_, historyFolder_);
+  session_->repeat(std::move(record), until);
   session_->setPaused(paused);
   session_->setSpeed(speed_);
   const auto run = [session = session_.get(), makeWorld = std::move(request.makeWorld)] {
@@ -92,7 +108,6 @@ bool SimulationRunner::start(bool paused) {
   thread_ = std::async(std::launch::async, run);
   timer_.start();
   setState(paused ? State::Paused : State::Running);
-  return true;
 }
 
 void SimulationRunner::forgetEndings() {
@@ -178,6 +193,7 @@ void SimulationRunner::reset() {
     poll();  // the last words of the session
   }
   session_.reset();
+  again_ = {};
   finished_ = isRecorded_ = isCut_ = false;
   result_.reset();
   recording_.reset();
@@ -285,6 +301,21 @@ void SimulationRunner::seekNewest() {
   if (lookingBack_ || isRecorded_) {
     show(newest_, false);
   }
+}
+
+bool SimulationRunner::canGoOnFromShown() const {
+  return again_ && lookingBack_ && shown_ != nullptr;
+}
+
+void SimulationRunner::goOnFromShown() {
+  if (!canGoOnFromShown()) {
+    return;
+  }
+  RecordingPtr record = recording_;
+  const std::int64_t until = shown_->step;
+  RunRequest request = again_();
+  reset();
+  begin(std::move(request), true, std::move(record), until);
 }
 
 void SimulationRunner::show(FramePtr frame, bool lookingBack) {

@@ -28,6 +28,7 @@ struct RunRequest {
   std::shared_ptr<base::StopFlag> left = std::make_shared<base::StopFlag>();  // ends all waiting
   sim2d::StopRule rule;
   int recordEvery = 1;
+  std::function<RunRequest()> again;  // the same run once more; null: there is none
 };
 
 /// A run of the document as it is now: copies of scenario, map and trees. GUI thread. What a check
@@ -95,6 +96,10 @@ class SimulationRunner : public QObject {
       std::int64_t step);  // shows the nearest kept frame at or before, else the oldest; pauses
   void stepBack();
   void seekNewest();
+  /// The run is made again up to the state that is shown and waits there: what came after it is
+  /// gone, and it may take another way.
+  void goOnFromShown();
+  bool canGoOnFromShown() const;  // it is in the past of a run that was made here
 
  Q_SIGNALS:
   void stateChanged(editor::SimulationRunner::State state);
@@ -110,6 +115,7 @@ class SimulationRunner : public QObject {
 
  private:
   bool start(bool paused);
+  void begin(RunRequest request, bool paused, RecordingPtr record = {}, std::int64_t until = 0);
   void poll();
   void takeEnd(const sim2d::RunResult& result);
   void setState(State state);
@@ -122,6 +128,7 @@ class SimulationRunner : public QObject {
 
   std::function<RunRequest()> request_;
   std::function<bool(bool)> mayStart_;
+  std::function<RunRequest()> again_;  // of the session
   std::unique_ptr<app::Session> session_;
   std::future<void> thread_;  // of the session
   struct Ending {

@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <grp.h>
+#include <malloc.h>
 #include <map>
 #include <unistd.h>
 
@@ -167,6 +168,9 @@ class Monkey : public QObject {
     if (left_ % kBetweenLooks == 0) {
       testers_.meetAll();
     }
+    if (const int every = numberIn("HUNAV_MONKEY_MEMORY", 0); every > 0 && left_ % every == 0) {
+      tellMemory();
+    }
     // What opens a dialog does not come back before it is closed: later, so that the timer goes on.
     Q_EMIT wants(draw(10));
   }
@@ -185,6 +189,14 @@ class Monkey : public QObject {
     } else {
       type();
     }
+  }
+
+  /// For long plays: what is in use must not grow.
+  void tellMemory() const {
+    constexpr double kMega = 1e6;
+    std::fprintf(stderr, "%d left: %.1f MB in use, %d widgets\n", left_,
+                 static_cast<double>(::mallinfo2().uordblks) / kMega,
+                 static_cast<int>(QApplication::allWidgets().size()));
   }
 
   void leave() {

@@ -101,6 +101,53 @@ class SimulationRunnerTest : public QObject {
     QTRY_VERIFY(memory.expired());
   }
 
+  /// What was done to people is done again; then somebody may do something else.
+  void goOnFromShown_repeatsAndWaits() {
+    SimulationRunner runner;
+    runner.setRequest([] {
+      RunRequest result = request(40);
+      result.again = [] { return request(40); };
+      return result;
+    });
+    QSignalSpy finished(&runner, &SimulationRunner::finished);
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.stepOnce();
+    QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step == 1);
+    const int id = runner.newestFrame()->humans.id.front();
+    runner.steer([id](const sim2d::Frame& frame) {
+      sim2d::Input push;
+      push.kind = sim2d::InputKind::Push;
+      push.id = id;
+      push.velocity = {0.3, 0.2};
+      return frame.step % 3 == 0 ? sim2d::StepInputs{push} : sim2d::StepInputs{};
+    });
+    runner.play();
+    QTRY_COMPARE(finished.count(), 1);
+    QVERIFY(!runner.canGoOnFromShown());  // the end is no past
+    const editor::RecordingPtr first = runner.recording();
+    QVERIFY(first->inputs().size() > 10);
+    runner.seek(20);
+    QVERIFY(runner.canGoOnFromShown());
+    runner.goOnFromShown();
+    QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step == 20);
+    QTest::qWait(50);
+    QCOMPARE(runner.newestFrame()->step, std::int64_t{20});
+    QCOMPARE(runner.state(), SimulationRunner::State::Paused);
+    QVERIFY(!runner.isFinished() && !runner.isLookingBack() && runner.recording() != first);
+    const auto rows = [](const editor::RecordingPtr& recording, std::size_t index) {
+      std::string text;
+      sim2d::appendTrajectoryRows(text, *recording->frame(index));
+      return text;
+    };
+    for (std::size_t index = 0; index <= 20; ++index) {
+      QCOMPARE(rows(runner.recording(), index), rows(first, index));
+    }
+    runner.play();  // nobody pushes now
+    QTRY_COMPARE(finished.count(), 2);
+    QCOMPARE(runner.newestFrame()->step, std::int64_t{40});
+    QVERIFY(rows(runner.recording(), 40) != rows(first, 40));
+  }
+
   void play_workOnTheMapIsStopped_isOver() {
     SimulationRunner runner;
     runner.setRequest([] {
