@@ -142,7 +142,7 @@ void SimulationRunner::play() {
   }
   if (finished_) {
     if (shown_->step == newest_->step) {
-      show(stateAt(0), !isRecorded_);
+      showState(0);
     }
     startClock();
     timer_.start();
@@ -178,7 +178,7 @@ void SimulationRunner::stepOnce() {
     if (next + 1 >= recording_->size()) {
       seekNewest();
     } else {
-      show(stateAt(next), !isRecorded_);
+      showState(next);
     }
   } else if (!finished_) {
     session_->allowStep();
@@ -224,7 +224,7 @@ double SimulationRunner::oldestTime() const {
   return first == 0 ? 0.0 : recording_->timeOf(first);
 }
 
-/// The oldest one that is kept for those before it.
+/// The oldest one that is kept for those before it. Null: its file cannot be read.
 FramePtr SimulationRunner::stateAt(std::size_t index) const {
   std::size_t first = recording_->first();
   FramePtr kept = recording_->frameIfKept(std::max(index, first));
@@ -232,7 +232,17 @@ FramePtr SimulationRunner::stateAt(std::size_t index) const {
     first = recording_->first();
     kept = recording_->frameIfKept(std::max(index, first));
   }
-  return kept != nullptr ? kept : recording_->frame(std::max(index, first));
+  return kept;
+}
+
+/// One that cannot be read is told, and what is shown stays.
+void SimulationRunner::showState(std::size_t index) {
+  if (FramePtr state = stateAt(index)) {
+    show(std::move(state), !isRecorded_);
+    return;
+  }
+  pause();
+  Q_EMIT warned({base::warning("run.history-unreadable", {recording_->timeOf(index)})});
 }
 
 void SimulationRunner::watchHistory() {
@@ -254,7 +264,8 @@ void SimulationRunner::openRecorded(RecordingPtr recording) {
   recording_ = std::move(recording);
   newest_ = recording_->frame(recording_->size() - 1);
   isRecorded_ = finished_ = true;
-  show(stateAt(0), false);
+  const FramePtr first = stateAt(0);
+  show(first != nullptr ? first : newest_, false);
   setState(State::Paused);
   watchHistory();
 }
@@ -271,7 +282,7 @@ void SimulationRunner::playOn() {
   const double time = playedFrom_ + passed * measuredSpeed_;
   const std::size_t index = recording_->indexAtTime(time);
   if (recording_->stepOf(index) > shown_->step) {
-    show(stateAt(index), !isRecorded_);
+    showState(index);
   }
   if (index + 1 == recording_->size()) {  // the last step need not be one that is recorded
     show(newest_, false);
@@ -288,7 +299,7 @@ void SimulationRunner::seek(std::int64_t step) {
     seekNewest();
     return;
   }
-  show(stateAt(recording_->indexAt(step)), !isRecorded_);
+  showState(recording_->indexAt(step));
 }
 
 void SimulationRunner::stepBack() {

@@ -124,6 +124,7 @@ class SimulationRunner : public QObject {
   void playOn();
   void startClock();
   FramePtr stateAt(std::size_t index) const;
+  void showState(std::size_t index);
   void watchHistory();
 
   std::function<RunRequest()> request_;

@@ -452,6 +452,8 @@ constexpr ProblemText kTexts[] = {
      "nothing can be compared: the disk takes no more states of the run (free room in $TMPDIR, "
      "else "
      "/var/tmp)"},
+    {"run.history-unreadable",
+     "the moment at {time} s cannot be read back from the temporary file: what is shown stays"},
     {"run.history-cut",
      "the disk takes no more of this run ({reason}): its oldest moments are dropped, the timeline "
      "begins later"},

@@ -123,6 +123,33 @@ class RunHistoryTest : public QObject {
     QCOMPARE(runner.oldestTime(), 0.0);
   }
 
+  /// The file is emptied behind the program's back.
+  void seek_fileIsLost_isTold() {
+    const QTemporaryDir folder;
+    document_.load(crowd(30, 60.0));
+    SimulationRunner runner;
+    runner.setHistory(kMega / 2, folder.path().toStdString());
+    runToTheEnd(runner);
+    QVERIFY(runner.recording()->history().disk() > 0);
+    int emptied = 0;
+    const QDir open(QStringLiteral("/proc/self/fd"));
+    for (const QFileInfo& each : open.entryInfoList(QDir::Files | QDir::System)) {
+      const bool isIts = each.symLinkTarget().startsWith(folder.path());
+      emptied += isIts && QFile(each.filePath()).resize(0) ? 1 : 0;
+    }
+    QCOMPARE(emptied, 1);
+    QSignalSpy warned(&runner, &SimulationRunner::warned);
+    const FramePtr before = runner.shownFrame();
+    runner.seek(0);
+    QCOMPARE(warned.count(), 1);
+    const auto problems = warned.front().front().value<base::Diagnostics>();
+    QCOMPARE(problems.front().code, std::string_view("run.history-unreadable"));
+    QCOMPARE(runner.shownFrame(), before);
+    runner.seek(runner.newestFrame()->step - 1);  // what is in memory is there
+    QCOMPARE(runner.shownFrame()->humans.size(), std::size_t{30});
+    QCOMPARE(warned.count(), 1);
+  }
+
   void timeline_diskTakesNothing_beginsLater() {
     SimulationRunner runner;
     RunEvents events(document_, runner);
