@@ -18,6 +18,7 @@ namespace editor {
 namespace {
 
 constexpr int kCheckDelayMs = 200;
+constexpr int kMostEdits = 20000;  // that can be undone: each holds what it has changed
 constexpr std::chrono::milliseconds kCheckPatience(80);
 
 /// Where something new, or switched on or off, lands: those that are switched off stand behind the
@@ -82,6 +83,7 @@ ScenarioDocument::ScenarioDocument(QObject* parent)
   connect(&checkTimer_, &QTimer::timeout, this, &ScenarioDocument::startCheck);
   connect(this, &ScenarioDocument::settled, &checkTimer_, qOverload<>(&QTimer::start));
   connect(this, &ScenarioDocument::mapChanged, &checkTimer_, qOverload<>(&QTimer::start));
+  undoStack_.setUndoLimit(kMostEdits);
   connect(&undoStack_, &QUndoStack::cleanChanged, this,
           [this](bool) { Q_EMIT dirtyChanged(isDirty()); });
 }

@@ -87,6 +87,29 @@ class BehaviorPanelTest : public QObject {
     document_.reset();
   }
 
+  /// Between the change and the panel's own.
+  void links_personIsGone_doNothing() {
+    select(0);
+    const EntityId person = human(0).key;
+    const std::string before = document_->treeToRun(human(1).key).value_or("");
+    const int steps = document_->undoStack().count();
+    QStringList clicked;
+    const ScenarioDocument::Step step(*document_);
+    document_->exchange(person, {});
+    QVERIFY(document_->human(person) == nullptr);
+    for (auto* link : panel_->findChildren<QToolButton*>()) {
+      if (link->isVisible() && link->isEnabled() && !link->accessibleName().isEmpty()) {
+        link->click();
+        clicked << link->accessibleName();
+      }
+    }
+    QVERIFY2(clicked.contains(QStringLiteral("Write the tree into a file")),
+             qPrintable(clicked.join(QLatin1Char(';'))));
+    QCOMPARE(document_->undoStack().count(), steps);
+    QVERIFY(QApplication::activeModalWidget() == nullptr);
+    QCOMPARE(document_->treeToRun(human(0).key).value_or(""), before);
+  }
+
   void outline_namedControls_tellTheirKindInWords() {
     select(2);  // a curious one, whose tree has a control with a name
     QStringList kinds;

@@ -26,6 +26,21 @@ class EditCommandsTest : public QObject {
     QVERIFY(document_.scenario() == small::scenario());
   }
 
+  /// Each edit holds what it has changed: those of a long day would fill the memory.
+  void push_veryManyEdits_theOldestAreKeptForGood() {
+    constexpr int kEdits = 20005, kUndone = 20000;
+    document_.undoStack().setClean();
+    for (int k = 1; k <= kEdits; ++k) {
+      pushChange<sim2d::Human>(
+          document_, human(2), QStringLiteral("Edit %1").arg(k),
+          [k](sim2d::Human& value) { value.initPose.position.x() = 0.001 * k; });
+    }
+    QCOMPARE(document_.undoStack().count(), kUndone);
+    undoAll();
+    QCOMPARE(document_.human(human(2))->initPose.position.x(), 0.001 * (kEdits - kUndone));
+    QVERIFY(document_.isDirty());
+  }
+
   void pushAdd_beforeThoseSwitchedOff_keepsTheOrderOfTheFile() {
     pushChange<sim2d::Human>(document_, human(2), QStringLiteral("Off"),
                              [](sim2d::Human& value) { value.listed = false; });
