@@ -26,7 +26,8 @@ sim2d::Scenario crowd(int people, double seconds) {
   scenario.areas.clear();
   scenario.desktop.duration = seconds;
   for (int k = 0; k < people; ++k) {
-    const sim2d::Vec2 at(2.0 * (k % kInRow), 2.0 * (k / kInRow));
+    const int column = k % kInRow, row = k / kInRow;
+    const sim2d::Vec2 at(2.0 * column, 2.0 * row);
     const std::string name = "P" + std::to_string(k + 1);
     scenario.goals.push_back(small::goal(1000 + k, k + 1, at + sim2d::Vec2(1.0, 0.7)));
     scenario.humans.push_back(
