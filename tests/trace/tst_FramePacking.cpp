@@ -9,6 +9,7 @@ namespace {
 
 std::vector<FramePtr> wildFrames(std::int64_t from, int count, int people) {
   std::vector<FramePtr> frames;
+  frames.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k) {
     frames.push_back(std::make_shared<const Frame>(wild::frameAt(from + k, people)));
   }
