@@ -5,11 +5,28 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd -P)
-tidy=$1
-words=("$@")
+tidy=("$1")
 if [ -e "$root/build/OwnCode.so" ]; then
-  words=("$tidy" --load="$root/build/OwnCode.so" "${@:2}")
+  tidy+=(--load="$root/build/OwnCode.so")
 fi
+case $* in
+  */unity_*_cxx.cxx*)  # it includes sources, and stands in a folder with other checks
+    tidy+=(--config-file="$root/.clang-tidy" --checks=-bugprone-suspicious-include)
+    words=()
+    for word in "$@"; do
+      case $word in
+        */unity_*_cxx.cxx)  # under this name alone the analyzer looks into what is included
+          unit=${word%/*}/UnifiedSource${word##*/unity}
+          cp "$word" "$unit"
+          word=$unit
+          ;;
+      esac
+      words+=("$word")
+    done
+    set -- "${words[@]}"
+    ;;
+esac
+words=("${tidy[@]}" "${@:2}")
 passed=${CCACHE_DIR:-$root/build/ccache}/tidy
 
 command=()  # of the compiler
@@ -36,9 +53,9 @@ done
 
 # Comments count: they switch checks off.
 if sum=$({
-  "$tidy" --version
+  "${tidy[0]}" --version
   cat "$root/scripts/OwnCode.cpp"
-  "$tidy" --dump-config "$source"
+  "${tidy[@]}" --dump-config "$source"
   "${command[@]}" -E -C
 } 2>/dev/null | sed "s|$root/||g" | sha256sum); then
   sum=${sum%% *}

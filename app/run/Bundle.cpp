@@ -161,6 +161,9 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownF
   auto scenario = std::make_shared<sim2d::Scenario>(reading->scenario);
   if (bundle.isWhole) {
     bundle.wrongWords = applyOptions(*scenario, options, settings.compatibility);
+    for (const RunOptions& later : options.then) {
+      base::append(bundle.wrongWords, applyOptions(*scenario, later, settings.compatibility));
+    }
   }
   bundle.scenario = std::move(scenario);
   if (bundle.hasScenario() && !base::hasErrors(bundle.wrongWords)) {

@@ -56,6 +56,21 @@ base::Result<FileHashes> listedFiles(const std::string& folder, const char* name
   return listed;
 }
 
+std::optional<std::string> findInput(const std::string& named, const std::string& runFolder,
+                                     const std::string& sha256) {
+  if (named.empty() || named == kStandardInput) {
+    return std::nullopt;  // it would wait for what nobody says
+  }
+  const fs::path folder = runFolder;
+  std::error_code none;
+  for (const fs::path& path : {fs::path(named), folder / named, folder / ".." / named}) {
+    if (sha256OfFile(path.string()) == sha256) {
+      return fs::weakly_canonical(path, none).string();
+    }
+  }
+  return std::nullopt;
+}
+
 bool isAsListed(const std::string& folder, const FileHashes& listed, const std::string& name) {
   const auto found = listed.find(name);
   return found != listed.end() && fs::is_regular_file(statusIn(folder, name)) &&

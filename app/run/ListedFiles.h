@@ -37,6 +37,14 @@ Json inputHashes(const std::vector<std::string>& paths, base::Diagnostics& warni
   return inputs;
 }
 
+/// A scenario of this name is read from the standard input.
+constexpr char kStandardInput[] = "-";
+
+/// A file that a run was made of: from where the run was started, or beside its folder, as long as
+/// it still has these bytes.
+std::optional<std::string> findInput(const std::string& named, const std::string& runFolder,
+                                     const std::string& sha256);
+
 /// Whether a regular file is there as it is listed.
 bool isAsListed(const std::string& folder, const FileHashes& listed, const std::string& name);
 

@@ -36,15 +36,14 @@ std::string findScenario(const fs::path& folder, base::Diagnostics& problems) {
     problems.push_back(base::error("trace.bad-manifest", {}, manifest.string()));
     return {};
   }
-  const fs::path named = json[first].get<std::string>();
-  for (const fs::path& path : {named, folder / named, folder / ".." / named}) {
-    const std::optional<std::string> found = sha256OfFile(path.string());
-    if (found && json[first.parent_pointer()].value("sha256", nlohmann::json()) == *found) {
-      return fs::weakly_canonical(path, none).string();
-    }
+  const auto named = json[first].get<std::string>();
+  const auto hash = json[first.parent_pointer()].value("sha256", nlohmann::json());
+  const auto found =
+      findInput(named, folder.string(), hash.is_string() ? hash.get<std::string>() : "");
+  if (!found) {
+    problems.push_back(base::warning("trace.scenario-gone", {}, named));
   }
-  problems.push_back(base::warning("trace.scenario-gone", {}, named.string()));
-  return {};
+  return found.value_or("");
 }
 
 class ScenarioMaker {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "app/run/DataPaths.h"
@@ -32,17 +33,20 @@ std::int64_t stepAt(double time, double dt) {
   return std::llround(time / dt);
 }
 
-/// Those of --set that change what stays as it is.
+/// Those --set of the last stage that change what stays as it is; `was`: the stage before.
 base::Diagnostics fixedWords(const RunOptions& was, const RunOptions& is, const Bundle& before,
                              const RunSettings& settings, KnownFiles& files) {
   base::Diagnostics problems;
-  for (std::size_t k = was.set.size(); k < is.set.size(); ++k) {
+  for (const std::string& word : is.then.back().set) {
     RunOptions one = was;
-    one.set.push_back(is.set[k]);
+    one.then.emplace_back().set = {word};
     const Bundle bundle = readBundle(one, settings, files);
     if (!base::hasErrors(bundle.wrongWords) && !canGoOnAs(*before.scenario, *bundle.scenario)) {
-      problems.push_back(base::error("again.fixed", {is.set[k]}, before.path));
+      problems.push_back(base::error("again.fixed", {word}, before.path));
     }
+  }
+  if (problems.empty()) {  // none by itself
+    problems.push_back(base::error("again.fixed-things", {}, before.path));
   }
   return problems;
 }
@@ -64,6 +68,9 @@ base::Result<std::unique_ptr<RunAgain>> RunAgain::prepare(const RunOptions& opti
     return stages.diagnostics();
   }
   again->madeBy_ = (*stages)[stages->size() - 2].version;
+  for (std::size_t k = 0; k + 1 < stages->size(); ++k) {
+    again->folders_.push_back((*stages)[k].folder);
+  }
   base::append(problems, again->makeWorlds(*stages, loader, left));
   if (!base::hasErrors(problems) && again->verdict_.ok()) {
     base::append(problems, again->addMoves(options.moves));
@@ -85,6 +92,7 @@ base::Diagnostics RunAgain::readRecord() {
     return {base::error("again.no-such-time", {end, moment_.time}, moment_.folder)};
   }
   from_ = stepAt(moment_.time, dt);
+  inputs_ = recording_->inputsUntil(std::numeric_limits<std::int64_t>::max());
   return {};
 }
 
@@ -105,7 +113,8 @@ base::Diagnostics RunAgain::makeWorlds(const std::vector<RunStage>& stages,
     if (!stage.inputs.empty()) {
       problems = changedInputs(bundle_, stage.inputs, moment_.folder);
     }
-    if (problems.empty() && k > 0 && !canGoOnAs(*before.scenario, *bundle_.scenario)) {
+    const bool isRead = problems.empty() && !base::hasErrors(bundle_.wrongWords);
+    if (isRead && k > 0 && !canGoOnAs(*before.scenario, *bundle_.scenario)) {
       problems = fixedWords(stages[k - 1].options, stage.options, before, *settings, files);
     }
     verdict_ = problems.empty() ? check(bundle_) : Verdict();
@@ -169,7 +178,7 @@ void RunAgain::look(const sim2d::Frame& frame, sim2d::World& world, Session& ses
       world.goOnAs(*change.as, change.seed);
     }
   }
-  for (sim2d::Input& input : recording_->inputsAt(frame.step + 1)) {
+  for (sim2d::Input& input : inputsOf(inputs_, frame.step + 1)) {
     session.add(std::move(input));
   }
   if (frame.step == from_) {

@@ -32,6 +32,9 @@ class RunAgain {
   const sim2d::TraceHeader& header() const { return header_; }  // as the run ends
   RunBefore before() const { return {moment_.folder, moment_.time, from_, seed_}; }
 
+  /// Of the runs that it goes on from, also those further back.
+  std::vector<std::string> folders() const { return folders_; }
+
   /// With each state before the next step: changes the world, adds the inputs of that step, and
   /// stops the session when the run goes another way than it did.
   void look(const sim2d::Frame& frame, sim2d::World& world, Session& session);
@@ -56,11 +59,13 @@ class RunAgain {
   std::int64_t from_ = 0;   // step of the moment
   std::uint64_t seed_ = 1;  // of what is drawn in the end
   RecordingPtr recording_;
+  sim2d::RecordedInputs inputs_;  // of the whole record
   Bundle bundle_;
   Verdict verdict_;
   sim2d::TraceHeader header_;
   std::vector<Change> changes_;  // by step
   std::vector<sim2d::Input> moves_;
+  std::vector<std::string> folders_;
   std::string madeBy_;                   // version of the program
   std::optional<double> goesElsewhere_;  // since then [s]
 };

@@ -27,6 +27,7 @@ struct RunOptions {
   std::vector<std::string> set;    // PATH=VALUE
   std::string from;                // RUN@SECONDS; empty: from the beginning
   std::vector<std::string> moves;  // NAME X Y HEADING, then
+  std::vector<RunOptions> then;    // of runs that went on from this one, each over those before
   bool exact = false;
   bool counterfactual = false;  // the same seed again without robots
   std::string compat;

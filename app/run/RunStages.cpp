@@ -32,17 +32,8 @@ std::string placeOf(const std::string& named, const fs::path& folder) {
 /// `was` with what `is` says beside it.
 RunOptions goingOn(const RunOptions& was, const RunOptions& is) {
   RunOptions all = was;
-  const auto take = [&](auto member) {
-    if (is.*member) {
-      all.*member = is.*member;
-    }
-  };
-  take(&RunOptions::duration);
-  take(&RunOptions::stuckAfter);
-  take(&RunOptions::stopOnCollision);
-  take(&RunOptions::robotGoal);
-  take(&RunOptions::planner);
-  all.set.insert(all.set.end(), is.set.begin(), is.set.end());
+  RunOptions& later = all.then.emplace_back(is);
+  later.seed.reset();  // that of the people stays
   if (!is.metrics.metrics.empty()) {
     all.metrics.metrics = is.metrics.metrics;
   }
@@ -56,7 +47,7 @@ RunOptions goingOn(const RunOptions& was, const RunOptions& is) {
 struct Making {
   RunOptions options;
   std::string folder;
-  std::vector<std::string> inputs;
+  std::vector<std::string> inputs;  // SHA-256
   std::string version;
 };
 
@@ -67,11 +58,12 @@ base::Result<Making> readMaking(const std::string& folder, const RunWordsReader&
   }
   const Json manifest = Json::parse(*text, nullptr, false);
   Making making;
-  std::vector<std::string> words;
+  std::vector<std::string> words, paths;
   try {
     words = manifest.at("command_line").get<std::vector<std::string>>();
     making.version = manifest.at("program").at("version").get<std::string>();
     for (const Json& input : manifest.at("inputs")) {
+      paths.push_back(input.at("path").get<std::string>());
       making.inputs.push_back(input.at("sha256").get<std::string>());
     }
   } catch (const Json::exception&) {
@@ -84,8 +76,15 @@ base::Result<Making> readMaking(const std::string& folder, const RunWordsReader&
   }
   making.options = *std::move(options);
   making.folder = folder;
-  for (std::string* path : {&making.options.scenario, &making.options.map, &making.options.trees,
-                            &making.options.metrics.metrics}) {
+  if (making.options.scenario == kStandardInput) {
+    return base::error("again.standard-input", {}, folder);
+  }
+  if (!making.options.scenario.empty() && !paths.empty()) {
+    making.options.scenario =
+        findInput(making.options.scenario, folder, making.inputs.front()).value_or(paths.front());
+  }
+  for (std::string* path :
+       {&making.options.map, &making.options.trees, &making.options.metrics.metrics}) {
     *path = placeOf(*path, folder);
   }
   return making;
@@ -198,6 +197,7 @@ base::Result<std::vector<RunStage>> stagesOf(const RunOptions& options,
   std::vector<RunStage> stages;
   for (auto making = makings->rbegin(); making != makings->rend(); ++making) {
     RunStage& stage = stages.emplace_back();
+    stage.folder = std::move(making->folder);
     stage.inputs = std::move(making->inputs);
     stage.version = std::move(making->version);
     if (stages.size() == 1) {
@@ -206,7 +206,6 @@ base::Result<std::vector<RunStage>> stagesOf(const RunOptions& options,
       stage.options = goingOn(stages[stages.size() - 2].options, making->options);
       stage.moment = runMomentOf(making->options.from);
       stage.drawSeed = making->options.seed;
-      stage.moves = making->options.moves;
     }
     stage.options.allowCode = options.allowCode;
     stage.options.threads = options.threads;

@@ -33,9 +33,9 @@ using RunWordsReader = std::function<base::Result<RunOptions>(const std::vector<
 /// A part of a run between two changes on the way.
 struct RunStage {
   RunOptions options;                 // all that counts in it; the seed is that of the people
+  std::string folder;                 // of the run that was made so; empty: not made yet
   std::optional<RunMoment> moment;    // where it begins; none: with the run
   std::optional<long long> drawSeed;  // of what is drawn from there on, where it is another
-  std::vector<std::string> moves;     // of people, where it begins
   std::vector<std::string> inputs;    // SHA-256 of the files it was made of; empty: not made yet
   std::string version;                // of the program that made it
 };

@@ -95,7 +95,7 @@ sim2d::RunResult Session::run(sim2d::World& world, sim2d::FrameSink* sink, const
 
 sim2d::StepInputs Session::takeInputs(const sim2d::Frame& frame) {
   if (frame.step < repeatUntil_) {
-    return record_->inputsAt(frame.step + 1);
+    return sim2d::inputsOf(repeated_, frame.step + 1);
   }
   sim2d::StepInputs inputs;
   Steering steering;

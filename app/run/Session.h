@@ -49,10 +49,10 @@ class Session {
   }
   /// Null without; complete when the run is over.
   RecordingPtr history() const { return history_; }
-  /// Up to that step the inputs are those of the record, whatever pace and pauses are asked for;
+  /// Up to that step the inputs are these, whatever pace and pauses are asked for;
   /// then it is as if it began there.
-  void repeat(RecordingPtr record, std::int64_t until) {
-    record_ = std::move(record);
+  void repeat(sim2d::RecordedInputs inputs, std::int64_t until) {
+    repeated_ = std::move(inputs);
     repeatUntil_ = until;
   }
   /// Once. `watch` sees each state before the next step and may give orders; `sink` gets all of
@@ -88,7 +88,7 @@ class Session {
 
   const sim2d::StopRule rule_;
   std::shared_ptr<sim2d::Recording> history_;
-  RecordingPtr record_;  // that is repeated; null: none is
+  sim2d::RecordedInputs repeated_;
   std::int64_t repeatUntil_ = 0;
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -92,14 +92,14 @@ bool SimulationRunner::start(bool paused) {
   return true;
 }
 
-void SimulationRunner::begin(RunRequest request, bool paused, RecordingPtr record,
+void SimulationRunner::begin(RunRequest request, bool paused, sim2d::RecordedInputs inputs,
                              std::int64_t until) {
   measuredSpeed_ = 0.0;
   session_ = std::make_unique<app::Session>(request.rule);
   left_ = request.left;
   again_ = std::move(request.again);
   session_->keepHistory(request.recordEvery, historyMemory_, historyFolder_);
-  session_->repeat(std::move(record), until);
+  session_->repeat(std::move(inputs), until);
   session_->setPaused(paused);
   session_->setSpeed(speed_);
   const auto run = [session = session_.get(), makeWorld = std::move(request.makeWorld)] {
@@ -322,11 +322,11 @@ void SimulationRunner::goOnFromShown() {
   if (!canGoOnFromShown()) {
     return;
   }
-  RecordingPtr record = recording_;
   const std::int64_t until = shown_->step;
+  sim2d::RecordedInputs inputs = recording_->inputsUntil(until);
   RunRequest request = again_();
   reset();
-  begin(std::move(request), true, std::move(record), until);
+  begin(std::move(request), true, std::move(inputs), until);
 }
 
 void SimulationRunner::show(FramePtr frame, bool lookingBack) {

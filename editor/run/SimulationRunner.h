@@ -115,7 +115,8 @@ class SimulationRunner : public QObject {
 
  private:
   bool start(bool paused);
-  void begin(RunRequest request, bool paused, RecordingPtr record = {}, std::int64_t until = 0);
+  void begin(RunRequest request, bool paused, sim2d::RecordedInputs inputs = {},
+             std::int64_t until = 0);
   void poll();
   void takeEnd(const sim2d::RunResult& result);
   void setState(State state);

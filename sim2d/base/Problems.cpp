@@ -606,6 +606,11 @@ constexpr ProblemText kTexts[] = {
      "--set {found}: this cannot change while a run goes on (--from): planners, goals and limits "
      "of "
      "robots and the end of the run can"},
+    {"again.fixed-things",
+     "what the options change beside planners, goals and limits of robots and the end of the run "
+     "cannot change while a run goes on (--from)"},
+    {"again.standard-input",
+     "the scenario came from the standard input and is not kept: the run cannot be made again"},
     {"again.not-told", "the folder does not tell how the run was made"},
     {"again.no-beginning", "the runs that this one goes on from have no beginning"},
     {"again.input-changed", "it is not what the run was made of: that cannot be made again"},
@@ -617,7 +622,7 @@ constexpr ProblemText kTexts[] = {
      "made again, the run is another one from {time} s on (it was made by version {then}, this is "
      "{now})"},
     {"again.ends-before", "with these options the run ends at {time} s, before {wanted} s"},
-    {"again.itself", "the run that it goes on from would be lost: write elsewhere"},
+    {"again.itself", "a run that it goes on from would be lost: write elsewhere"},
 
     // Scripts of leaves.
     {"script.empty-list", "the list of '{key}' is empty (one status at least)"},

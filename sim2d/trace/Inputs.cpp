@@ -55,6 +55,16 @@ const char* inputKindName(InputKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+StepInputs inputsOf(const RecordedInputs& inputs, std::int64_t step) {
+  StepInputs found;
+  const auto isBefore = [](const auto& each, std::int64_t wanted) { return each.first < wanted; };
+  for (auto each = std::lower_bound(inputs.begin(), inputs.end(), step, isBefore);
+       each != inputs.end() && each->first == step; ++each) {
+    found.push_back(each->second);
+  }
+  return found;
+}
+
 std::string inputsHead() {
   return std::string(kInputColumns) + '\n';
 }

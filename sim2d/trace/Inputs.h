@@ -45,6 +45,9 @@ using StepInputs = std::vector<Input>;
 /// With the step that they led to, as in Frame::step.
 using RecordedInputs = std::vector<std::pair<std::int64_t, Input>>;
 
+/// Those that led to a step, of some by step.
+StepInputs inputsOf(const RecordedInputs& inputs, std::int64_t step);
+
 /// Rows of `inputs.csv` (columns: FORMAT.md); reading gives equal values.
 std::string inputsHead();
 void appendInputRow(std::string& to, std::int64_t step, const Input& input);

@@ -108,11 +108,11 @@ FramePtr Recording::frame(std::size_t index) const {
   return nobody;
 }
 
-StepInputs Recording::inputsAt(std::int64_t step) const {
-  StepInputs inputs;
-  for (std::size_t k = inputs_.count([step](const auto& each) { return each.first < step; });
-       k < inputs_.size() && inputs_[k].first == step; ++k) {
-    inputs.push_back(inputs_[k].second);
+RecordedInputs Recording::inputsUntil(std::int64_t step) const {
+  RecordedInputs inputs;
+  const std::size_t count = inputs_.size();  // one may be on its way
+  for (std::size_t k = 0; k < count && inputs_[k].first <= step; ++k) {
+    inputs.push_back(inputs_[k]);
   }
   return inputs;
 }

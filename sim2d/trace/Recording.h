@@ -65,8 +65,8 @@ class Recording final : public FrameSink {
   const FrameHistory& history() const { return history_; }
   const SharedLog<StepEvent>& events() const { return events_; }
   const SharedLog<std::pair<std::int64_t, Input>>& inputs() const { return inputs_; }
-  StepInputs inputsAt(std::int64_t step) const;       // that led to this step
-  std::shared_ptr<const TraceHeader> header() const;  // the newest; never null
+  RecordedInputs inputsUntil(std::int64_t step) const;  // those that led to it too
+  std::shared_ptr<const TraceHeader> header() const;    // the newest; never null
   /// What the nodes returned last at that step, recorded or not; of one person, or by id.
   TreeStatuses treeAt(int person, std::int64_t step) const { return treesAt(step, person)[person]; }
   std::map<int, TreeStatuses> treesAt(std::int64_t step, std::optional<int> only = {}) const;

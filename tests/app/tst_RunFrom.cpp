@@ -120,6 +120,21 @@ class RunFromTest : public QObject {
     run({text("--from"), at("other@3"), text("-o"), at("third")});
     QCOMPARE(bytesOf(at("third/trajectory.csv")), bytesOf(at("other/trajectory.csv")));
     QCOMPARE(bytesOf(at("third/trace.json")), bytesOf(at("other/trace.json")));
+    // the later word wins, whatever it is called
+    run({text("--from"), at("third@4"), text("--set"), text("robot1.planner=orca"), text("-o"),
+         at("fourth")});
+    QVERIFY(rows(at("fourth"), 80, false) != rows(at("third"), 80, false));
+    const QJsonObject last =
+        jsonOf(at("fourth/trace.json"))[text("robots")].toArray().first().toObject();
+    QCOMPARE(last[text("planner")].toString(), text("orca"));
+    for (const char* older : {"straight", "other", "third"}) {
+      const QByteArray before = bytesOf(at(older) + text("/trajectory.csv"));
+      const outside::Finished over =
+          refused({text("--from"), at("fourth@1"), text("-o"), at(older)});
+      QCOMPARE(over.exitCode, 2);
+      QVERIFY2(over.err.contains(text("would be lost")), qPrintable(over.err));
+      QCOMPARE(bytesOf(at(older) + text("/trajectory.csv")), before);
+    }
   }
 
   void anotherSeed_drawsAnewFromThere() {
@@ -168,6 +183,19 @@ class RunFromTest : public QObject {
     // the input is part of the run
     run({text("--from"), at("moved@1.5"), text("-o"), at("movedAgain")});
     QCOMPARE(bytesOf(at("movedAgain/trajectory.csv")), bytesOf(at("moved/trajectory.csv")));
+  }
+
+  void ofTheStandardInput_isRefusedAndDoesNotWait() {
+    QProcess process;
+    process.setStandardInputFile(scene("planners/crossing_agents.yaml"));
+    process.start(QStringLiteral(HUNAVSIM_PROGRAM),
+                  {text("run"), text("-q"), text("-"), text("--duration"), text("1"), text("-o"),
+                   at("said")});
+    const outside::Finished first = outside::finishedOf(process);
+    QVERIFY2(first.exitCode == 0, qPrintable(first.err));
+    const outside::Finished again = refused({text("--from"), at("said@0.5")});
+    QCOMPARE(again.exitCode, 2);
+    QVERIFY2(again.err.contains(text("came from the standard input")), qPrintable(again.err));
   }
 
   void wrong_isSaid_data() {

@@ -232,10 +232,11 @@ Prepared prepareAgain(const RunOptions& options) {
   base::Result<std::unique_ptr<RunAgain>> again =
       RunAgain::prepare(options, readRunWords, loadMapImage, interruptStop());
   requireFine(again.diagnostics());
-  std::error_code none;
-  if (!options.output.empty() &&
-      std::filesystem::equivalent(options.output, (*again)->before().folder, none)) {
-    requireFine({base::error("again.itself", {}, options.output)});
+  for (const std::string& folder : (*again)->folders()) {
+    std::error_code none;
+    if (!options.output.empty() && std::filesystem::equivalent(options.output, folder, none)) {
+      requireFine({base::error("again.itself", {}, options.output)});
+    }
   }
   return {(*again)->bundle(), std::move((*again)->verdict()), *std::move(again)};
 }
