@@ -1,24 +1,23 @@
 #include "app/window/Docks.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
 #include <QPainter>
 
 #include "editor/look/Form.h"
+#include "editor/look/Icons.h"
 #include "editor/panels/Playback.h"
 
 namespace app {
 
 namespace {
 
-constexpr int kLeftWidth = 260;
-constexpr int kRightWidth = 320;
-constexpr int kScenarioShare = 3;  // of the height at the left
-constexpr int kMeasureShare = 2;
-constexpr int kBottomEditing = 152;
-constexpr int kBottomRunning = 232;
+constexpr int kSideWidth = 320;  // one column: at 1280 x 800 the map has three fifths of the window
+constexpr int kScenarioShare = 2;  // of its height
+constexpr int kPropertiesShare = 3;
 constexpr int kTitleHeight = 32;
 
 /// The heading of a dock; gives way to the tab when the dock is one of several.
@@ -80,6 +79,11 @@ Docks::Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegis
   window_.setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
   window_.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   window_.setDocumentMode(true);
+  mapOnly_ = new QAction(tr("&Map only"), this);
+  mapOnly_->setShortcut(Qt::Key_F9);
+  mapOnly_->setCheckable(true);
+  editor::describe(*mapOnly_, tr("Close all panels; once more brings them back"));
+  connect(mapOnly_, &QAction::toggled, this, &Docks::showMapOnly);
   window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   connect(&context_, &editor::PanelContext::counted, this, &Docks::showCount);
@@ -87,7 +91,6 @@ Docks::Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegis
     add(entry);
   }
   addTimeline();
-  connect(&workspace_.runner(), &editor::SimulationRunner::stateChanged, this, &Docks::grow);
   resetLayout();
 }
 
@@ -105,10 +108,9 @@ void Docks::addTimeline() {
 }
 
 void Docks::add(const editor::PanelRegistry::Entry& entry) {
-  const auto& [order, title, area, isTab, room] = entry.info;
+  const auto& [order, title, area, isTab, room, isOpen] = entry.info;
   auto* dock = new QDockWidget(title, &window_);
   dock->setObjectName(title.toLower());
-  editor::describe(*dock->toggleViewAction(), tr("Show or hide this panel"));
   dock->setTitleBarWidget(new DockTitle(*dock));
   connect(dock->toggleViewAction(), &QAction::toggled, this, [this] {
     for (const QDockWidget* each : docks_) {
@@ -129,15 +131,82 @@ void Docks::add(const editor::PanelRegistry::Entry& entry) {
     window_.tabifyDockWidget(neighbour, dock);
   }
   docks_.push_back(dock);
-  if (room > 0) {
-    const auto hadRoom = std::make_shared<bool>(false);
-    connect(dock, &QDockWidget::visibilityChanged, this,
-            [this, dock, room = room, hadRoom](bool on) {
-              if (on && !std::exchange(*hadRoom, true) && dock->height() < room) {
-                window_.resizeDocks({dock}, {room}, Qt::Vertical);
-              }
-            });
+  if (isOpen) {
+    open_.push_back(dock);
   }
+  addToggle(*dock);
+  if (room > 0) {
+    giveRoom(*dock, room);
+  }
+}
+
+/// The height that its area gets when nothing else of it has been seen, or is too low for it.
+void Docks::giveRoom(QDockWidget& dock, int room) {
+  const auto hadRoom = std::make_shared<bool>(false);
+  connect(&dock, &QDockWidget::visibilityChanged, this, [this, &dock, room, hadRoom](bool on) {
+    if (!on || std::exchange(*hadRoom, true)) {
+      return;
+    }
+    const QList<QDockWidget*> others = window_.tabifiedDockWidgets(&dock);
+    const bool isAlone = std::all_of(others.begin(), others.end(),
+                                     [](const QDockWidget* other) { return other->isHidden(); });
+    if (isAlone || dock.height() < room) {
+      window_.resizeDocks({&dock}, {room}, Qt::Vertical);
+    }
+  });
+}
+
+void Docks::addToggle(QDockWidget& dock) {
+  auto* toggle = new QAction(dock.windowTitle(), this);
+  const int number = static_cast<int>(docks_.size());
+  if (number <= 9) {
+    toggle->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(number)));
+  }
+  toggle->setCheckable(true);
+  editor::describe(*toggle, tr("Open this panel, or close it"));
+  connect(toggle, &QAction::triggered, &dock, [&dock](bool on) {
+    dock.setVisible(on);
+    if (on) {
+      dock.raise();
+    }
+  });
+  connect(&dock, &QDockWidget::visibilityChanged, toggle, &QAction::setChecked);
+  toggles_[&dock] = toggle;
+}
+
+QList<QAction*> Docks::toggles() const {
+  QList<QAction*> all;
+  for (const QDockWidget* each : docks_) {
+    all.push_back(toggleOf(*each));
+  }
+  return all;
+}
+
+QList<QAction*> Docks::togglesBelow() const {
+  QList<QAction*> below;
+  for (QDockWidget* each : docks_) {
+    if (window_.dockWidgetArea(each) == Qt::BottomDockWidgetArea) {
+      below.push_back(toggleOf(*each));
+    }
+  }
+  return below;
+}
+
+void Docks::showMapOnly(bool on) {
+  if (on) {
+    openBefore_.clear();
+    sizesBefore_ = window_.saveState();
+    std::copy_if(docks_.begin(), docks_.end(), std::back_inserter(openBefore_),
+                 [](const QDockWidget* each) { return !each->isHidden(); });
+    for (QDockWidget* each : docks_) {
+      each->hide();
+    }
+    return;
+  }
+  for (QDockWidget* each : openBefore_) {
+    each->show();
+  }
+  window_.restoreState(std::exchange(sizesBefore_, {}));
 }
 
 QDockWidget* Docks::dock(const QString& name) const {
@@ -165,9 +234,10 @@ void Docks::show(const QStringList& names) {
 }
 
 void Docks::resetLayout() {
+  mapOnly_->setChecked(false);
   for (QDockWidget* dock : docks_) {
     dock->setFloating(false);
-    dock->show();
+    dock->setVisible(std::find(open_.begin(), open_.end(), dock) != open_.end());
   }
   placeFirst();
 }
@@ -175,32 +245,30 @@ void Docks::resetLayout() {
 void Docks::placeFirst() {
   QDockWidget* const scenario = dock(QStringLiteral("scenario"));
   QDockWidget* const properties = dock(QStringLiteral("properties"));
-  QDockWidget* const issues = dock(QStringLiteral("issues"));
-  window_.resizeDocks({scenario, properties}, {kLeftWidth, kRightWidth}, Qt::Horizontal);
-  window_.resizeDocks({issues}, {grown_ ? kBottomRunning : kBottomEditing}, Qt::Vertical);
-  window_.resizeDocks({scenario, dock(QStringLiteral("measure"))},
-                      {100 * kScenarioShare, 100 * kMeasureShare}, Qt::Vertical);
+  window_.resizeDocks({properties}, {kSideWidth}, Qt::Horizontal);
+  window_.resizeDocks({scenario, properties}, {100 * kScenarioShare, 100 * kPropertiesShare},
+                      Qt::Vertical);
   properties->raise();
-  (grown_ ? dock(QStringLiteral("metrics")) : issues)->raise();
 }
 
-void Docks::grow(editor::SimulationRunner::State state) {
-  if (!grown_ && state != editor::SimulationRunner::State::Editing) {
-    grown_ = true;
-    QDockWidget* metrics = dock(QStringLiteral("metrics"));
-    metrics->raise();
-    window_.resizeDocks({metrics}, {kBottomRunning}, Qt::Vertical);
+void Docks::showCount(const QWidget* panel, int count, base::Severity worst) {
+  const auto found = std::find_if(docks_.begin(), docks_.end(), [panel](const QDockWidget* dock) {
+    return dock->widget() == panel;
+  });
+  if (found == docks_.end()) {
+    return;
   }
-}
-
-void Docks::showCount(const QWidget* panel, int count) {
-  for (QDockWidget* dock : docks_) {
-    if (dock->widget() == panel) {
-      const QString title = dock->toggleViewAction()->text();
-      dock->setWindowTitle(count > 0 ? QStringLiteral("%1  %2").arg(title).arg(count) : title);
-      dock->toggleViewAction()->setText(title);
-    }
-  }
+  QAction& toggle = *toggleOf(**found);
+  const QString title = toggle.text();
+  (*found)->setWindowTitle(count > 0 ? QStringLiteral("%1  %2").arg(title).arg(count) : title);
+  toggle.setIconText((*found)->windowTitle());
+  const editor::Theme& theme = workspace_.theme();
+  const bool isError = worst == base::Severity::Error;
+  toggle.setIcon(count == 0 || worst == base::Severity::Info
+                     ? QIcon()
+                     : editor::tintedIcon(
+                           isError ? QStringLiteral("error") : QStringLiteral("warning"),
+                           theme.color(isError ? editor::Role::Error : editor::Role::WarningMark)));
 }
 
 void Docks::setShown(bool shown) {
@@ -216,6 +284,10 @@ void Docks::setShown(bool shown) {
     }
   }
   timelineBar_->setVisible(shown);
+  mapOnly_->setEnabled(shown);
+  for (const auto& [dock, toggle] : toggles_) {
+    toggle->setEnabled(shown);
+  }
   if (shown) {
     shownBefore_.clear();
     window_.restoreState(std::exchange(layoutBefore_, {}));  // their sizes; refuses an empty one

@@ -24,7 +24,13 @@ class Docks : public QObject {
   const std::vector<QDockWidget*>& all() const { return docks_; }
   void show(const QStringList& names);  // exactly these
   void resetLayout();
-  void placeFirst();          // sizes, once the window has its own
+  void placeFirst();  // sizes, once the window has its own
+  /// Opens a panel, brings it before the others of its place, or closes it; checked while it is
+  /// seen.
+  QAction* toggleOf(const QDockWidget& dock) const { return toggles_.at(&dock); }
+  QList<QAction*> toggles() const;               // of all panels, in order of the menu
+  QList<QAction*> togglesBelow() const;          // of those below the canvas
+  QAction* mapOnly() const { return mapOnly_; }  // all panels close, and come back as they were
   void setShown(bool shown);  // all of them, for the start page and the full screen
   template <class T>
   T& panel() const {
@@ -33,18 +39,24 @@ class Docks : public QObject {
 
  private:
   void add(const editor::PanelRegistry::Entry& entry);
+  void addToggle(QDockWidget& dock);
+  void giveRoom(QDockWidget& dock, int room);
+  void showMapOnly(bool on);
   void addTimeline();
-  void showCount(const QWidget* panel, int count);
-  void grow(editor::SimulationRunner::State state);  // at the first run
+  void showCount(const QWidget* panel, int count, base::Severity worst);
 
   QMainWindow& window_;
   Workspace& workspace_;
   editor::PanelContext context_;
   std::vector<QDockWidget*> docks_;
+  std::map<const QDockWidget*, QAction*> toggles_;
+  std::vector<const QDockWidget*> open_;  // at first
+  QAction* mapOnly_;
+  std::vector<QDockWidget*> openBefore_;  // mapOnly
+  QByteArray sizesBefore_;
   std::map<QDockWidget*, bool> shownBefore_;  // while all are hidden
   QByteArray layoutBefore_;                   // with their sizes, once the window is seen
   QToolBar* timelineBar_;
-  bool grown_ = false;
 };
 
 }  // namespace app

@@ -41,7 +41,7 @@ namespace {
 constexpr const char* kGeometryKey = "window/geometry";
 constexpr const char* kWindowStateKey = "window/state";
 constexpr const char* kThemeKey = "window/theme";
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 constexpr QSize kLeastWindow(860, 480);  // fits 1920 x 1080 at 200 %, the time line too
 constexpr int kSavedWidth = 120;
 constexpr int kMenuHeight = 28;
@@ -99,6 +99,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
 void MainWindow::placeParts(const WindowSetup& setup) {
   addToolBar(Qt::TopToolBarArea, toolBar_);
   recent_ = makeMenus(*this, workspace_, *actions_, *docks_);
+  status_->addPanels(docks_->togglesBelow());
   saved_->setContentsMargins(0, 0, 12, 0);
   saved_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   saved_->setFixedSize(kSavedWidth, kMenuHeight);

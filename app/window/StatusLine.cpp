@@ -4,8 +4,10 @@
 #include <utility>
 
 #include <QCursor>
+#include <QHBoxLayout>
 #include <QPainter>
 #include <QStatusTipEvent>
+#include <QToolButton>
 
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/Form.h"
@@ -17,6 +19,8 @@ using editor::Role;
 using editor::SimulationRunner;
 
 namespace {
+
+constexpr int kPanelButton = 18;  // high [px]
 
 QPixmap dotPixmap(const QColor& color) {
   constexpr int kRatio = 3;
@@ -180,8 +184,27 @@ QLabel* StatusLine::addRight(int width) {
   return label;
 }
 
+/// Before the numbers: where closed panels say how much there is in them.
+void StatusLine::addPanels(const QList<QAction*>& toggles) {
+  panels_ = new QWidget(&bar_);
+  auto* row = editor::arranged(new QHBoxLayout(panels_), {0, 0, 8, 0}, 0);
+  for (QAction* toggle : toggles) {
+    auto* button = new QToolButton(panels_);
+    button->setDefaultAction(toggle);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setIconSize({14, 14});
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::NoFocus);  // a key opens each
+    button->setFixedHeight(kPanelButton);
+    row->addWidget(button);
+  }
+  constexpr int kBeforeNumbers = 3;  // behind dot, state and hint
+  bar_.insertPermanentWidget(kBeforeNumbers, panels_);
+}
+
 void StatusLine::setIdle(bool idle) {
   idle_ = idle;
+  panels_->setVisible(!idle);
   for (QLabel* label : {x_, y_, ground_, zoom_, seed_}) {
     label->setVisible(!idle);
   }

@@ -14,7 +14,8 @@ class StatusLine : public QObject {
  public:
   StatusLine(QStatusBar& bar, Workspace& workspace);
   void setTheme() { showState(); }
-  void setIdle(bool idle);  // nothing is open
+  void setIdle(bool idle);                         // nothing is open
+  void addPanels(const QList<QAction*>& toggles);  // of panels that are closed at first
 
  protected:
   /// What a menu entry does is said in the place of what a click does; nothing moves.
@@ -36,6 +37,7 @@ class StatusLine : public QObject {
   bool isRun_ = false;  // not editing
   QLabel *dot_, *state_;
   editor::ElidedLabel* hint_;
+  QWidget* panels_ = nullptr;
   QLabel *x_, *y_, *ground_, *zoom_, *seed_, *speed_;
 };
 

@@ -413,7 +413,7 @@ void StudyPanel::openReport() {
 
 editor::PanelRegistry windowPanels() {
   editor::PanelRegistry panels = editor::standardPanels();
-  panels.add({90, QObject::tr("Study"), Qt::BottomDockWidgetArea, true, kRoom},
+  panels.add({90, QObject::tr("Study"), Qt::BottomDockWidgetArea, true, kRoom, false},
              [](editor::PanelContext& context) {
                auto* panel = new StudyPanel(context);
                QObject::connect(

@@ -87,7 +87,7 @@ class EventsPanel : public QWidget {
 }  // namespace
 
 void addEventsPanel(PanelRegistry& to) {
-  to.add({70, QObject::tr("Events"), Qt::BottomDockWidgetArea},
+  to.add(closedBelow(70, QObject::tr("Events")),
          [](PanelContext& context) { return new EventsPanel(context); });
 }
 

@@ -76,12 +76,16 @@ IssuesPanel::IssuesPanel(ScenarioDocument& document, const Theme& theme)
   stack_->addWidget(calm_);
   stack_->addWidget(table_);
   connect(table_, &QTableView::clicked, this, [this](const QModelIndex& index) {
-    const base::Diagnostic issue = issues_[static_cast<std::size_t>(index.row())];
+    if (issueAt(index.row()) == nullptr) {
+      unfold(!areHintsOpen_);
+      return;
+    }
+    const base::Diagnostic issue = *issueAt(index.row());
     isLink(index) ? mend(issue) : jump(issue);
   });
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
-    if (!isLink(index)) {
-      jump(base::Diagnostic(issues_[static_cast<std::size_t>(index.row())]));
+    if (const base::Diagnostic* issue = issueAt(index.row()); issue != nullptr && !isLink(index)) {
+      jump(base::Diagnostic(*issue));
     }
   });
   connect(table_, &QTableView::entered, this, [this](const QModelIndex& index) {
@@ -111,8 +115,39 @@ void IssuesPanel::makeTable() {
           [this] { fitRowHeights(*table_, SentenceColumn, kSentenceMargin); });
 }
 
+/// The worst stand first, behind them the row that counts the hints, then the hints.
+const base::Diagnostic* IssuesPanel::issueAt(int row) const {
+  if (row == count()) {
+    return nullptr;
+  }
+  return &issues_[static_cast<std::size_t>(row > count() ? row - 1 : row)];
+}
+
+QString IssuesPanel::fixAt(int row) const {
+  const base::Diagnostic* issue = issueAt(row);
+  return issue == nullptr ? QString() : fixes_[static_cast<std::size_t>(issue - issues_.data())];
+}
+
 bool IssuesPanel::isLink(const QModelIndex& index) const {
-  return index.column() == FixColumn && !fixes_[static_cast<std::size_t>(index.row())].isEmpty();
+  return index.column() == FixColumn && !fixAt(index.row()).isEmpty();
+}
+
+void IssuesPanel::unfold(bool open) {
+  areHintsOpen_ = open;
+  rebuild();
+  table_->setCurrentIndex(table_->model()->index(count(), SentenceColumn));
+}
+
+void IssuesPanel::fillFold(int row) {
+  const QString icon =
+      areHintsOpen_ ? QStringLiteral("chevron-down") : QStringLiteral("chevron-right");
+  auto* fold = new QTableWidgetItem(
+      tintedIcon(icon, theme_.color(Role::TextSecondary)),
+      counted(issues_.size() - static_cast<std::size_t>(count()), tr("hint"), tr("hints")));
+  fold->setToolTip(tr("Worth knowing, nothing is wrong: a click shows or hides them"));
+  fold->setForeground(theme_.color(Role::TextSecondary));
+  table_->setItem(row, SentenceColumn, fold);
+  table_->setSpan(row, SentenceColumn, 1, IssueColumns);
 }
 
 void IssuesPanel::jump(const base::Diagnostic& issue) {
@@ -145,8 +180,11 @@ void IssuesPanel::offerMenu(const QPoint& at) {
   if (!index.isValid()) {
     return;
   }
-  const base::Diagnostic issue = issues_[static_cast<std::size_t>(index.row())];
-  const QString words = fixes_[static_cast<std::size_t>(index.row())];
+  if (issueAt(index.row()) == nullptr) {
+    return;
+  }
+  const base::Diagnostic issue = *issueAt(index.row());
+  const QString words = fixAt(index.row());
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->addAction(tr("Show"), this, [this, issue] { jump(issue); });
@@ -201,20 +239,26 @@ void IssuesPanel::rebuild() {
   fixes_.clear();
   table_->clearSpans();
   table_->setRowCount(0);  // nothing stays selected
-  table_->setRowCount(static_cast<int>(issues_.size()));
+  const int serious = count(), total = static_cast<int>(issues_.size());
+  const bool areHints = total > serious;
+  table_->setRowCount(areHintsOpen_ && areHints ? total + 1 : serious + (areHints ? 1 : 0));
   for (const base::Diagnostic& issue : issues_) {
     const std::optional<Fix> fix = fixFor(document_, issue);
     fixes_.push_back(fix ? fix->words : QString());
-    fillRow(static_cast<int>(fixes_.size()) - 1);
+    const int place = static_cast<int>(fixes_.size()) - 1;
+    if (place < serious || areHintsOpen_) {
+      fillRow(place < serious ? place : place + 1, issue, fixes_.back());
+    }
+  }
+  if (areHints) {
+    fillFold(serious);
   }
   fit_.start();
   stack_->setCurrentIndex(issues_.empty() ? 0 : 1);
   Q_EMIT countChanged(count());
 }
 
-void IssuesPanel::fillRow(int row) {
-  const base::Diagnostic& issue = issues_[static_cast<std::size_t>(row)];
-  const QString& fix = fixes_[static_cast<std::size_t>(row)];
+void IssuesPanel::fillRow(int row, const base::Diagnostic& issue, const QString& fix) {
   const QString text = QString::fromStdString(issue.text());
   const QString place = placeOf(issue, QFileInfo(document_.path()).fileName());
   auto* sentence = new QTableWidgetItem(icons_.at(static_cast<std::size_t>(issue.severity)),
@@ -247,11 +291,13 @@ bool IssuesPanel::hasErrors() const {
 }
 
 void addIssuesPanel(PanelRegistry& to) {
-  to.add({50, QObject::tr("Issues"), Qt::BottomDockWidgetArea}, [](PanelContext& context) {
+  to.add(closedBelow(50, QObject::tr("Issues")), [](PanelContext& context) {
     auto* panel = new IssuesPanel(context.document, context.theme());
     QObject::connect(&context, &PanelContext::themeChanged, panel, &IssuesPanel::setTheme);
-    QObject::connect(panel, &IssuesPanel::countChanged, &context,
-                     [&context, panel](int count) { Q_EMIT context.counted(panel, count); });
+    QObject::connect(panel, &IssuesPanel::countChanged, &context, [&context, panel](int count) {
+      const auto worst = panel->hasErrors() ? base::Severity::Error : base::Severity::Warning;
+      Q_EMIT context.counted(panel, count, worst);
+    });
     QObject::connect(panel, &IssuesPanel::entityWanted, &context.view, &MapView::centerOnEntity);
     QObject::connect(panel, &IssuesPanel::fileWanted, &context, &PanelContext::fileWanted);
     QObject::connect(panel, &IssuesPanel::goalsWanted, &context, &PanelContext::goalsWanted);

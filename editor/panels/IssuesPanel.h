@@ -20,7 +20,7 @@ QString issueSentence(const base::Diagnostic& issue);
 
 /// What is wrong with the scenario, live, and what could not be read. A click selects the thing it
 /// is about or shows the line of the file; the link at the end of a row mends it, which is one
-/// undoable step.
+/// undoable step. Hints are folded to their number.
 class IssuesPanel : public QWidget {
   Q_OBJECT
  public:
@@ -43,7 +43,11 @@ class IssuesPanel : public QWidget {
  private:
   void makeTable();
   void rebuild();
-  void fillRow(int row);
+  void fillRow(int row, const base::Diagnostic& issue, const QString& fix);
+  const base::Diagnostic* issueAt(int row) const;  // null: the row that folds hints
+  QString fixAt(int row) const;
+  void unfold(bool open);
+  void fillFold(int row);
   bool isLink(const QModelIndex& index) const;
   void jump(const base::Diagnostic& issue);
   void mend(const base::Diagnostic& issue);
@@ -55,6 +59,7 @@ class IssuesPanel : public QWidget {
   base::Diagnostics action_;
   base::Diagnostics issues_;    // as shown, the worst first
   std::vector<QString> fixes_;  // what mends each, in words; empty: nothing does
+  bool areHintsOpen_ = false;   // else one row counts them
   QStackedLayout* stack_;
   QTableWidget* table_;
   QLabel* calm_;

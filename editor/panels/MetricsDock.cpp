@@ -7,7 +7,6 @@
 #include <QHeaderView>
 #include <QPainter>
 #include <QScopedValueRollback>
-#include <QSplitter>
 #include <QStyledItemDelegate>
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
@@ -19,6 +18,7 @@
 #include <qwt_scale_widget.h>
 
 #include "editor/look/Form.h"
+#include "editor/panels/MetricsChoice.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
 
@@ -28,9 +28,10 @@ namespace {
 
 constexpr int kLeastMargin = 12;  // of a plot, at the right [px]
 constexpr int kCellPadding = 20;
-constexpr int kPlotFrom = 520;  // width of the dock [px]
+constexpr int kPlotFrom = 520;  // width of what is measured [px]
 constexpr int kCourseFrom = 340;
 constexpr int kPointsShown = 120;
+constexpr int kChoiceWidth = 280;
 
 /// Of the live table.
 enum MetricColumn { NameColumn, NowColumn, UnitColumn, CourseColumn, MetricColumns };
@@ -226,7 +227,9 @@ class SparklineDelegate : public QStyledItemDelegate {
 MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Theme& theme)
     : feed_(feed),
       sparkline_(new SparklineDelegate(feed, this)),
-      stack_(new QStackedLayout(this)),
+      parts_(new QSplitter(Qt::Horizontal, this)),
+      choose_(new QToolButton(this)),
+      stack_(new QStackedLayout),
       table_(new QTableWidget(0, MetricColumns, this)),
       robot_(new QComboBox(this)),
       chooser_(makeChooser()),
@@ -234,7 +237,7 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
   makeTable();
   auto* both = new QSplitter(Qt::Horizontal, this);
   auto* left = new QWidget(both);
-  arranged(new QVBoxLayout(left), {}, 0, {chooser_, table_});
+  arranged(new QVBoxLayout(left), {}, 0, {table_});
   both->addWidget(plot_);
   both->setStretchFactor(0, 3);
   both->setStretchFactor(1, 2);
@@ -242,6 +245,10 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
   both->setChildrenCollapsible(true);
   stack_->addWidget(emptyState(tr("Metrics appear when a simulation runs: press Space."), this));
   stack_->addWidget(both);
+  auto* measured = new QWidget(parts_);
+  measured->setLayout(stack_);
+  parts_->setChildrenCollapsible(false);
+  arranged(new QVBoxLayout(this), {}, 0, {makeTop()})->addWidget(parts_, 1);
   connect(&feed_, &MetricsFeed::updated, this, &MetricsDock::takeSnapshot);
   connect(&feed_, &MetricsFeed::cleared, this, &MetricsDock::takeSnapshot);
   connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
@@ -256,6 +263,39 @@ MetricsDock::MetricsDock(MetricsFeed& feed, SimulationRunner& runner, const Them
     }
   });
   setTheme(theme);
+}
+
+/// Whose metrics are shown, and the way to what is measured.
+QWidget* MetricsDock::makeTop() {
+  auto* top = new QWidget(this);
+  choose_->setCheckable(true);
+  choose_->setAutoRaise(true);
+  choose_->setFixedHeight(kListRowHeight);
+  choose_->setToolTip(tr("Choose what is measured"));
+  choose_->hide();
+  auto* row = arranged(new QHBoxLayout(top), {0, 0, 8, 0}, 0, {chooser_});
+  row->addStretch(1);
+  row->addWidget(choose_);
+  connect(choose_, &QToolButton::toggled, this, [this](bool on) {
+    choice_->setVisible(on);
+    parts_->setSizes({kChoiceWidth, std::max(kChoiceWidth, width() - kChoiceWidth)});
+    giveRoom();
+  });
+  return top;
+}
+
+void MetricsDock::setChoice(MetricsChoice& choice) {
+  choice_ = &choice;
+  choice.hide();
+  parts_->insertWidget(0, &choice);
+  parts_->setStretchFactor(0, 0);
+  parts_->setStretchFactor(1, 1);
+  const auto tell = [this](const QString& count) {
+    choose_->setText(tr("%1 measured · Choose…").arg(count));
+  };
+  connect(&choice, &MetricsChoice::countChanged, this, tell);
+  tell(choice.count());
+  choose_->show();
 }
 
 /// Whose metrics the table shows.
@@ -296,10 +336,15 @@ void MetricsDock::fillChooser() {
 }
 
 /// In a narrow dock the names have the room: first the plot goes, then the courses.
+void MetricsDock::giveRoom() {
+  const int room = width() - (choose_->isChecked() ? kChoiceWidth : 0);
+  plot_->setHidden(room < kPlotFrom);
+  table_->setColumnHidden(CourseColumn, room < kCourseFrom);
+}
+
 void MetricsDock::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  plot_->setHidden(width() < kPlotFrom);
-  table_->setColumnHidden(CourseColumn, width() < kCourseFrom);
+  giveRoom();
 }
 
 void MetricsDock::makeTable() {
@@ -426,9 +471,13 @@ void MetricsDock::showSelected() {
 }
 
 void addMetricsDock(PanelRegistry& to) {
-  to.add({60, QObject::tr("Metrics"), Qt::BottomDockWidgetArea}, [](PanelContext& context) {
+  to.add(closedBelow(60, QObject::tr("Metrics")), [](PanelContext& context) {
     auto* panel = new MetricsDock(context.feed, context.runner, context.theme());
+    auto* choice = new MetricsChoice(context.document, context.feed, context.theme());
+    panel->setChoice(*choice);
     QObject::connect(&context, &PanelContext::themeChanged, panel, &MetricsDock::setTheme);
+    QObject::connect(&context, &PanelContext::themeChanged, choice, &MetricsChoice::setTheme);
+    QObject::connect(choice, &MetricsChoice::saved, &context, &PanelContext::problemsFound);
     return panel;
   });
 }

@@ -2,8 +2,10 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QSplitter>
 #include <QStackedLayout>
 #include <QTableWidget>
+#include <QToolButton>
 
 #include "editor/look/Theme.h"
 #include "editor/panels/MetricsFeed.h"
@@ -15,6 +17,7 @@ class QwtPlotMarker;
 
 namespace editor {
 
+class MetricsChoice;
 class SparklineDelegate;
 
 /// One metric over time, with a line at the moment that is shown.
@@ -46,13 +49,18 @@ class MetricsDock : public QWidget {
   void setTheme(const Theme& theme);
   QTableView& table() const { return *table_; }
   QComboBox& robot() const { return *robot_; }  // hidden unless the run has several
+  /// What is measured, beside the table when it is asked for.
+  void setChoice(MetricsChoice& choice);
+  QToolButton& choose() const { return *choose_; }  // shows and hides it
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void makeTable();
+  QWidget* makeTop();
   QWidget* makeChooser();
+  void giveRoom();
   void fillChooser();
   void takeSnapshot();
   void fillRows();
@@ -65,6 +73,9 @@ class MetricsDock : public QWidget {
   MetricsFeed& feed_;
   QColor pale_;
   SparklineDelegate* sparkline_;
+  QSplitter* parts_;  // the choice, what is measured
+  QWidget* choice_ = nullptr;
+  QToolButton* choose_;
   QStackedLayout* stack_;
   QTableWidget* table_;
   QComboBox* robot_;

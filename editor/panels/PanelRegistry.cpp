@@ -13,6 +13,11 @@ void PanelRegistry::add(PanelInfo info, Make make) {
   entries_.insert(after, {std::move(info), std::move(make)});
 }
 
+PanelInfo closedBelow(int order, const QString& title) {
+  constexpr int kRoom = 232;
+  return {order, title, Qt::BottomDockWidgetArea, true, kRoom, false};
+}
+
 PanelRegistry standardPanels() {
   PanelRegistry registry;
   addAllPanels(registry);

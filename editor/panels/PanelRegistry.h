@@ -35,9 +35,10 @@ class PanelContext : public QObject {
  Q_SIGNALS:
   void themeChanged(const editor::Theme& theme);
   void problemsFound(const base::Diagnostics& problems);  // by an action; for the list of issues
-  void counted(QWidget* panel, int count);                // told behind its title
-  void fileWanted(const QString& file, int line);         // is to be shown
-  void goalsWanted();                                     // for the people who are selected
+  /// Told behind the title of the panel, and beside its switch with the mark of the worst of them.
+  void counted(QWidget* panel, int count, base::Severity worst = base::Severity::Info);
+  void fileWanted(const QString& file, int line);  // is to be shown
+  void goalsWanted();                              // for the people who are selected
 };
 
 /// Where a panel is found.
@@ -45,9 +46,13 @@ struct PanelInfo {
   int order = 0;  // ascending in the menu and in its area
   QString title;  // in lower case also its name for --dock
   Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
-  bool isTab = true;  // one of the tabs of its area; else below what is there
-  int room = 0;       // height that its area gets when it is first looked at [px]; 0: as it is
+  bool isTab = true;   // one of the tabs of its area; else below what is there
+  int room = 0;        // height that its area gets when it is first looked at [px]; 0: as it is
+  bool isOpen = true;  // at first
 };
+
+/// A panel below the canvas that is closed until it is asked for: the map has the room.
+PanelInfo closedBelow(int order, const QString& title);
 
 /// The panels that there are, in their order. Each file `panels/<Name>Panel.cpp` adds its own by a
 /// function void add<Name>Panel(PanelRegistry&), which CMake finds.

@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kPictureSize = 36;
 constexpr int kLeastPage = 48;
+constexpr int kLeastBody = 120;
 
 /// "1 → 2 → 3": the first ones.
 QString firstGoals(const std::vector<int>& goals) {
@@ -93,11 +94,14 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
   later_->hide();
   auto* top = arranged(new QHBoxLayout, {12, 12, 12, 12}, 12, {picture_});
   top->addLayout(arranged(new QVBoxLayout, {}, 0, {name_, about_}), 1);
+  auto* body = new QWidget(this);
+  arranged(new QVBoxLayout(body), {}, 0, {now_, later_})->addWidget(stack_, 1);
+  auto* low = scrollArea(body, this);  // in windows so low that the moment of a run needs all of it
+  low->setMinimumHeight(kLeastBody);
   auto* layout = arranged(new QVBoxLayout(this), {}, 0);
   layout->addLayout(top);
-  for (QWidget* part : std::initializer_list<QWidget*>{dividerLine(this), now_, later_, stack_}) {
-    layout->addWidget(part, part == stack_ ? 1 : 0);
-  }
+  layout->addWidget(dividerLine(this));
+  layout->addWidget(low, 1);
   pages_ = entityPages(document, theme);
   for (const auto& [kind, page] : pages_) {
     stack_->addWidget(scrollArea(page, stack_));
@@ -266,26 +270,27 @@ void PropertyPanel::showNow() {
 }
 
 void addPropertyPanel(PanelRegistry& to) {
-  to.add({30, QObject::tr("Properties"), Qt::RightDockWidgetArea}, [](PanelContext& context) {
-    auto* panel = new PropertyPanel(context.document, context.theme());
-    QObject::connect(&context, &PanelContext::themeChanged, panel, &PropertyPanel::setTheme);
-    if (context.drive != nullptr) {
-      panel->offerDrive(context.drive);
-    }
-    QObject::connect(&context.runner, &SimulationRunner::frameShown, panel,
-                     [panel, &runner = context.runner](const FramePtr& frame) {
-                       panel->showFrame(frame, runner.isRecorded());
-                     });
-    const MapScene& scene = context.view.mapScene();
-    QObject::connect(
-        &scene, &MapScene::guestChanged, panel, [panel, &scene, &runner = context.runner] {
-          const auto header =
-              runner.recording() && scene.guest() ? runner.recording()->header() : nullptr;
-          const auto* guest = header ? header->human(*scene.guest()) : nullptr;
-          panel->setGuest(guest ? std::optional(*guest) : std::nullopt);
-        });
-    return panel;
-  });
+  to.add({30, QObject::tr("Properties"), Qt::RightDockWidgetArea, false},
+         [](PanelContext& context) {
+           auto* panel = new PropertyPanel(context.document, context.theme());
+           QObject::connect(&context, &PanelContext::themeChanged, panel, &PropertyPanel::setTheme);
+           if (context.drive != nullptr) {
+             panel->offerDrive(context.drive);
+           }
+           QObject::connect(&context.runner, &SimulationRunner::frameShown, panel,
+                            [panel, &runner = context.runner](const FramePtr& frame) {
+                              panel->showFrame(frame, runner.isRecorded());
+                            });
+           const MapScene& scene = context.view.mapScene();
+           QObject::connect(
+               &scene, &MapScene::guestChanged, panel, [panel, &scene, &runner = context.runner] {
+                 const auto header =
+                     runner.recording() && scene.guest() ? runner.recording()->header() : nullptr;
+                 const auto* guest = header ? header->human(*scene.guest()) : nullptr;
+                 panel->setGuest(guest ? std::optional(*guest) : std::nullopt);
+               });
+           return panel;
+         });
 }
 
 }  // namespace editor

@@ -283,7 +283,7 @@ void ScenarioPanel::switchEye(const QModelIndex& index) {
 }
 
 void addScenarioPanel(PanelRegistry& to) {
-  to.add({10, QObject::tr("Scenario"), Qt::LeftDockWidgetArea, false}, [](PanelContext& context) {
+  to.add({10, QObject::tr("Scenario"), Qt::RightDockWidgetArea, false}, [](PanelContext& context) {
     auto* panel = new ScenarioPanel(context.document, context.theme());
     QObject::connect(&context, &PanelContext::themeChanged, panel, &ScenarioPanel::setTheme);
     QObject::connect(&context.runner, &SimulationRunner::stateChanged, panel,

@@ -70,7 +70,7 @@ class SessionProcess : public QProcess {
 /// Processes of a session that live.
 inline QStringList membersOf(qint64 session) {
   QStringList found;
-  for (const QString& name : QDir(text("/proc")).entryList(QDir::Dirs)) {
+  for (const QString& name : QDir(text("/proc")).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
     const QByteArray stat = outside::bytesOf(text("/proc/") + name + text("/stat"));
     const QList<QByteArray> words = stat.mid(stat.lastIndexOf(')') + 2).split(' ');
     if (words.size() > 3 && words[0] != "Z" && words[3].toLongLong() == session) {

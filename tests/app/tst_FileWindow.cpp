@@ -251,11 +251,14 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     restartRemembering();
     const QString file = copyOfDemo();
     QVERIFY(window_->open(file));
-    window_->docks().dock(QStringLiteral("measure"))->hide();
+    QVERIFY(window_->docks().dock(QStringLiteral("events"))->isHidden());
+    window_->docks().toggleOf(*window_->docks().dock(QStringLiteral("events")))->trigger();
+    window_->docks().toggleOf(*window_->docks().dock(QStringLiteral("scenario")))->trigger();
     QVERIFY(window_->close());
     restartRemembering();
     QVERIFY(window_->open(file));
-    QVERIFY(window_->docks().dock(QStringLiteral("measure"))->isHidden());
+    QVERIFY(window_->docks().dock(QStringLiteral("scenario"))->isHidden());
+    QVERIFY(window_->docks().dock(QStringLiteral("events"))->isVisible());
     QVERIFY(window_->docks().dock(QStringLiteral("properties"))->isVisible());
   }
 

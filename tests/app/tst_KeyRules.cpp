@@ -9,7 +9,8 @@
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/IssuesPanel.h"
-#include "editor/panels/MetricsChoicePanel.h"
+#include "editor/panels/MetricsChoice.h"
+#include "editor/panels/MetricsDock.h"
 #include "editor/panels/PropertyPanel.h"
 #include "editor/panels/RouteEditor.h"
 #include "editor/panels/ScenarioPanel.h"
@@ -262,11 +263,10 @@ class KeyRulesTest : public QObject {
       document().checkNow();
       wanted = window_->docks().panel<editor::IssuesPanel>().findChild<QAbstractItemView*>();
     } else if (where == QLatin1String("metrics")) {
-      raise(QStringLiteral("measure"));
       wanted = &metrics();
     } else if (where == QLatin1String("values")) {
       raise(QStringLiteral("metrics"));
-      wanted = window_->docks().dock(QStringLiteral("metrics"))->findChild<QAbstractItemView*>();
+      wanted = &window_->docks().panel<editor::MetricsDock>().table();
     } else if (where == QLatin1String("number")) {
       wanted = someNumber();
     } else if (where == QLatin1String("time line")) {
@@ -279,7 +279,9 @@ class KeyRulesTest : public QObject {
     QVERIFY2(wanted->hasFocus(), qPrintable(where));
   }
   QTreeWidget& metrics() {
-    return *window_->docks().panel<editor::MetricsChoicePanel>().findChild<QTreeWidget*>();
+    raise(QStringLiteral("metrics"));
+    window_->docks().panel<editor::MetricsDock>().choose().setChecked(true);
+    return *window_->docks().panel<editor::MetricsChoice>().findChild<QTreeWidget*>();
   }
   void raise(const QString& dock) {
     window_->docks().dock(dock)->show();

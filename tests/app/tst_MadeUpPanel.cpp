@@ -63,7 +63,7 @@ class MadeUpPanelTest : public QObject {
     QVERIFY(!window_->docks().panel<editor::IssuesPanel>().isVisible());
     bool isInMenu = false;
     for (const QAction* each : window_->menuBar()->actions()) {
-      isInMenu |= each->menu()->actions().contains(dock->toggleViewAction());
+      isInMenu |= each->menu()->actions().contains(window_->docks().toggleOf(*dock));
     }
     QVERIFY(isInMenu);
   }
@@ -72,7 +72,8 @@ class MadeUpPanelTest : public QObject {
     QDockWidget* dock = window_->docks().dock(QStringLiteral("headcount"));
     QCOMPARE(window_->findChild<QLabel*>(QStringLiteral("headcount"))->text(), QStringLiteral("8"));
     QCOMPARE(dock->windowTitle(), QStringLiteral("Headcount  8"));
-    QCOMPARE(dock->toggleViewAction()->text(), QStringLiteral("Headcount"));
+    QCOMPARE(window_->docks().toggleOf(*dock)->text(), QStringLiteral("Headcount"));
+    QCOMPARE(window_->docks().toggleOf(*dock)->iconText(), QStringLiteral("Headcount  8"));
     window_->setTheme(editor::Theme::dark());
     QCOMPARE(dock->widget()->palette().color(QPalette::Base),
              editor::Theme::dark().palette().color(QPalette::Base));

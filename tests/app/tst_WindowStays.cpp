@@ -1,5 +1,6 @@
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QToolBar>
 #include <QToolButton>
@@ -98,6 +99,69 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     }
   }
 
+  /// The map comes first: no less than three fifths of the window, while editing and in a run.
+  void map_byDefault_hasThreeFifthsOfTheWindow() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    const QWidget& map = *window_->workspace().view().viewport();
+    for (const QSize& size : {QSize(1280, 800), QSize(1920, 1080)}) {
+      window_->resize(size);
+      window_->workspace().runner().reset();
+      QTRY_COMPARE(window_->size(), size);
+      QTRY_VERIFY2(5 * map.width() * map.height() >= 3 * size.width() * size.height(),
+                   qPrintable(QStringLiteral("%1 x %2").arg(map.width()).arg(map.height())));
+      window_->workspace().runner().stepOnce();
+      QTRY_VERIFY(window_->workspace().scene().isRunMode());
+      QVERIFY(5 * map.width() * map.height() >= 3 * size.width() * size.height());
+    }
+  }
+
+  void panels_byTheirKeys_openComeToTheFrontAndClose() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    window_->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    const auto press = [this](Qt::Key key, Qt::KeyboardModifier with = Qt::AltModifier) {
+      QTest::keyClick(window_->windowHandle(), key, with);
+      QCoreApplication::processEvents();
+    };
+    QDockWidget* issues = window_->docks().dock(utf8("issues"));
+    QDockWidget* metrics = window_->docks().dock(utf8("metrics"));
+    QVERIFY(issues->isHidden() && metrics->isHidden());
+    press(Qt::Key_5);
+    QVERIFY(!metrics->isHidden() && !metrics->visibleRegion().isEmpty());
+    press(Qt::Key_4);
+    QVERIFY(!issues->visibleRegion().isEmpty() && metrics->visibleRegion().isEmpty());
+    press(Qt::Key_5);  // it is behind the issues
+    QVERIFY(!metrics->visibleRegion().isEmpty() && issues->visibleRegion().isEmpty());
+    press(Qt::Key_5);
+    QVERIFY(metrics->isHidden() && !issues->visibleRegion().isEmpty());
+    press(Qt::Key_F9, Qt::NoModifier);
+    for (const QDockWidget* dock : window_->docks().all()) {
+      QVERIFY2(dock->isHidden(), qPrintable(dock->windowTitle()));
+    }
+    press(Qt::Key_F9, Qt::NoModifier);
+    QVERIFY(!issues->visibleRegion().isEmpty() && metrics->isHidden());
+    QVERIFY(window_->docks().dock(utf8("scenario"))->isVisible());
+    window_->actions().resetLayout->trigger();
+    QVERIFY(issues->isHidden());
+  }
+
+  /// Closed panels say in the status bar how much there is in them.
+  void panels_closed_areCountedInTheStatusBar() {
+    QVERIFY(window_->open(quiet::demoPath()));
+    QToolButton* issues = nullptr;
+    for (auto* each : window_->statusBar()->findChildren<QToolButton*>()) {
+      issues = each->text().startsWith(utf8("Issues")) ? each : issues;
+    }
+    QVERIFY(issues != nullptr);
+    QVERIFY(issues->isVisible() && issues->icon().isNull());
+    window_->docks().panel<editor::IssuesPanel>().setActionIssues(
+        {base::error("run.failed", {"odd"}), base::warning("run.failed", {"even"})});
+    QCOMPARE(issues->text(), utf8("Issues  2"));
+    QVERIFY(!issues->icon().isNull());
+    QTest::mouseClick(issues, Qt::LeftButton);
+    QTRY_VERIFY(window_->docks().panel<editor::IssuesPanel>().isVisible());
+  }
+
   /// A screen of 1920 x 1080 at 200 % has 960 x 540, of which the frame takes some.
   void smallScreen_timelineAndPanels_areAllInTheWindow() {
     QVERIFY(window_->open(quiet::demoPath()));
@@ -120,8 +184,11 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     const QWidget& canvas = *view.viewport();
     QCOMPARE(canvas.visibleRegion().boundingRect(),
              canvas.rect());  // it does not go on below a panel
-    window_->docks().dock(QStringLiteral("metrics"))->raise();
+    const QDockWidget& below = *window_->docks().dock(QStringLiteral("metrics"));
+    window_->docks().toggleOf(below)->trigger();
     QCoreApplication::processEvents();
+    QVERIFY(below.geometry().bottom() < bar.top());
+    QCOMPARE(window_->size(), small);
     const auto& metrics = window_->docks().panel<editor::MetricsDock>();
     QVERIFY(metrics.isVisible());
     QVERIFY2(metrics.table().columnWidth(0) >= 100,

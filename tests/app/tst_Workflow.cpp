@@ -291,6 +291,7 @@ class WorkflowTest : public QObject {
     window_->docks().panel<editor::IssuesPanel>().setActionIssues({base::error(
         "run.failed", {"odd"}, path(QStringLiteral("maps/hall.yaml")).toStdString(), 3, 1)});
     QTableView& table = window_->docks().panel<editor::IssuesPanel>().table();
+    hands_->press(Qt::Key_4, Qt::AltModifier);
     QTRY_VERIFY(table.isVisible());
     hands_->clickOn(*table.viewport(), table.visualRect(table.model()->index(0, 0)).center());
     QVERIFY(window_->viewer() != nullptr);

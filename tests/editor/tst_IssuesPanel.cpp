@@ -134,6 +134,36 @@ class IssuesPanelTest : public QObject {
     QCOMPARE(panel.table().model()->rowCount(), 2 + static_cast<int>(document.issues().size()));
   }
 
+  void hints_areFoldedToTheirNumber() {
+    ScenarioDocument document;
+    IssuesPanel panel(document, editor::Theme::light());
+    const auto hint = [](const char* says) {
+      return base::problem(base::Severity::Info, "run.failed", {says});
+    };
+    panel.resize(600, 200);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    panel.setActionIssues({hint("one"), base::warning("run.failed", {"odd"}), hint("two")});
+    const QAbstractItemModel& rows = *panel.table().model();
+    QCOMPARE(panel.count(), 1);
+    QCOMPARE(rows.rowCount(), 2);
+    QCOMPARE(rows.index(0, 0).data().toString(), QStringLiteral("Odd"));
+    QCOMPARE(rows.index(1, 0).data().toString(), QStringLiteral("2 hints"));
+    clickRow(panel.table(), 1);
+    QCOMPARE(rows.rowCount(), 4);
+    QCOMPARE(rows.index(2, 0).data().toString(), QStringLiteral("One"));
+    QCOMPARE(rows.index(3, 0).data().toString(), QStringLiteral("Two"));
+    QSignalSpy wanted(&panel, &IssuesPanel::fileWanted);
+    panel.setActionIssues(
+        {base::problem(base::Severity::Info, "run.failed", {"here"}, "a.yaml", 4)});
+    QCOMPARE(rows.rowCount(), 2);  // it stays open
+    clickRow(panel.table(), 1);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted.front().at(1).toInt(), 4);
+    clickRow(panel.table(), 0);
+    QCOMPARE(rows.rowCount(), 1);
+  }
+
   void live_unknownGoal_isToldAndSelectsThePerson() {
     ScenarioDocument document;
     document.load(personWithUnknownGoal());

@@ -5,6 +5,7 @@
 
 #include <QtTest>
 
+#include "editor/panels/MetricsChoice.h"
 #include "editor/panels/MetricsDock.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/Playback.h"
@@ -119,6 +120,29 @@ class MetricsPanelTest : public QObject {
     QTRY_VERIFY(table->rowHeight(3) < 30);
     dock.table().selectRow(rowOf(dock, QStringLiteral("path_length")));
     QVERIFY(!feed.snapshot().curves.at("path_length").times.empty());
+  }
+
+  void dock_choice_isBesideTheTableWhenAskedFor() {
+    ScenarioDocument document;
+    document.load(passing());
+    SimulationRunner runner;
+    MetricsFeed feed(document, runner);
+    MetricsDock dock(feed, runner, editor::Theme::light());
+    auto* choice = new editor::MetricsChoice(document, feed, editor::Theme::light());
+    dock.setChoice(*choice);
+    dock.resize(900, 220);
+    dock.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&dock));
+    QVERIFY(!choice->isVisible());
+    QVERIFY(dock.choose().text().startsWith(choice->count()));
+    QTest::mouseClick(&dock.choose(), Qt::LeftButton);
+    QVERIFY(choice->isVisible());
+    QVERIFY(choice->width() >= 200 && choice->width() < 400);
+    choice->chooseAll(false);
+    QVERIFY2(dock.choose().text().startsWith(QStringLiteral("0 of ")),
+             qPrintable(dock.choose().text()));
+    QTest::mouseClick(&dock.choose(), Qt::LeftButton);
+    QVERIFY(!choice->isVisible());
   }
 
   /// With several robots the dock asks whose metrics are wanted; what is selected stays.

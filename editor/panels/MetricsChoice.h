@@ -14,21 +14,23 @@ namespace editor {
 
 /// Which metrics are measured: check boxes in groups, with a search. A change counts for the live
 /// table at once; "Save" writes it into the metrics file of the scenario.
-class MetricsChoicePanel : public QWidget {
+class MetricsChoice : public QWidget {
   Q_OBJECT
  public:
-  MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& feed, const Theme& theme);
+  MetricsChoice(ScenarioDocument& document, MetricsFeed& feed, const Theme& theme);
   void setTheme(const Theme& theme);
   QTreeWidget& tree() const { return *tree_; }
   QLineEdit& search() const { return *search_; }
   void chooseAll(bool chosen);
   metrics::Selection selection() const;
+  QString count() const { return count_->text(); }  // "9 of 112"
   /// Writes the choice to the metrics file (beside the scenario, made when there is none) and names
   /// it in the scenario, which is one undoable command.
   base::Diagnostics save();
 
  Q_SIGNALS:
   void saved(const base::Diagnostics& problems);
+  void countChanged(const QString& count);
 
  private:
   void build();

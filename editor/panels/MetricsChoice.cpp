@@ -1,4 +1,4 @@
-#include "editor/panels/MetricsChoicePanel.h"
+#include "editor/panels/MetricsChoice.h"
 
 #include <algorithm>
 #include <map>
@@ -13,7 +13,6 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/look/Icons.h"
-#include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
 #include "sim2d/base/Text.h"
 
@@ -88,8 +87,7 @@ void styleChoices(QTreeWidget& tree) {
 
 }  // namespace
 
-MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& feed,
-                                       const Theme& theme)
+MetricsChoice::MetricsChoice(ScenarioDocument& document, MetricsFeed& feed, const Theme& theme)
     : document_(document),
       feed_(feed),
       search_(new QLineEdit(this)),
@@ -116,8 +114,8 @@ MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& 
   layout->addWidget(tree_, 1);
   layout->addWidget(nothing_, 1);
   build();
-  connect(search_, &QLineEdit::textChanged, this, &MetricsChoicePanel::filter);
-  connect(tree_, &QTreeWidget::itemChanged, this, &MetricsChoicePanel::giveSelection);
+  connect(search_, &QLineEdit::textChanged, this, &MetricsChoice::filter);
+  connect(tree_, &QTreeWidget::itemChanged, this, &MetricsChoice::giveSelection);
   connect(&document_, &ScenarioDocument::pathChanged, this, [this] {
     feed_.setSelection(std::nullopt);  // that of the new file
     takeSelection();
@@ -126,7 +124,7 @@ MetricsChoicePanel::MetricsChoicePanel(ScenarioDocument& document, MetricsFeed& 
   takeSelection();
 }
 
-void MetricsChoicePanel::setTheme(const Theme& theme) {
+void MetricsChoice::setTheme(const Theme& theme) {
   searchMark_->setIcon(tintedIcon(QStringLiteral("search"), theme.color(Role::TextSecondary)));
   const QSignalBlocker quiet(tree_);
   for (QTreeWidgetItemIterator each(tree_); *each != nullptr; ++each) {
@@ -134,7 +132,7 @@ void MetricsChoicePanel::setTheme(const Theme& theme) {
   }
 }
 
-void MetricsChoicePanel::build() {
+void MetricsChoice::build() {
   const QSignalBlocker quiet(tree_);
   QFont bold = font();
   bold.setWeight(QFont::DemiBold);
@@ -162,7 +160,7 @@ void MetricsChoicePanel::build() {
   }
 }
 
-void MetricsChoicePanel::takeSelection() {
+void MetricsChoice::takeSelection() {
   const QSignalBlocker quiet(tree_);
   const metrics::Selection selection = feed_.selection();
   for (QTreeWidgetItem* row : rows_) {
@@ -171,7 +169,7 @@ void MetricsChoicePanel::takeSelection() {
   showCounts();
 }
 
-metrics::Selection MetricsChoicePanel::selection() const {
+metrics::Selection MetricsChoice::selection() const {
   metrics::Selection selection = feed_.selection();
   metrics::Selection::Keys keys;
   bool all = true;
@@ -189,12 +187,12 @@ metrics::Selection MetricsChoicePanel::selection() const {
   return selection;
 }
 
-void MetricsChoicePanel::giveSelection() {
+void MetricsChoice::giveSelection() {
   showCounts();
   feed_.setSelection(selection());
 }
 
-void MetricsChoicePanel::chooseAll(bool chosen) {
+void MetricsChoice::chooseAll(bool chosen) {
   const QSignalBlocker quiet(tree_);
   for (QTreeWidgetItem* row : rows_) {
     if (!row->isHidden()) {
@@ -204,7 +202,7 @@ void MetricsChoicePanel::chooseAll(bool chosen) {
   giveSelection();
 }
 
-void MetricsChoicePanel::filter(const QString& text) {
+void MetricsChoice::filter(const QString& text) {
   std::map<QTreeWidgetItem*, bool> shown;  // by group
   for (QTreeWidgetItem* row : rows_) {
     const bool fits = row->text(0).contains(text, Qt::CaseInsensitive) ||
@@ -220,7 +218,7 @@ void MetricsChoicePanel::filter(const QString& text) {
       std::any_of(shown.begin(), shown.end(), [](const auto& each) { return each.second; }));
 }
 
-void MetricsChoicePanel::showCounts() {
+void MetricsChoice::showCounts() {
   const QSignalBlocker quiet(tree_);
   std::map<QTreeWidgetItem*, int> counts;  // by group
   for (const QTreeWidgetItem* row : rows_) {
@@ -234,9 +232,10 @@ void MetricsChoicePanel::showCounts() {
   const std::size_t total = rows_.size();
   count_->setText(tr("%1 of %2").arg(chosen).arg(total));
   count_->setToolTip(tr("%1 of %2 metrics are chosen").arg(chosen).arg(total));
+  Q_EMIT countChanged(count_->text());
 }
 
-base::Diagnostics MetricsChoicePanel::save() {
+base::Diagnostics MetricsChoice::save() {
   if (document_.path().isEmpty()) {
     return {base::error("document.save-first")};
   }
@@ -261,15 +260,6 @@ base::Diagnostics MetricsChoicePanel::save() {
         [&](ScenarioSettings& settings) { settings.desktop.metrics.file = name.toStdString(); });
   }
   return problems;
-}
-
-void addMetricsChoicePanel(PanelRegistry& to) {
-  to.add({20, QObject::tr("Measure"), Qt::LeftDockWidgetArea, false}, [](PanelContext& context) {
-    auto* panel = new MetricsChoicePanel(context.document, context.feed, context.theme());
-    QObject::connect(&context, &PanelContext::themeChanged, panel, &MetricsChoicePanel::setTheme);
-    QObject::connect(panel, &MetricsChoicePanel::saved, &context, &PanelContext::problemsFound);
-    return panel;
-  });
 }
 
 }  // namespace editor

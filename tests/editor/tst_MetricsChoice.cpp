@@ -1,13 +1,13 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "editor/panels/MetricsChoicePanel.h"
+#include "editor/panels/MetricsChoice.h"
 
-using editor::MetricsChoicePanel;
+using editor::MetricsChoice;
 
 namespace {
 
-void setChosen(const MetricsChoicePanel& panel, const QString& key, bool chosen) {
+void setChosen(const MetricsChoice& panel, const QString& key, bool chosen) {
   for (QTreeWidgetItemIterator each(&panel.tree()); *each != nullptr; ++each) {
     if ((*each)->data(0, Qt::UserRole) == key) {
       (*each)->setCheckState(0, chosen ? Qt::Checked : Qt::Unchecked);
@@ -17,7 +17,7 @@ void setChosen(const MetricsChoicePanel& panel, const QString& key, bool chosen)
 
 }  // namespace
 
-class MetricsChoicePanelTest : public QObject {
+class MetricsChoiceTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
@@ -25,7 +25,7 @@ class MetricsChoicePanelTest : public QObject {
     editor::ScenarioDocument document;
     editor::SimulationRunner runner;
     editor::MetricsFeed feed(document, runner);
-    MetricsChoicePanel panel(document, feed, editor::Theme::light());
+    MetricsChoice panel(document, feed, editor::Theme::light());
     QVERIFY(!panel.selection().keys.has_value());
     QVERIFY(base::hasErrors(panel.save()));  // there is no file yet to lie beside
   }
@@ -34,7 +34,7 @@ class MetricsChoicePanelTest : public QObject {
     editor::ScenarioDocument document;
     editor::SimulationRunner runner;
     editor::MetricsFeed feed(document, runner);
-    MetricsChoicePanel panel(document, feed, editor::Theme::light());
+    MetricsChoice panel(document, feed, editor::Theme::light());
     setChosen(panel, QStringLiteral("path_length"), false);
     const metrics::Selection selection = feed.selection();
     QVERIFY(selection.keys.has_value());
@@ -47,7 +47,7 @@ class MetricsChoicePanelTest : public QObject {
     editor::ScenarioDocument document;
     editor::SimulationRunner runner;
     editor::MetricsFeed feed(document, runner);
-    MetricsChoicePanel panel(document, feed, editor::Theme::light());
+    MetricsChoice panel(document, feed, editor::Theme::light());
     panel.setFont(QFont(QStringLiteral("DejaVu Sans"), 9));
     panel.resize(260, 400);
     panel.show();
@@ -86,7 +86,7 @@ class MetricsChoicePanelTest : public QObject {
     editor::ScenarioDocument document;
     editor::SimulationRunner runner;
     editor::MetricsFeed feed(document, runner);
-    MetricsChoicePanel panel(document, feed, editor::Theme::light());
+    MetricsChoice panel(document, feed, editor::Theme::light());
     panel.search().setText(QStringLiteral("path_length"));
     int shown = 0;
     for (int i = 0; i < panel.tree().topLevelItemCount(); ++i) {
@@ -112,7 +112,7 @@ class MetricsChoicePanelTest : public QObject {
     QVERIFY(!base::hasErrors(document.save(path)));
     editor::SimulationRunner runner;
     editor::MetricsFeed feed(document, runner);
-    MetricsChoicePanel panel(document, feed, editor::Theme::light());
+    MetricsChoice panel(document, feed, editor::Theme::light());
     panel.chooseAll(false);
     setChosen(panel, QStringLiteral("path_length"), true);
     QVERIFY(!base::hasErrors(panel.save()));
@@ -132,7 +132,7 @@ class MetricsChoicePanelTest : public QObject {
     editor::ScenarioDocument document;
     editor::SimulationRunner runner;
     editor::MetricsFeed feed(document, runner);
-    MetricsChoicePanel panel(document, feed, editor::Theme::light());
+    MetricsChoice panel(document, feed, editor::Theme::light());
     QCOMPARE(panel.tree().topLevelItemCount(), metrics::kCategories);
     int rows = 0;
     for (int i = 0; i < panel.tree().topLevelItemCount(); ++i) {
@@ -187,7 +187,7 @@ class MetricsChoicePanelTest : public QObject {
     QVERIFY(!base::hasErrors(document.save(folder.filePath(QStringLiteral("room.yaml")))));
     editor::SimulationRunner runner;
     editor::MetricsFeed feed(document, runner);
-    MetricsChoicePanel panel(document, feed, editor::Theme::light());
+    MetricsChoice panel(document, feed, editor::Theme::light());
     QCOMPARE(static_cast<int>(panel.selection().keys->off.size()), count / 2);
     setChosen(panel, QString::fromStdString(keys[1]), true);
     QVERIFY(!base::hasErrors(panel.save()));
@@ -202,5 +202,5 @@ class MetricsChoicePanelTest : public QObject {
   }
 };
 
-QTEST_MAIN(MetricsChoicePanelTest)
-#include "tst_MetricsChoicePanel.moc"
+QTEST_MAIN(MetricsChoiceTest)
+#include "tst_MetricsChoice.moc"
