@@ -80,8 +80,9 @@ inline void layOut(const Operation& operation) {
   }
 }
 
-inline Outcome faulty(const QStringList& words, Kind kind, int at) {
-  return runFaulty(programOf(words), words, work(), scratch(), kind, at);
+inline Outcome faulty(const QStringList& words, Kind kind, int at,
+                      const QString& watched = work()) {
+  return runFaulty(programOf(words), words, watched, scratch(), kind, at);
 }
 
 /// As `evaluate` reads a folder; empty: it refuses.
@@ -278,13 +279,13 @@ inline QString wrongAfterwards(const Operation& operation, const Known& known) {
 
 /// Empty: all is as it has to be.
 inline QString faultOf(const Operation& operation, const Known& known, Kind kind, int at,
-                       Outcome& outcome) {
+                       Outcome& outcome, const QString& watched = work()) {
   layOut(operation);
   QStringList words = wordsIn(operation.words);
   if (qstrcmp(operation.name, "batch-resumed") == 0) {
     words << text("--resume");
   }
-  outcome = faulty(words, kind, at);
+  outcome = faulty(words, kind, at, watched);
   if (!outcome.left.empty()) {
     return text("left alive: ") + outcome.left.join(QLatin1Char(' '));
   }

@@ -148,17 +148,36 @@ inline Outcome runFaulty(const QString& program, const QStringList& words, const
 }
 
 /// Numbers of the calls that the log of an undisturbed run has of this kind, as "read PATH".
-inline QList<int> callsLike(const QString& scratch, Kind kind, const QRegularExpression& call) {
+/// What fails alone is counted among the calls of its file, unless that is called after the
+/// process: several processes make the others in another order each time.
+struct PlacedCall {
+  QString file;
+  int number = 0;
+};
+inline QList<PlacedCall> callsLike(const QString& scratch, Kind kind,
+                                   const QRegularExpression& call, const QString& folder) {
   const QByteArray what = kind == Kind::ReadError ? "r" : "w";
-  QList<int> numbers;
+  QStringList paths;
+  QList<PlacedCall> found;
   for (const QByteArray& line : outside::bytesOf(scratch + text("/log")).split('\n')) {
     const QList<QByteArray> words = line.split(' ');
-    if (words.size() > 4 && words[0] == what &&
-        call.match(QString::fromUtf8(words.mid(3).join(' '))).hasMatch()) {
-      numbers << words[1].toInt();
+    if (words.size() < 5 || words[0] != what) {
+      continue;
+    }
+    const QString path = QString::fromUtf8(words.mid(4).join(' '));
+    paths << path;
+    if (call.match(QString::fromUtf8(words[3]) + QLatin1Char(' ') + path).hasMatch()) {
+      const auto isOfIt = [&path](const QString& each) {
+        return each == path || each.startsWith(path + QLatin1Char('/'));
+      };
+      const auto ofIt = std::count_if(paths.begin(), paths.end(), isOfIt);
+      const bool isAlone = kind == Kind::ReadError || kind == Kind::WriteError;
+      found << (isAlone && !path.contains(QString::fromUtf8(words[2]))
+                    ? PlacedCall{path, static_cast<int>(ofIt)}
+                    : PlacedCall{folder, words[1].toInt()});
     }
   }
-  return numbers;
+  return found;
 }
 
 using Files = std::map<QString, QByteArray>;  // by their names in a folder

@@ -262,15 +262,18 @@ void FaultsTest::fault_ofOldAtItsCall_isOver() {
   const QRegularExpression call(
       text("^") +
       text(what.call).replace(QLatin1Char('@'), QRegularExpression::escape(faults::work())));
-  const QList<int> calls = faults::callsLike(faults::scratch(), what.kind, call);
+  const QList<faults::PlacedCall> calls =
+      faults::callsLike(faults::scratch(), what.kind, call, faults::work());
   QVERIFY2(calls.size() > std::max(what.later, 0), "there is no such call any more");
-  const int at = what.later == kFirst ? calls.first() : calls[calls.size() - 1 - what.later];
+  const auto [watched, at] =
+      what.later == kFirst ? calls.first() : calls[calls.size() - 1 - what.later];
   constexpr int kTrials = 60;  // two jobs make their calls in another order each time
   Outcome outcome;
   QString fault;
   for (int trial = 0; trial < kTrials && !call.match(outcome.struck).hasMatch(); ++trial) {
     const int beside = (trial % 2 == 0 ? 1 : -1) * ((trial + 1) / 2);
-    fault = faults::faultOf(operation, known, what.kind, std::max(1, at + beside), outcome);
+    fault =
+        faults::faultOf(operation, known, what.kind, std::max(1, at + beside), outcome, watched);
   }
   QVERIFY2(call.match(outcome.struck).hasMatch(), qPrintable(outcome.struck));
   QVERIFY2(fault.isEmpty(), qPrintable(fault + QLatin1Char('\n') + outcome.err));

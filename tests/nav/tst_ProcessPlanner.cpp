@@ -62,7 +62,8 @@ bool isAlive(const QByteArray& id) {
 QStringList childProcesses() {
   QStringList all;
   const QByteArray self = QByteArray::number(::getpid());
-  for (const QString& id : QDir(QStringLiteral("/proc")).entryList(QDir::Dirs)) {
+  for (const QString& id :
+       QDir(QStringLiteral("/proc")).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
     const QList<QByteArray> fields = statOf(id.toLatin1());
     if (!fields.isEmpty() && fields[1] == self) {
       all.append(id);
