@@ -170,15 +170,46 @@ void Session::steer(Steering steering) {
   order([&] { steering_ = std::move(steering); });
 }
 
+void Session::setBreakpoints(std::vector<sim2d::TreeBreakpoint> points) {
+  order([&] { breakpoints_ = std::move(points); });
+}
+
+void Session::watchEntries(std::optional<int> person) {
+  order([&] {
+    watched_ = person;
+    wantsEntries_ = true;
+  });
+}
+
 SessionNews Session::takeNews() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(news_, SessionNews());
 }
 
+/// What was asked of the trees between two steps. Under the lock.
+void Session::serve(sim2d::HumanBehavior& behavior, const sim2d::WorldView& view) {
+  if (breakpoints_) {
+    behavior.setBreakpoints(*std::exchange(breakpoints_, std::nullopt));
+  }
+  if (watched_ && std::exchange(wantsEntries_, false)) {
+    const int human = view.indexOf(*watched_);
+    news_.entries = human < 0 ? Entries() : behavior.blackboard(human);
+  }
+}
+
 /// True: the run is to end instead.
-bool Session::waitForTurn(const sim2d::World& world) {
+bool Session::waitForTurn(sim2d::World& world) {
   std::unique_lock<std::mutex> lock(mutex_);
+  const std::optional<sim2d::TreeBreak> broke = world.behavior().takeBreak();
+  if (broke && world.stepIndex() > repeatUntil_) {
+    paused_ = true;
+    stepsAllowed_ = 0;
+    restartClock_ = true;
+    news_.broke = broke;
+  }
+  wantsEntries_ = true;
   while (!stop_) {
+    serve(world.behavior(), world.view());
     if (world.stepIndex() < repeatUntil_) {
       return false;
     } else if (stepsAllowed_ > 0) {

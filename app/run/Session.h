@@ -10,14 +10,19 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "sim2d/trace/Recording.h"
 #include "sim2d/world/Runner.h"
+#include "sim2d/world/TreeBreakpoint.h"
 
 namespace app {
 
 using WorldMaker = std::function<base::Result<std::unique_ptr<sim2d::World>>()>;
 using RecordingPtr = std::shared_ptr<const sim2d::Recording>;
+
+/// Keys and values of a blackboard, as texts.
+using Entries = std::vector<std::pair<std::string, std::string>>;
 
 /// What a session has to tell, collected until somebody looks.
 struct SessionNews {
@@ -27,6 +32,8 @@ struct SessionNews {
   std::optional<double> measuredSpeed;     // [simulated s / wall s]
   std::optional<sim2d::RunResult> result;  // the run is over
   bool isStopped = false;                  // the world was not made: its map is another one now
+  std::optional<sim2d::TreeBreak> broke;   // at a breakpoint: it waits since then
+  std::optional<Entries> entries;          // of the person who is watched, after the newest step
 };
 
 /// One run of a world, the same for the commands and the window: it is stepped until its rule is
@@ -71,6 +78,9 @@ class Session {
   /// Asked before each step, in the thread that runs, for inputs of that step beside those added.
   using Steering = std::function<sim2d::StepInputs(const sim2d::Frame&)>;
   void steer(Steering steering);
+  /// It pauses after a step in which one of these is met; not while something is repeated.
+  void setBreakpoints(std::vector<sim2d::TreeBreakpoint> points);
+  void watchEntries(std::optional<int> person);  // by id
   SessionNews takeNews();
 
  private:
@@ -79,7 +89,8 @@ class Session {
   using Clock = std::chrono::steady_clock;
   template <class Change>
   void order(Change change);
-  bool waitForTurn(const sim2d::World& world);
+  bool waitForTurn(sim2d::World& world);
+  void serve(sim2d::HumanBehavior& behavior, const sim2d::WorldView& view);
   sim2d::StepInputs takeInputs(const sim2d::Frame& frame);
   void measure(double time);
   bool isDue(double time, double dt);
@@ -98,6 +109,9 @@ class Session {
   double speed_ = std::numeric_limits<double>::infinity();
   sim2d::StepInputs inputs_;
   Steering steering_;
+  std::optional<std::vector<sim2d::TreeBreakpoint>> breakpoints_;  // that the world has not got yet
+  std::optional<int> watched_;
+  bool wantsEntries_ = false;
   SessionNews news_;
   // of the thread that runs alone
   Clock::time_point wallStart_;

@@ -27,6 +27,7 @@
 #include "editor/look/HouseStyle.h"
 #include "editor/look/Icons.h"
 #include "editor/look/Later.h"
+#include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
@@ -244,7 +245,23 @@ void MainWindow::connectRun() {
     Q_EMIT docks_->context().problemsFound(remarks);
   };
   connect(&runner, &SimulationRunner::warned, this, list);
+  connect(&runner, &SimulationRunner::broke, this, &MainWindow::showBreak);
   connect(&runner, &SimulationRunner::historyCut, this, list);
+}
+
+/// The person whose tree stopped the run, with the node.
+void MainWindow::showBreak(const sim2d::TreeBreak& at) {
+  editor::ScenarioDocument& document = workspace_.document();
+  for (const sim2d::Human& human : document.scenario().humans) {
+    if (human.id == at.person) {
+      document.setSelection({human.key});
+    }
+  }
+  QDockWidget* behaviour = docks_->dock(QStringLiteral("behaviour"));
+  behaviour->show();
+  behaviour->raise();
+  editor::TreeOutline& outline = docks_->panel<editor::BehaviorPanel>().outline();
+  outline.selectNode(outline.nodeNamed(at.at.path));
 }
 
 void MainWindow::followState() {

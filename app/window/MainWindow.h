@@ -77,6 +77,7 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showIssues();
   void followState();
+  void showBreak(const sim2d::TreeBreak& at);
   void showFullScreenMap(bool on);
   void tellAbout();
   void showShortcuts();

@@ -109,8 +109,12 @@ Telling tellingOf(const SimulationRunner& runner, const QString& runEnd) {
     return {Role::WarningMark, StatusLine::tr("Finished"),
             endOf(runner) + StatusLine::tr("Space plays it again · Ctrl+R goes back to editing")};
   }
+  const QString where = runner.brokeAt()
+                            ? StatusLine::tr("Stopped at %1 · ")
+                                  .arg(QString::fromStdString(runner.brokeAt()->at.path))
+                            : QString();
   return {Role::WarningMark, StatusLine::tr("Paused"),
-          StatusLine::tr("Space runs on · . steps · Ctrl+R goes back to editing")};
+          where + StatusLine::tr("Space runs on · . steps · Ctrl+R goes back to editing")};
 }
 
 }  // namespace
@@ -156,6 +160,7 @@ StatusLine::StatusLine(QStatusBar& bar, Workspace& workspace)
           });
   connect(&runner, &SimulationRunner::stateChanged, this, &StatusLine::showState);
   connect(&runner, &SimulationRunner::lookingBackChanged, this, &StatusLine::showState);
+  connect(&runner, &SimulationRunner::broke, this, &StatusLine::showState);
   connect(&runner, &SimulationRunner::speedMeasured, this, &StatusLine::showNumbers);
   connect(&workspace_.tools(), &editor::ToolManager::statusTextChanged, this,
           &StatusLine::showState);

@@ -62,6 +62,12 @@ void TreeState::halt(const TickInput& input) {
   Ticker(*program_, *this, input).resetChild(0);
 }
 
+std::optional<bool> TreeState::truthOf(const Script& condition) const {
+  assert(condition.written.empty());
+  ScriptRunner runner(condition, slots_.get());
+  return runner.run() ? runner.truth() : std::nullopt;
+}
+
 std::vector<std::pair<std::string, std::string>> TreeState::entries() const {
   std::vector<std::pair<std::string, std::string>> all;
   for (const Program::Entry& entry : program_->entries()) {

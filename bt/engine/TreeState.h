@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,6 +75,9 @@ class TreeState {
     return store(slots_[static_cast<std::size_t>(slot)], value);
   }
   const Value& get(int slot) const { return slots_[static_cast<std::size_t>(slot)].value; }
+  /// What a script that changes nothing says of the entries; nothing: one has no value, or it is no
+  /// truth. Its slots are those of the program.
+  std::optional<bool> truthOf(const Script& condition) const;
   /// Keys and texts of what is set, in the order of the program.
   std::vector<std::pair<std::string, std::string>> entries() const;
 

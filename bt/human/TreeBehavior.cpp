@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt/human/Breakpoints.h"
 #include "bt/human/HumanContext.h"
 #include "bt/human/TreeLoader.h"
 #include "sim2d/world/StepBuffers.h"
@@ -67,6 +68,10 @@ class TreeBehavior final : public sim2d::HumanBehavior {
     society_.troubles.clear();
   }
   std::vector<std::pair<std::string, std::string>> blackboard(int human) const override;
+  void setBreakpoints(std::vector<sim2d::TreeBreakpoint> points) override {
+    breakpoints_.set(std::move(points));
+  }
+  std::optional<sim2d::TreeBreak> takeBreak() override { return breakpoints_.take(); }
 
  private:
   void grow(int count);
@@ -87,6 +92,7 @@ class TreeBehavior final : public sim2d::HumanBehavior {
   std::vector<int> order_;  // people by ascending id
   TreeChanges changes_;
   std::vector<Retired> retired_;
+  Breakpoints breakpoints_;
 };
 
 void TreeBehavior::grow(int count) {
@@ -111,6 +117,7 @@ void TreeBehavior::enter(int human, const WorldView& view) {
   if (who.tree && who.isTicking && !who.isFaulty) {
     retired_.push_back({human, *std::move(who.tree), std::move(mind)});
   }
+  breakpoints_.forget(constants.id);
   who.tree.reset();
   if (who.program) {
     who.tree = who.program->start(constants);
@@ -171,6 +178,9 @@ void TreeBehavior::tick(int human, const WorldView& view, Intents& intents) {
   who.isTicking = true;
   context.mind().isFirstTick = false;
   tellChanges(human, view, tree.statuses());
+  if (!breakpoints_.isEmpty()) {
+    breakpoints_.look(view.constants(human).id, tree);
+  }
   if (tree.fault()) {
     handleFault(human, context);
   } else {

@@ -1,12 +1,14 @@
 #include "editor/panels/BehaviorPanel.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QMenu>
 #include <QSplitter>
 
@@ -19,6 +21,7 @@
 #include "editor/look/FigurePainter.h"
 #include "editor/look/FileDialog.h"
 #include "editor/panels/BlockDialog.h"
+#include "editor/panels/BreakpointMenu.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/panels/ValueForm.h"
@@ -55,7 +58,9 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
       blockLinks_(new QWidget),
       blockForm_(new ValueForm),
       portForm_(new ValueForm),
-      hint_(emptyState(tr("Select a node above to see what it takes."), this)) {
+      hint_(emptyState(tr("Select a node above to see what it takes."), this)),
+      entriesTitle_(headingLabel(tr("Blackboard"), theme.font(9.5, QFont::DemiBold))),
+      entries_(new QTableWidget(0, 2)) {
   setMinimumWidth(300);
   stack_->addWidget(emptyState(tr("Select a person to see the behaviour tree."), this));
   stack_->addWidget(makePage());
@@ -69,6 +74,11 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
               pushPort(document_, person_, *node, port, text.toStdString());
             }
           });
+  outline_->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(outline_, &QWidget::customContextMenuRequested, this, &BehaviorPanel::offerBreakpoints);
+  connect(&runner, &SimulationRunner::breakpointsChanged, this, &BehaviorPanel::showBreakpoints);
+  connect(&runner, &SimulationRunner::entriesChanged, this, &BehaviorPanel::showEntries);
+  connect(&runner, &SimulationRunner::lookingBackChanged, this, &BehaviorPanel::showEntries);
   connect(&runner, &SimulationRunner::frameShown, this, &BehaviorPanel::showStatus);
   connect(&document_, &ScenarioDocument::selectionChanged, this, &BehaviorPanel::follow);
   connect(&document_, &ScenarioDocument::settled, this,
@@ -88,7 +98,13 @@ QWidget* BehaviorPanel::makePage() {
   makeLinks(*layout);
   hint_->setMinimumHeight(kHintHeight);
   auto* below = new QWidget;
-  arranged(new QVBoxLayout(below), {}, 0, {blockLinks_, blockForm_, portForm_, hint_})
+  entriesTitle_->setContentsMargins(12, 12, 12, 4);
+  styleTable(*entries_, tr("Blackboard"));
+  entries_->horizontalHeader()->hide();
+  entries_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  entries_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  arranged(new QVBoxLayout(below), {}, 0,
+           {blockLinks_, blockForm_, portForm_, hint_, entriesTitle_, entries_})
       ->addStretch(1);
   auto* splitter = new QSplitter(Qt::Vertical, page);
   splitter->addWidget(new WholeRows(*outline_, splitter));
@@ -146,7 +162,10 @@ void BehaviorPanel::follow() {
   for (const EntityId id : document_.selection()) {
     person_ = id.kind == EntityKind::Human ? id : person_;
   }
+  const sim2d::Human* human = document_.human(person_);
+  runner_.watchEntries(human == nullptr ? std::nullopt : std::optional<int>(human->id));
   rebuild();
+  showEntries();
 }
 
 void BehaviorPanel::showEvent(QShowEvent* event) {
@@ -171,6 +190,7 @@ void BehaviorPanel::rebuild() {
   showWords();
   showNode();
   showStatus();
+  showBreakpoints();
 }
 
 void BehaviorPanel::showWords() {
@@ -264,6 +284,56 @@ void BehaviorPanel::showStatus() {
   } else if (isVisible()) {
     outline_->showStatus(runner_.recording()->treeAt(human->id, frame->step));
   }
+}
+
+void BehaviorPanel::offerBreakpoints(const QPoint& at) {
+  const sim2d::Human* human = document_.human(person_);
+  const std::string path = outline_->nameOf(outline_->nodeAt(at));
+  if (human == nullptr || path.empty()) {
+    return;
+  }
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  fillBreakpointMenu(*menu, runner_, path, human->id, *this);
+  menu->popup(outline_->viewport()->mapToGlobal(at));
+}
+
+void BehaviorPanel::showBreakpoints() {
+  const sim2d::Human* human = document_.human(person_);
+  std::vector<sim2d::TreeBreakpoint> own;
+  if (human != nullptr) {
+    const auto& all = runner_.breakpoints();
+    std::copy_if(all.begin(), all.end(), std::back_inserter(own), [human](const auto& each) {
+      return each.person.value_or(human->id) == human->id;
+    });
+  }
+  outline_->showBreakpoints(own);
+}
+
+/// Of the newest state alone: while the past is shown they would mislead.
+void BehaviorPanel::showEntries() {
+  const std::optional<app::Entries>& entries = runner_.entries();
+  const bool isShown = entries && !entries->empty() && !runner_.isLookingBack();
+  entriesTitle_->setVisible(isShown);
+  entries_->setVisible(isShown);
+  if (!isShown) {
+    return;
+  }
+  entries_->setRowCount(static_cast<int>(entries->size()));
+  int row = 0;
+  for (const auto& [key, value] : *entries) {
+    const QString words[] = {QString::fromStdString(key), QString::fromStdString(value)};
+    for (int column = 0; column < 2; ++column) {
+      if (entries_->item(row, column) == nullptr) {
+        entries_->setItem(row, column, new QTableWidgetItem);
+      }
+      entries_->item(row, column)->setText(words[column]);
+      entries_->item(row, column)->setToolTip(words[column]);
+    }
+    entries_->item(row, 0)->setForeground(theme_.color(Role::TextSecondary));
+    ++row;
+  }
+  entries_->setFixedHeight(entries_->verticalHeader()->length() + 2);
 }
 
 void addBehaviorPanel(PanelRegistry& to) {

@@ -4,6 +4,7 @@
 
 #include <QLabel>
 #include <QStackedLayout>
+#include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -27,6 +28,7 @@ class BehaviorPanel : public QWidget {
   void setTheme(const Theme& theme);
   TreeOutline& outline() const { return *outline_; }
   EntityId person() const { return person_; }
+  QTableWidget& entries() const { return *entries_; }
   /// Takes the text of a file as the person's own tree; what is wrong with it is told and nothing
   /// is changed when it cannot be read.
   base::Diagnostics takeTreeFrom(const QString& path);
@@ -51,6 +53,9 @@ class BehaviorPanel : public QWidget {
   void showNode();
   void showStatus();
   void offerTemplates();
+  void offerBreakpoints(const QPoint& at);
+  void showBreakpoints();
+  void showEntries();
   void askForTree();
   void askForFile();
   void editBlock(const std::string& key, const QString& text);
@@ -59,7 +64,7 @@ class BehaviorPanel : public QWidget {
 
   ScenarioDocument& document_;
   Theme theme_;
-  const SimulationRunner& runner_;
+  SimulationRunner& runner_;
   std::function<QString()> folder_;
   EntityId person_;
   PersonTree tree_;
@@ -72,6 +77,8 @@ class BehaviorPanel : public QWidget {
   QWidget* blockLinks_;
   ValueForm *blockForm_, *portForm_;
   QLabel* hint_;  // while no node is chosen
+  QLabel* entriesTitle_;
+  QTableWidget* entries_;  // of the blackboard, in a run
 };
 
 }  // namespace editor

@@ -52,9 +52,26 @@ void paintMark(QPainter& painter, NodeStatus status, const Theme& theme) {
   }
 }
 
-QIcon markOf(NodeStatus status, const Theme& theme) {
-  const auto draw = [&](QPainter& painter) { paintMark(painter, status, theme); };
-  return drawnIcon(kMarkSize, draw, {3});
+/// At the corner of the mark.
+void paintBreakpoint(QPainter& painter, const Theme& theme) {
+  painter.setPen(QPen(theme.color(Role::Panel), 1.0));
+  painter.setBrush(theme.color(Role::Error));
+  painter.drawEllipse(QPointF(3.5, 12.5), 3.0, 3.0);
+}
+
+/// Without a status: no run is shown.
+QIcon markOf(const NodeStatus* status, bool isBreakpoint, const Theme& theme) {
+  const auto draw = [&](QPainter& painter) {
+    if (status != nullptr) {
+      paintMark(painter, *status, theme);
+    } else {
+      painter.translate(-kMarkSize / 2.0, -kMarkSize / 2.0);
+    }
+    if (isBreakpoint) {
+      paintBreakpoint(painter, theme);
+    }
+  };
+  return status == nullptr && !isBreakpoint ? QIcon() : drawnIcon(kMarkSize, draw, {3});
 }
 
 /// "RunOnce" -> "Run once"
@@ -160,6 +177,31 @@ void TreeOutline::showStatus(const sim2d::TreeStatuses& state) {
   }
 }
 
+void TreeOutline::showBreakpoints(const std::vector<sim2d::TreeBreakpoint>& points) {
+  if (points == breakpoints_) {
+    return;
+  }
+  breakpoints_ = points;
+  for (std::size_t node = 0; node < nodes_.size(); ++node) {
+    paintRow(node);
+  }
+}
+
+std::string TreeOutline::nameOf(int node) const {
+  const auto index = static_cast<std::size_t>(node);
+  return node < 0 || index >= names_.size() ? std::string() : names_[index];
+}
+
+int TreeOutline::nodeNamed(const std::string& name) const {
+  const auto found = std::find(names_.begin(), names_.end(), name);
+  return found == names_.end() ? -1 : static_cast<int>(found - names_.begin());
+}
+
+int TreeOutline::nodeAt(const QPoint& place) const {
+  const QTreeWidgetItem* row = itemAt(place);
+  return row == nullptr ? -1 : row->data(0, kNodeRole).toInt();
+}
+
 /// A record of a file names those only that were ticked. Empty: it is of another tree.
 std::vector<NodeStatus> TreeOutline::statusesOf(const sim2d::TreeStatuses& state) const {
   if (state.paths == nullptr || *state.paths == names_) {
@@ -185,7 +227,10 @@ void TreeOutline::paintRow(std::size_t node) {
   QTreeWidgetItem& row = *rows_[node];
   const bool shown = node < statuses_.size();
   const NodeStatus status = shown ? statuses_[node] : NodeStatus::Idle;
-  row.setIcon(0, shown ? markOf(status, theme_) : QIcon());
+  const bool stops =
+      std::any_of(breakpoints_.begin(), breakpoints_.end(),
+                  [&](const sim2d::TreeBreakpoint& point) { return point.path == names_[node]; });
+  row.setIcon(0, markOf(shown ? &status : nullptr, stops, theme_));
   const bool running = shown && status == NodeStatus::Running;
   QFont font = this->font();
   font.setWeight(running ? QFont::DemiBold : QFont::Normal);

@@ -7,6 +7,7 @@
 #include "editor/document/PersonTree.h"
 #include "editor/look/Theme.h"
 #include "sim2d/trace/Recording.h"
+#include "sim2d/world/TreeBreakpoint.h"
 
 namespace editor {
 
@@ -22,7 +23,13 @@ class TreeOutline : public QTreeWidget {
   void showTree(const PersonTree& tree);
   /// By the names of the nodes; without nodes: no run is shown.
   void showStatus(const sim2d::TreeStatuses& state);
-  const OutlineNode* current() const;  // null = none
+  /// Those that stop a run at nodes of the tree that is shown.
+  void showBreakpoints(const std::vector<sim2d::TreeBreakpoint>& points);
+  /// As records give it; empty = there is no such node.
+  std::string nameOf(int node) const;
+  int nodeNamed(const std::string& name) const;  // -1 = none
+  int nodeAt(const QPoint& place) const;         // of the viewport; -1 = none
+  const OutlineNode* current() const;            // null = none
   void selectNode(int node);
   const std::vector<OutlineNode>& nodes() const { return nodes_; }
   base::NodeStatus statusOf(int node) const;
@@ -44,6 +51,7 @@ class TreeOutline : public QTreeWidget {
   std::vector<std::string> names_;  // of the nodes, as records give them
   std::vector<QTreeWidgetItem*> rows_;
   std::vector<base::NodeStatus> statuses_;
+  std::vector<sim2d::TreeBreakpoint> breakpoints_;
 };
 
 /// "IsRobotVisible" -> "Is robot visible"; names of instances stay as they are.

@@ -100,6 +100,8 @@ void SimulationRunner::begin(RunRequest request, bool paused, sim2d::RecordedInp
   again_ = std::move(request.again);
   session_->keepHistory(request.recordEvery, historyMemory_, historyFolder_);
   session_->repeat(std::move(inputs), until);
+  session_->setBreakpoints(breakpoints_);
+  session_->watchEntries(watched_);
   session_->setPaused(paused);
   session_->setSpeed(speed_);
   const auto run = [session = session_.get(), makeWorld = std::move(request.makeWorld)] {
@@ -154,6 +156,7 @@ void SimulationRunner::play() {
     return;
   }
   seekNewest();
+  brokeAt_.reset();
   session_->setPaused(false);
   setState(State::Running);
 }
@@ -181,6 +184,7 @@ void SimulationRunner::stepOnce() {
       showState(next);
     }
   } else if (!finished_) {
+    brokeAt_.reset();
     session_->allowStep();
   }
 }
@@ -196,6 +200,8 @@ void SimulationRunner::reset() {
   again_ = {};
   finished_ = isRecorded_ = isCut_ = false;
   result_.reset();
+  brokeAt_.reset();
+  setEntries(std::nullopt);
   recording_.reset();
   newest_.reset();
   show(nullptr, false);
@@ -369,12 +375,47 @@ void SimulationRunner::poll() {
       show(newest_, false);
     }
   }
+  takeTrees(news);
   if (news.measuredSpeed) {
     measuredSpeed_ = *news.measuredSpeed;
     Q_EMIT speedMeasured(measuredSpeed_);
   }
   if (news.result) {
     takeEnd(*news.result);
+  }
+}
+
+void SimulationRunner::takeTrees(app::SessionNews& news) {
+  if (news.entries) {
+    setEntries(std::move(news.entries));
+  }
+  if (news.broke) {
+    brokeAt_ = std::move(news.broke);
+    setState(State::Paused);
+    Q_EMIT broke(*brokeAt_);
+  }
+}
+
+void SimulationRunner::setBreakpoints(std::vector<sim2d::TreeBreakpoint> points) {
+  breakpoints_ = std::move(points);
+  if (session_ != nullptr) {
+    session_->setBreakpoints(breakpoints_);
+  }
+  Q_EMIT breakpointsChanged();
+}
+
+void SimulationRunner::watchEntries(std::optional<int> person) {
+  watched_ = person;
+  if (session_ != nullptr) {
+    session_->watchEntries(person);
+  }
+  setEntries(std::nullopt);
+}
+
+void SimulationRunner::setEntries(std::optional<app::Entries> entries) {
+  if (entries != entries_) {
+    entries_ = std::move(entries);
+    Q_EMIT entriesChanged();
   }
 }
 

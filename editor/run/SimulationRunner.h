@@ -80,6 +80,16 @@ class SimulationRunner : public QObject {
   /// Inputs of each step from now on, of the run that goes on.
   void steer(app::Session::Steering steering);
 
+  /// Of this run and those that follow: it pauses where one is met.
+  void setBreakpoints(std::vector<sim2d::TreeBreakpoint> points);
+  const std::vector<sim2d::TreeBreakpoint>& breakpoints() const { return breakpoints_; }
+  /// Where it stands; none: it did not stop at a breakpoint, or has gone on.
+  const std::optional<sim2d::TreeBreak>& brokeAt() const { return brokeAt_; }
+  /// Whose blackboard is told from now on, by id.
+  void watchEntries(std::optional<int> person);
+  /// Of that person in the newest state of a run that goes on; none: nothing is known.
+  const std::optional<app::Entries>& entries() const { return entries_; }
+
   /// Shows a recorded run from its beginning; it holds states. reset() leaves it.
   void openRecorded(RecordingPtr recording);
   bool isRecorded() const { return isRecorded_; }
@@ -105,6 +115,9 @@ class SimulationRunner : public QObject {
   void stateChanged(editor::SimulationRunner::State state);
   void frameShown(std::shared_ptr<const sim2d::Frame> frame);  // at display rate; null: cleared
   void lookingBackChanged(bool lookingBack);
+  void breakpointsChanged();
+  void broke(const sim2d::TreeBreak& at);  // paused there
+  void entriesChanged();
   void speedMeasured(double factor);
   void finished(const sim2d::RunResult& result);
   void failed(const QString& reason);                     // the world stopped; last state stays
@@ -119,6 +132,8 @@ class SimulationRunner : public QObject {
              std::int64_t until = 0);
   void poll();
   void takeEnd(const sim2d::RunResult& result);
+  void takeTrees(app::SessionNews& news);
+  void setEntries(std::optional<app::Entries> entries);
   void setState(State state);
   void show(FramePtr frame, bool lookingBack);
   bool stopSession();
@@ -151,6 +166,10 @@ class SimulationRunner : public QObject {
   std::size_t historyMemory_ = sim2d::Recording::kUsualMemory;  // [B]
   std::string historyFolder_;
   std::optional<sim2d::RunResult> result_;
+  std::vector<sim2d::TreeBreakpoint> breakpoints_;
+  std::optional<sim2d::TreeBreak> brokeAt_;
+  std::optional<int> watched_;
+  std::optional<app::Entries> entries_;
   QElapsedTimer playing_;    // a recording
   double playedFrom_ = 0.0;  // [s], when `playing_` began
 };

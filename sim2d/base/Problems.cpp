@@ -624,6 +624,9 @@ constexpr ProblemText kTexts[] = {
     {"again.ends-before", "with these options the run ends at {time} s, before {wanted} s"},
     {"again.itself", "a run that it goes on from would be lost: write elsewhere"},
 
+    // Breakpoints.
+    {"breakpoint.assigns", "a condition only looks: \"{found}\" would change an entry"},
+
     // Scripts of leaves.
     {"script.empty-list", "the list of '{key}' is empty (one status at least)"},
     {"script.no-status", "{found} no status of a leaf ({known})"},

@@ -11,6 +11,7 @@
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/trace/Frame.h"
 #include "sim2d/world/Compatibility.h"
+#include "sim2d/world/TreeBreakpoint.h"
 
 namespace sim2d {
 
@@ -147,6 +148,10 @@ class HumanBehavior {
   virtual std::vector<std::pair<std::string, std::string>> blackboard(int /*human*/) const {
     return {};
   }
+  /// From the next step on, instead of those before.
+  virtual void setBreakpoints(std::vector<TreeBreakpoint> /*points*/) {}
+  /// The first that was met since the last call.
+  virtual std::optional<TreeBreak> takeBreak() { return std::nullopt; }
 };
 
 }  // namespace sim2d

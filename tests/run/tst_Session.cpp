@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <thread>
 
 #include <QtTest>
@@ -47,6 +48,8 @@ void collect(app::Session& session, app::SessionNews& all) {
   all.newest = news.newest ? news.newest : all.newest;
   all.measuredSpeed = news.measuredSpeed ? news.measuredSpeed : all.measuredSpeed;
   all.result = news.result ? news.result : all.result;
+  all.broke = news.broke ? news.broke : all.broke;
+  all.entries = news.entries ? news.entries : all.entries;
 }
 
 }  // namespace
@@ -129,6 +132,45 @@ class SessionTest : public QObject {
     collect(session, news);
     QVERIFY(news.result && news.result->status == sim2d::RunStatus::Interrupted);
     QCOMPARE(news.result->steps, std::int64_t{2});
+  }
+
+  /// The run waits after the step in which a node begins to be as wanted, once, and goes on.
+  void breakpoint_met_pausesAfterThatStep() {
+    auto world = makeWorld();
+    sim2d::Recording plain;
+    sim2d::run(**makeWorld(), {40, false}, plain);
+    const sim2d::TreeStatuses first = plain.treeAt(1, 1);
+    const auto isTicked = [](base::NodeStatus each) { return each != base::NodeStatus::Idle; };
+    const auto ticked = std::find_if(first.statuses.begin(), first.statuses.end(), isTicked);
+    QVERIFY(ticked != first.statuses.end());
+    const base::NodeStatus status = *ticked;
+    const std::string& path =
+        (*first.paths)[static_cast<std::size_t>(ticked - first.statuses.begin())];
+    app::Session session({40, false});
+    session.keepHistory(1);
+    session.setBreakpoints({{1, path, status, "id == 1"},
+                            {2, path, status, {}},
+                            {1, path, status, "id == 2"},
+                            {1, path, status, "nothing > 1"},
+                            {1, path, status, "id := 3"}});
+    session.watchEntries(1);
+    std::thread thread([&] { session.run(**world); });
+    app::SessionNews news;
+    QTRY_VERIFY((collect(session, news), news.broke.has_value()));
+    QCOMPARE(news.newest->step, std::int64_t{1});
+    QCOMPARE(news.broke->person, 1);
+    QCOMPARE(news.broke->at.path, path);
+    QCOMPARE(news.broke->at.condition, std::string("id == 1"));
+    QTRY_VERIFY((collect(session, news), news.entries.has_value()));
+    const auto isId = [](const auto& entry) { return entry.first == "id" && entry.second == "1"; };
+    QVERIFY(std::any_of(news.entries->begin(), news.entries->end(), isId));
+    news.broke.reset();
+    session.setPaused(false);
+    QTRY_VERIFY((collect(session, news), news.result.has_value() || news.broke.has_value() ||
+                                             session.history()->size() == 41));
+    thread.join();
+    QVERIFY(!news.broke);
+    QCOMPARE(session.history()->size(), std::size_t{41});
   }
 
   void setSpeed_asTheClock_isNeverAheadOfIt() {
