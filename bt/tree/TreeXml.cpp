@@ -236,9 +236,8 @@ void TreeReader::readTree(const XMLElement& element, bool needsId) {
     error(element, "tree.without-id", {element.Name()});
   } else if (tree.id.empty()) {
     tree.id = file_.mainTree.empty() ? "BehaviorTree" : file_.mainTree;
-  } else {
-    checkName(element, tree.id, "tree ID");
   }
+  checkName(element, tree.id, "tree ID");
   const int children = childCount(element);
   if (children != 1) {
     error(element, "tree.root-nodes", {tree.id, children});
