@@ -68,8 +68,8 @@ class TreeBehavior final : public sim2d::HumanBehavior {
     society_.troubles.clear();
   }
   std::vector<std::pair<std::string, std::string>> blackboard(int human) const override;
-  void setBreakpoints(std::vector<sim2d::TreeBreakpoint> points) override {
-    breakpoints_.set(std::move(points));
+  void setBreakpoints(const std::vector<sim2d::TreeBreakpoint>& points) override {
+    breakpoints_.set(points);
   }
   std::optional<sim2d::TreeBreak> takeBreak() override { return breakpoints_.take(); }
 

@@ -149,7 +149,7 @@ class HumanBehavior {
     return {};
   }
   /// From the next step on, instead of those before.
-  virtual void setBreakpoints(std::vector<TreeBreakpoint> /*points*/) {}
+  virtual void setBreakpoints(const std::vector<TreeBreakpoint>& /*points*/) {}
   /// The first that was met since the last call.
   virtual std::optional<TreeBreak> takeBreak() { return std::nullopt; }
 };
