@@ -101,9 +101,9 @@ Telling tellingOf(const SimulationRunner& runner, const QString& runEnd) {
   if (runner.state() == SimulationRunner::State::Running) {
     const QString end =
         runEnd.isEmpty() ? runEnd : editor::capitalized(runEnd) + QStringLiteral(" · ");
-    return {Role::Ok, StatusLine::tr("Running"),
-            end + StatusLine::tr("Space pauses · Click a person to watch them · Drag the timeline "
-                                 "to look back")};
+    return {
+        Role::Ok, StatusLine::tr("Running"),
+        end + StatusLine::tr("Space pauses · Click a person to watch · Drag the timeline back")};
   }
   if (runner.isFinished()) {
     return {Role::WarningMark, StatusLine::tr("Finished"),
