@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// Parameters of Nav2 as tables: each component is a plain struct with the defaults of Nav2's code
+/// (not those of its bringup files), and one row per key. Who reads a file, checks one, shows a
+/// form or writes a page goes over the rows.
+namespace sim2d::nav2 {
+
+/// Whose defaults, formulas and names count.
+enum class Distro : std::uint8_t { Humble, Jazzy, Main };
+
+/// In which of them a key exists: a sum of these.
+constexpr unsigned kHumble = 1, kJazzy = 2, kMain = 4;
+constexpr unsigned kSinceJazzy = kJazzy | kMain, kUntilJazzy = kHumble | kJazzy;
+constexpr unsigned kEveryDistro = kHumble | kJazzy | kMain;
+
+inline bool isIn(unsigned distros, Distro distro) {
+  return (distros >> static_cast<unsigned>(distro) & 1U) != 0;
+}
+
+/// A key that has an effect here. ROS 2 takes a value of the very type only: 1 is no double.
+template <class Parameters>
+struct Nav2Key {
+  using Member = std::variant<double Parameters::*, int Parameters::*, bool Parameters::*,
+                              std::string Parameters::*, std::vector<double> Parameters::*,
+                              std::vector<std::string> Parameters::*>;
+  const char* name;  // below the component's own: "desired_linear_vel", "smoother.w_data"
+  Member member;
+  const char* unit;     // "m", "rad/s", "" for none
+  const char* meaning;  // a sentence
+  unsigned distros = kEveryDistro;
+};
+
+/// A key that is known and does nothing here, and why: "no TF here".
+struct IdleKey {
+  const char* name;
+  const char* why;
+};
+
+}  // namespace sim2d::nav2
