@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim2d/nav/nav2/Costmap.h"
+#include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/global/GlobalPlanners.h"
+
+/// Smoothers of Nav2 (nav2_core::Smoother): a path made smoother, between the same ends.
+namespace sim2d::nav2 {
+
+/// With the numbers of nav2_msgs/action/SmoothPath.
+enum class SmoothError : std::uint16_t {
+  None = 0,
+  Unknown = 500,
+  InvalidSmoother = 501,
+  Timeout = 502,
+  SmoothedPathInCollision = 503,
+  FailedToSmoothPath = 504,
+  InvalidPath = 505,  // an empty one
+};
+const char* smoothErrorName(SmoothError error);
+const char* smoothErrorWords(SmoothError error);
+
+/// nav2_smoother::SimpleSmoother.
+struct SimpleSmootherParameters {
+  double tolerance = 1e-10;  // sum of changes of a sweep that ends it [m]
+  int maxIts = 1000;         // sweeps
+  double wData = 0.2;        // pull to the path as it was
+  double wSmooth = 0.3;      // pull to the middle of the neighbours
+  bool doRefinement = true;
+  int refinementNum = 2;  // how often the result is smoothed again; Humble: 4
+  bool enforcePathInversion = true;
+};
+
+/// nav2_smoother::SavitzkyGolaySmoother: polynomials through a window.
+struct SavitzkyGolayParameters {
+  bool doRefinement = true;
+  int refinementNum = 2;
+  bool enforcePathInversion = true;
+  int windowSize = 7;  // poses, odd
+  int polyOrder = 3;
+};
+
+/// smoother_server itself.
+struct SmootherServerParameters {
+  std::vector<std::string> smootherPlugins = {"simple_smoother"};
+};
+
+const std::vector<Nav2Key<SimpleSmootherParameters>>& keysOf(const SimpleSmootherParameters&);
+const std::vector<Nav2Key<SavitzkyGolayParameters>>& keysOf(const SavitzkyGolayParameters&);
+const std::vector<Nav2Key<SmootherServerParameters>>& keysOf(const SmootherServerParameters&);
+const std::vector<IdleKey>& idleKeysOf(const SimpleSmootherParameters&);
+const std::vector<IdleKey>& idleKeysOf(const SavitzkyGolayParameters&);
+const std::vector<IdleKey>& idleKeysOf(const SmootherServerParameters&);
+
+struct SmoothResult {
+  SmoothError error = SmoothError::None;
+  Path path;                 // with Timeout the path as it came; empty with other errors
+  bool wasCompleted = true;  // false: some part stayed as it was
+};
+
+class PathSmoother {
+ public:
+  PathSmoother() = default;
+  virtual ~PathSmoother() = default;
+  PathSmoother(const PathSmoother&) = delete;
+  PathSmoother& operator=(const PathSmoother&) = delete;
+  PathSmoother(PathSmoother&&) = delete;
+  PathSmoother& operator=(PathSmoother&&) = delete;
+
+  /// `maxDuration` [s] of SmoothPath is a limit of sweeps here: `kSweepedPosesPerSecond` poses.
+  virtual SmoothResult smooth(const Path& path, const Costmap& costmap,
+                              double maxDuration) const = 0;
+};
+constexpr double kSweepedPosesPerSecond = 2e7;
+
+using PathSmootherParameters = std::variant<SimpleSmootherParameters, SavitzkyGolayParameters>;
+PluginAnswer<PathSmootherParameters> pathSmootherPlugin(const std::string& className,
+                                                        Distro distro);
+std::vector<std::string> pathSmootherPluginNames();
+std::vector<std::string> complaintsAbout(const PathSmootherParameters& parameters);
+std::unique_ptr<PathSmoother> makePathSmoother(const PathSmootherParameters& parameters,
+                                               Distro distro);
+
+}  // namespace sim2d::nav2
