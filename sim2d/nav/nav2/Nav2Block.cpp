@@ -1,0 +1,36 @@
+#include "sim2d/nav/nav2/Nav2Block.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace sim2d::nav2 {
+
+const char* nav2TypeName(const Nav2Value& value) {
+  static constexpr const char* kNames[] = {"double", "integer",      "bool",
+                                           "string", "double_array", "string_array"};
+  return kNames[value.index()];
+}
+
+const Nav2Keys::Row* Nav2Keys::find(std::string_view name, Distro distro) const {
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) {
+    return row.name == name && isIn(row.distros, distro);
+  });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+std::string pluginName(std::string_view spelling) {
+  std::string name(spelling);
+  for (std::size_t slash = name.find('/'); slash != std::string::npos; slash = name.find('/')) {
+    name.replace(slash, 1, "::");
+  }
+  return name;
+}
+
+base::Diagnostic wrongType(const std::string& key, const Nav2Value& wanted,
+                           const Nav2Value& found) {
+  return base::error("nav2.wrong-type", {key, nav2TypeName(wanted), nav2TypeName(found)});
+}
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "sim2d/base/Result.h"
+#include "sim2d/nav/nav2/Nav2Key.h"
+
+/// Parameters of a component whose struct the caller does not know: a plugin's block of a file.
+namespace sim2d::nav2 {
+
+/// In the order of `Nav2Key::Member`.
+using Nav2Value =
+    std::variant<double, int, bool, std::string, std::vector<double>, std::vector<std::string>>;
+const char* nav2TypeName(const Nav2Value& value);  // "double", "integer" … as ROS 2 says it
+
+/// What is given for a component, by key: "desired_linear_vel", "BaseObstacle.scale". Keys lie
+/// below the component's own name.
+using Nav2Block = std::map<std::string, Nav2Value>;
+
+/// Keys of a component.
+struct Nav2Keys {
+  struct Row {
+    std::string name;
+    Nav2Value fallback;  // Nav2's own
+    std::string unit, meaning;
+    unsigned distros = kEveryDistro;
+  };
+  struct Idle {
+    std::string name, why;
+  };
+  std::vector<Row> rows;
+  std::vector<Idle> idle;
+
+  const Row* find(std::string_view name, Distro distro) const;  // null: not there in that distro
+};
+
+/// "plugin::Name" of either spelling: Humble's files also write "plugin/Name".
+std::string pluginName(std::string_view spelling);
+
+/// A value of another type than the key's, as ROS 2 refuses it at start.
+base::Diagnostic wrongType(const std::string& key, const Nav2Value& wanted, const Nav2Value& found);
+
+/// The rows of a table with the values of `defaults`, each below `prefix` ("BaseObstacle.").
+template <class Parameters>
+void addRows(Nav2Keys& keys, const std::vector<Nav2Key<Parameters>>& table,
+             const Parameters& defaults, const std::string& prefix = {}) {
+  for (const Nav2Key<Parameters>& key : table) {
+    const Nav2Value fallback =
+        std::visit([&](auto member) { return Nav2Value(defaults.*member); }, key.member);
+    keys.rows.push_back({prefix + key.name, fallback, key.unit, key.meaning, key.distros});
+  }
+}
+
+/// `defaults` with what the block gives. Keys that `distro` lacks are left out; each value of
+/// another type is a problem.
+template <class Parameters>
+Parameters filled(Parameters defaults, const std::vector<Nav2Key<Parameters>>& table,
+                  const Nav2Block& block, Distro distro, base::Diagnostics& problems,
+                  const std::string& prefix = {}) {
+  for (const Nav2Key<Parameters>& key : table) {
+    const auto given = block.find(prefix + key.name);
+    if (given == block.end() || !isIn(key.distros, distro)) {
+      continue;
+    }
+    std::visit(
+        [&](auto member) {
+          auto& target = defaults.*member;
+          using Value = std::decay_t<decltype(target)>;
+          if (const auto* value = std::get_if<Value>(&given->second)) {
+            target = *value;
+          } else {
+            problems.push_back(wrongType(given->first, Nav2Value(target), given->second));
+          }
+        },
+        key.member);
+  }
+  return defaults;
+}
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,80 @@
+#include "sim2d/nav/nav2/control/ControllerRegistry.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim2d/base/Text.h"
+
+namespace sim2d::nav2 {
+
+const char* controlCodeName(ControlCode code) {
+  switch (code) {
+    case ControlCode::None:
+      return "NONE";
+    case ControlCode::Unknown:
+      return "UNKNOWN";
+    case ControlCode::InvalidController:
+      return "INVALID_CONTROLLER";
+    case ControlCode::TfError:
+      return "TF_ERROR";
+    case ControlCode::InvalidPath:
+      return "INVALID_PATH";
+    case ControlCode::PatienceExceeded:
+      return "PATIENCE_EXCEEDED";
+    case ControlCode::FailedToMakeProgress:
+      return "FAILED_TO_MAKE_PROGRESS";
+    case ControlCode::NoValidControl:
+      return "NO_VALID_CONTROL";
+    case ControlCode::ControllerTimedOut:
+      return "CONTROLLER_TIMED_OUT";
+  }
+  return "UNKNOWN";
+}
+
+base::Diagnostic unknownPlugin(const std::string& found, const std::vector<std::string>& known) {
+  std::string all;
+  for (const std::string& name : known) {
+    all += (all.empty() ? "" : ", ") + name;
+  }
+  return base::error("nav2.unknown-plugin",
+                     {found, base::nearestName(pluginName(found), known), all});
+}
+
+const ControllerType* ControllerRegistry::find(const std::string& plugin, Distro distro) const {
+  const std::string name = pluginName(plugin);
+  const auto found = std::find_if(types_.begin(), types_.end(), [&](const ControllerType& type) {
+    return type.plugin == name && isIn(type.distros, distro);
+  });
+  return found == types_.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> ControllerRegistry::plugins(Distro distro) const {
+  std::vector<std::string> names;
+  for (const ControllerType& type : types_) {
+    if (isIn(type.distros, distro)) {
+      names.push_back(type.plugin);
+    }
+  }
+  return names;
+}
+
+base::Result<std::unique_ptr<Controller>> ControllerRegistry::make(
+    const std::string& plugin, const ControllerSetup& setup) const {
+  const ControllerType* type = find(plugin, setup.distro);
+  if (type == nullptr) {
+    return unknownPlugin(plugin, plugins(setup.distro));
+  }
+  return type->make(setup);
+}
+
+const ControllerRegistry& controllerRegistry() {
+  static const ControllerRegistry kRegistry = [] {
+    ControllerRegistry registry;
+    return registry;
+  }();
+  return kRegistry;
+}
+
+}  // namespace sim2d::nav2
