@@ -273,6 +273,19 @@ constexpr ProblemText kTexts[] = {
     {"library.failed", "the planner of '{file}' gives up with code {error}{reason?: %}"},
     {"library.no-number", "{key} of the command of '{file}' is not finite"},
 
+    // Nav2: costmaps.
+    {"nav2.polygon-unreadable", "'{found}' is no list of points (\"[[x, y], [x, y], …]\")"},
+    {"nav2.polygon-too-small", "'{found}' has fewer than 3 points"},
+    {"nav2.inflation-cut",
+     "{layer}: inflation_radius {radius} is less than the robot's inscribed radius {inscribed}: "
+     "cells in which it collides count as free"},
+    {"nav2.lidar-not-taken",
+     "{layer}.{source}: drops every point of a lidar at {height} m: its heights are {low} to {high} "
+     "m"},
+    {"nav2.no-source", "{layer}: no observation source, it sees nothing"},
+    {"nav2.no-mask", "{layer}: has no mask, it does nothing"},
+    {"nav2.data-type", "{layer}.{source}: data_type '{found}' counts as LaserScan"},
+
     // Files.
     {"file.cannot-write", "cannot write the file: {reason}"},
     {"file.cannot-read", "cannot read the file: {reason}"},

@@ -1,0 +1,101 @@
+#include "sim2d/nav/nav2/costmap/CostmapFilters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr double kMaskFull = 100.0;
+
+}  // namespace
+
+KeepoutFilter::KeepoutFilter(std::string name, const CostmapContext& context,
+                             const KeepoutFilterParameters& parameters, const OccupancyGrid& mask)
+    : CostmapLayer(std::move(name), context), parameters_(parameters), mask_(mask) {}
+
+void KeepoutFilter::updateBounds(const Observation& observation, const Costmap& /*master*/,
+                                 CostmapBounds& bounds) {
+  if (!parameters_.enabled) {
+    return;
+  }
+  wasOverridden_ = isOverridden_;
+  isOverridden_ = false;
+  if (parameters_.overrideLethalCost && context().distro != Distro::Humble) {
+    const std::uint8_t cost = maskCost(observation.pose.position);
+    isOverridden_ = cost == kInscribed || cost == kLethal;
+  }
+  if (isNew_ || isOverridden_ != wasOverridden_) {  // the mask counts anew everywhere
+    isNew_ = false;
+    for (const double column : {0.0, static_cast<double>(mask_.width())}) {
+      for (const double row : {0.0, static_cast<double>(mask_.height())}) {
+        bounds.touch(mask_.cornerToWorld(column, row));
+      }
+    }
+  }
+}
+
+void KeepoutFilter::updateCosts(Costmap& master, const CellWindow& window) {
+  if (!parameters_.enabled || mask_.isEmpty()) {
+    return;
+  }
+  for (int row = window.bottom; row < window.top; ++row) {
+    for (int column = window.left; column < window.right; ++column) {
+      const Cell cell{column, row};
+      const std::uint8_t old = master.at(cell);
+      std::uint8_t cost = maskCost(master.cellToWorld(cell));
+      if (cost == kNoInformation || (old != kNoInformation && cost <= old)) {
+        continue;
+      }
+      if (isOverridden_ && cost >= kInscribed) {
+        cost = std::max(old == kNoInformation ? kFreeSpace : old,
+                        static_cast<std::uint8_t>(parameters_.lethalOverrideCost));
+      }
+      master.set(cell, cost);
+    }
+  }
+}
+
+void KeepoutFilter::reset(double /*time*/) {
+  isNew_ = true;
+}
+
+std::uint8_t KeepoutFilter::maskCost(const Vec2& place) const {
+  const Cell cell = mask_.worldToCell(place);
+  if (!mask_.contains(cell) || mask_.isUnknown(cell)) {
+    return kNoInformation;
+  }
+  return static_cast<std::uint8_t>(std::round(mask_.valueAt(cell) * kLethal / kMaskFull));
+}
+
+SpeedFilter::SpeedFilter(std::string name, const CostmapContext& context,
+                         const SpeedFilterParameters& parameters, const FilterMask& mask)
+    : CostmapLayer(std::move(name), context), parameters_(parameters), mask_(mask) {}
+
+void SpeedFilter::updateBounds(const Observation& observation, const Costmap& /*master*/,
+                               CostmapBounds& /*bounds*/) {
+  const Cell cell = mask_.grid.worldToCell(observation.pose.position);
+  if (!parameters_.enabled || !mask_.grid.contains(cell) || mask_.grid.isUnknown(cell)) {
+    return;
+  }
+  SpeedLimit limit{0.0, mask_.isPercentage};
+  const int value = mask_.grid.valueAt(cell);
+  if (value != 0) {
+    const double speed = mask_.base + mask_.multiplier * value;
+    const bool isPossible = speed >= 0.0 && (!mask_.isPercentage || speed <= 100.0);
+    limit.value = isPossible ? speed : 0.0;
+  }
+  isChanged_ = isChanged_ || !(limit == limit_);
+  limit_ = limit;
+}
+
+std::optional<SpeedLimit> SpeedFilter::takeChange() {
+  const bool isChanged = std::exchange(isChanged_, false);
+  return isChanged ? std::optional<SpeedLimit>(limit_) : std::nullopt;
+}
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
+#include "sim2d/nav/nav2/costmap/CostmapParameters.h"
+
+/// Filters: what masks say of places, put over the merged costs.
+namespace sim2d::nav2 {
+
+/// The mask raises costs (nav2_costmap_2d::KeepoutFilter): 100 is 254, unknown cells say nothing.
+class KeepoutFilter final : public CostmapLayer {
+ public:
+  KeepoutFilter(std::string name, const CostmapContext& context,
+                const KeepoutFilterParameters& parameters, const OccupancyGrid& mask);
+
+  void updateBounds(const Observation& observation, const Costmap& master,
+                    CostmapBounds& bounds) override;
+  void updateCosts(Costmap& master, const CellWindow& window) override;
+  void reset(double time) override;
+
+ private:
+  std::uint8_t maskCost(const Vec2& place) const;
+
+  KeepoutFilterParameters parameters_;
+  OccupancyGrid mask_;
+  bool isNew_ = true;
+  bool isOverridden_ = false, wasOverridden_ = false;  // the robot is in a zone and may leave it
+};
+
+/// The mask under the robot sets a limit of speed (nav2_costmap_2d::SpeedFilter): base + multiplier
+/// * value; 0 is no limit, unknown cells and places off the mask leave it as it is.
+class SpeedFilter final : public CostmapLayer {
+ public:
+  SpeedFilter(std::string name, const CostmapContext& context,
+              const SpeedFilterParameters& parameters, const FilterMask& mask);
+
+  void updateBounds(const Observation& observation, const Costmap& master,
+                    CostmapBounds& bounds) override;
+  void updateCosts(Costmap& /*master*/, const CellWindow& /*window*/) override {}
+
+  /// The limit, if it has changed since the last call.
+  std::optional<SpeedLimit> takeChange();
+
+ private:
+  SpeedFilterParameters parameters_;
+  FilterMask mask_;
+  SpeedLimit limit_;
+  bool isChanged_ = false;
+};
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,146 @@
+#include "sim2d/nav/nav2/costmap/Footprint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "sim2d/base/Math.h"
+#include "sim2d/base/Text.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+/// Reads "[[x, y], …]" as Nav2 does: commas may be missing or too many.
+class PolygonText {
+ public:
+  explicit PolygonText(std::string_view text) : rest_(text) {}
+
+  std::optional<Polygon> read() {
+    Polygon polygon;
+    bool isRight = takeSign('[');
+    while (isRight && takeSign('[')) {
+      Vec2 corner = Vec2::Zero();
+      isRight = takeNumber(corner.x()) && takeNumber(corner.y()) && takeSign(']');
+      polygon.push_back(corner);
+    }
+    isRight = isRight && takeSign(']') && base::trimmed(rest_).empty();
+    return isRight ? std::optional<Polygon>(std::move(polygon)) : std::nullopt;
+  }
+
+ private:
+  void skipSeparators() {
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(", \t\r\n"), rest_.size()));
+  }
+  bool takeSign(char sign) {
+    skipSeparators();
+    const bool isThere = !rest_.empty() && rest_.front() == sign;
+    rest_.remove_prefix(isThere ? 1 : 0);
+    return isThere;
+  }
+  bool takeNumber(double& number) {
+    skipSeparators();
+    const std::string_view token = rest_.substr(0, rest_.find_first_of("[], \t\r\n"));
+    const std::optional<double> value = base::parseDouble(token);
+    rest_.remove_prefix(token.size());
+    number = value.value_or(0.0);
+    return value && std::isfinite(*value);
+  }
+
+  std::string_view rest_;
+};
+
+double segmentDistance(const Vec2& from, const Vec2& to) {  // from the origin
+  const Vec2 way = to - from;
+  const double length = way.squaredNorm();
+  const double share = length > 0.0 ? std::clamp(-from.dot(way) / length, 0.0, 1.0) : 0.0;
+  return (from + share * way).norm();
+}
+
+double signOf(double value) {
+  return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0;
+}
+
+}  // namespace
+
+Polygon circlePolygon(double radius) {
+  constexpr int kCorners = 16;
+  Polygon polygon;
+  polygon.reserve(kCorners);
+  for (int i = 0; i < kCorners; ++i) {
+    // In doubles the cosine of a right angle is not quite 0: Nav2 pads it, and so do we.
+    const base::SinCos angle = base::sinCos(i * 2.0 * base::kPi / kCorners);
+    polygon.emplace_back(radius * angle.cos, radius * angle.sin);
+  }
+  return polygon;
+}
+
+Polygon padded(const Polygon& polygon, double padding) {
+  Polygon wide = polygon;
+  for (Vec2& corner : wide) {
+    corner += padding * Vec2(signOf(corner.x()), signOf(corner.y()));
+  }
+  return wide;
+}
+
+Polygon placed(const Polygon& polygon, const Pose2& pose) {
+  const Vec2 ahead = pose.direction();
+  Polygon world = polygon;
+  for (Vec2& corner : world) {
+    corner = pose.position + Vec2(corner.x() * ahead.x() - corner.y() * ahead.y(),
+                                  corner.x() * ahead.y() + corner.y() * ahead.x());
+  }
+  return world;
+}
+
+base::Result<Polygon> readPolygon(std::string_view text) {
+  std::optional<Polygon> polygon = PolygonText(text).read();
+  if (!polygon) {
+    return base::error("nav2.polygon-unreadable", {text});
+  }
+  if (polygon->size() < 3) {
+    return base::error("nav2.polygon-too-small", {text});
+  }
+  return *std::move(polygon);
+}
+
+std::string polygonText(const Polygon& polygon) {
+  std::string text = "[";
+  for (const Vec2& corner : polygon) {
+    text += text.size() > 1 ? ", [" : "[";
+    text += base::formatDouble(corner.x()) + ", " + base::formatDouble(corner.y()) + "]";
+  }
+  return text + "]";
+}
+
+double inscribedRadius(const Polygon& polygon) {
+  if (polygon.empty()) {
+    return 0.0;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    least = std::min(least, segmentDistance(polygon[i], polygon[(i + 1) % polygon.size()]));
+  }
+  return least;
+}
+
+double circumscribedRadius(const Polygon& polygon) {
+  double most = 0.0;
+  for (const Vec2& corner : polygon) {
+    most = std::max(most, corner.norm());
+  }
+  return most;
+}
+
+CostmapFootprint costmapFootprint(double radius, const Polygon& corners, double padding) {
+  CostmapFootprint footprint;
+  footprint.isRadius = corners.empty();
+  footprint.corners = padded(corners.empty() ? circlePolygon(radius) : corners, padding);
+  footprint.inscribed = inscribedRadius(footprint.corners);
+  footprint.circumscribed = circumscribedRadius(footprint.corners);
+  return footprint;
+}
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,183 @@
+#include "sim2d/nav/nav2/costmap/InflationLayer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr double kTableSteps = 100.0;  // per cell, of Nav2 main
+
+InflationLaw lawOf(const InflationLayerParameters& parameters, const CostmapContext& context) {
+  const bool isCustom = context.distro == Distro::Main && parameters.customInscribedRadius >= 0.0;
+  return {parameters.inflationRadius, parameters.costScalingFactor,
+          isCustom ? parameters.customInscribedRadius : context.footprint.inscribed};
+}
+
+}  // namespace
+
+InflationLayer::InflationLayer(std::string name, const CostmapContext& context,
+                               const InflationLayerParameters& parameters, double resolution)
+    : CostmapLayer(std::move(name), context),
+      parameters_(parameters),
+      law_(lawOf(parameters, context)),
+      radius_(Costmap(0, 0, resolution, Vec2::Zero()).cellDistance(parameters.inflationRadius)) {
+  costs_.reserve(static_cast<std::size_t>(radius_ * radius_ + 1));
+  for (int square = 0; square <= radius_ * radius_; ++square) {
+    double cells = std::sqrt(static_cast<double>(square));
+    if (context.distro == Distro::Main) {
+      cells = std::round(cells * kTableSteps) / kTableSteps;
+    }
+    costs_.push_back(law_.cost(cells * resolution));
+  }
+  bins_.resize(costs_.size());
+}
+
+void InflationLayer::updateBounds(const Observation& /*observation*/, const Costmap& /*master*/,
+                                  CostmapBounds& bounds) {
+  const CostmapBounds now = bounds;
+  if (isWhole_) {
+    bounds = unboundedBounds();
+    isWhole_ = false;
+  } else {
+    bounds.touch(last_);  // so that what is no longer there deflates
+    bounds.low -= Vec2::Constant(law_.radius);
+    bounds.high += Vec2::Constant(law_.radius);
+  }
+  last_ = now;
+}
+
+void InflationLayer::updateCosts(Costmap& master, const CellWindow& window) {
+  isCurrent_ = true;
+  if (!parameters_.enabled || radius_ == 0) {
+    return;
+  }
+  // Obstacles outside the window reach into it.
+  const CellWindow wide{std::max(0, window.left - radius_), std::max(0, window.bottom - radius_),
+                        std::min(master.width(), window.right + radius_),
+                        std::min(master.height(), window.top + radius_)};
+  if (context().distro == Distro::Main) {
+    inflateExactly(master, window, wide);
+  } else {
+    inflateBySpreading(master, window, wide);
+  }
+}
+
+void InflationLayer::reset(double /*time*/) {
+  isWhole_ = true;
+  isCurrent_ = false;
+}
+
+bool InflationLayer::isSource(std::uint8_t cost) const {
+  return cost == kLethal || (cost == kNoInformation && parameters_.inflateAroundUnknown);
+}
+
+std::uint8_t InflationLayer::raised(std::uint8_t old, std::uint8_t cost) const {
+  if (old == kNoInformation) {
+    const std::uint8_t least = parameters_.inflateUnknown ? std::uint8_t{1} : kInscribed;
+    return cost >= least ? cost : old;
+  }
+  return std::max(old, cost);
+}
+
+void InflationLayer::inflateBySpreading(Costmap& master, const CellWindow& window,
+                                        const CellWindow& wide) {
+  for (int row = wide.bottom; row < wide.top; ++row) {
+    for (int column = wide.left; column < wide.right; ++column) {
+      if (isSource(master.at({column, row}))) {
+        bins_[0].push_back({{column, row}, {column, row}});
+      }
+    }
+  }
+  seen_.assign(master.costs().size(), 0);
+  const int most = radius_ * radius_;
+  for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
+    const auto enqueue = [&](Cell cell, Cell source) {
+      if (!master.contains(cell) || seen_[master.indexOf(cell)] != 0) {
+        return;
+      }
+      const int across = cell.column - source.column, up = cell.row - source.row;
+      const int square = across * across + up * up;
+      if (square <= most && square >= static_cast<int>(bin)) {
+        bins_[static_cast<std::size_t>(square)].push_back({cell, source});
+      }
+    };
+    for (std::size_t i = 0; i < bins_[bin].size(); ++i) {  // may grow meanwhile
+      const Spread spread = bins_[bin][i];
+      const Cell cell = spread.cell;
+      const std::size_t index = master.indexOf(cell);
+      if (seen_[index] != 0) {
+        continue;
+      }
+      seen_[index] = 1;
+      if (cell.column >= window.left && cell.column < window.right && cell.row >= window.bottom &&
+          cell.row < window.top) {
+        master.costs()[index] = raised(master.costs()[index], costs_[bin]);
+      }
+      enqueue({cell.column - 1, cell.row}, spread.source);
+      enqueue({cell.column, cell.row - 1}, spread.source);
+      enqueue({cell.column + 1, cell.row}, spread.source);
+      enqueue({cell.column, cell.row + 1}, spread.source);
+    }
+    bins_[bin].clear();
+  }
+}
+
+/// Squared distance to the nearest source in the same row, in `across_`: rows of `wide`, columns of
+/// `window`.
+void InflationLayer::findRowDistances(const Costmap& master, const CellWindow& window,
+                                      const CellWindow& wide) {
+  const int width = window.right - window.left;
+  const auto far = static_cast<std::uint32_t>(radius_ + 1);
+  across_.assign(static_cast<std::size_t>(width * (wide.top - wide.bottom)), far * far);
+  std::uint32_t* line = across_.data() - window.left;
+  for (int row = wide.bottom; row < wide.top; ++row, line += width) {
+    const std::uint8_t* const costs = master.costs().data() + master.indexOf({0, row});
+    std::uint32_t distance = far;
+    for (int column = wide.left; column < window.right; ++column) {
+      distance = isSource(costs[column]) ? 0 : std::min(distance + 1, far);
+      if (column >= window.left) {
+        line[column] = distance * distance;
+      }
+    }
+    distance = far;
+    for (int column = wide.right - 1; column >= window.left; --column) {
+      distance = isSource(costs[column]) ? 0 : std::min(distance + 1, far);
+      if (column < window.right) {
+        line[column] = std::min(line[column], distance * distance);
+      }
+    }
+  }
+}
+
+void InflationLayer::inflateExactly(Costmap& master, const CellWindow& window,
+                                    const CellWindow& wide) {
+  findRowDistances(master, window, wide);
+  const int width = window.right - window.left;
+  const auto most = static_cast<std::uint32_t>(radius_ * radius_);
+  for (int row = window.bottom; row < window.top; ++row) {
+    squares_.assign(static_cast<std::size_t>(width), most + 1);
+    const int from = std::max(wide.bottom, row - radius_);
+    const int to = std::min(wide.top, row + radius_ + 1);
+    for (int other = from; other < to; ++other) {
+      const auto up = static_cast<std::uint32_t>((other - row) * (other - row));
+      const std::uint32_t* const line = across_.data() + (other - wide.bottom) * width;
+      for (int i = 0; i < width; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        squares_[at] = std::min(squares_[at], line[i] + up);
+      }
+    }
+    std::uint8_t* const costs = master.costs().data() + master.indexOf({window.left, row});
+    for (int i = 0; i < width; ++i) {
+      const std::uint32_t square = squares_[static_cast<std::size_t>(i)];
+      if (square <= most) {
+        costs[i] = raised(costs[i], costs_[square]);
+      }
+    }
+  }
+}
+
+}  // namespace sim2d::nav2

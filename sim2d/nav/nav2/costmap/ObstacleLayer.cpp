@@ -1,0 +1,265 @@
+#include "sim2d/nav/nav2/costmap/ObstacleLayer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr int kMostVoxels = 16;
+constexpr double kEdgeMargin = 1e-3;  // [m] inside of the map where rays leave it, as Nav2 has it
+
+struct RayRange {
+  int most = 0, least = 0;  // [cells]
+};
+
+/// Frees the cells of a ray (nav2_util/raytrace_line_2d.hpp): Bresenham's line from the cell at the
+/// least range, cut by the share of the greatest range in the whole ray, the last cell included.
+void freeRay(Costmap& costmap, Cell from, Cell to, const RayRange& range) {
+  const int acrossAll = to.column - from.column, upAll = to.row - from.row;
+  const double length = std::sqrt(static_cast<double>(acrossAll * acrossAll + upAll * upAll));
+  if (length < range.least) {
+    return;
+  }
+  Cell cell = from;
+  if (length > 0.0) {
+    cell.column = static_cast<int>(from.column + acrossAll / length * range.least);
+    cell.row = static_cast<int>(from.row + upAll / length * range.least);
+  }
+  const int across = to.column - cell.column, up = to.row - cell.row;
+  const bool isFlat = std::abs(across) >= std::abs(up);
+  const int longer = isFlat ? std::abs(across) : std::abs(up);
+  const int shorter = isFlat ? std::abs(up) : std::abs(across);
+  const std::ptrdiff_t columnStep = across > 0 ? 1 : across < 0 ? -1 : 0;
+  const std::ptrdiff_t rowStep = up > 0 ? costmap.width() : up < 0 ? -costmap.width() : 0;
+  const std::ptrdiff_t step = isFlat ? columnStep : rowStep;
+  const std::ptrdiff_t sideStep = isFlat ? rowStep : columnStep;
+  const double share = length == 0.0 ? 1.0 : std::min(1.0, range.most / length);
+  const int steps = std::min(static_cast<int>(share * longer), longer);
+  std::uint8_t* at = costmap.costs().data() + costmap.indexOf(cell);
+  int error = longer / 2;
+  for (int i = 0; i < steps; ++i) {
+    *at = kFreeSpace;
+    at += step;
+    error += shorter;
+    if (error >= longer) {
+      at += sideStep;
+      error -= longer;
+    }
+  }
+  *at = kFreeSpace;
+}
+
+/// What a voxel layer is as an obstacle layer: the lidar in none of its voxels sees nothing.
+ObstacleLayerParameters flattened(const VoxelLayerParameters& voxels, double lidarHeight) {
+  ObstacleLayerParameters flat = voxels;
+  const double top = voxels.originZ + voxels.zResolution * std::min(voxels.zVoxels, kMostVoxels);
+  for (ObservationSource& source : flat.sources) {
+    source.clearing = source.clearing && lidarHeight >= voxels.originZ && lidarHeight < top;
+    // Points below count to the lowest voxel; one voxel alone does not pass a threshold above 0.
+    source.marking = source.marking && lidarHeight < top && voxels.markThreshold < 1;
+  }
+  return flat;
+}
+
+}  // namespace
+
+ObstacleLayer::ObstacleLayer(std::string name, const CostmapContext& context,
+                             const ObstacleLayerParameters& parameters, const Costmap& master)
+    : CostmapLayer(std::move(name), context), parameters_(parameters), grid_(master) {
+  for (const ObservationSource& source : parameters.sources) {
+    buffers_.emplace_back(source, context.lidarHeight);
+  }
+  const double least = context.distro == Distro::Humble ? -HUGE_VAL : parameters.minObstacleHeight;
+  hasMarks_ = context.lidarHeight >= least && context.lidarHeight <= parameters.maxObstacleHeight;
+  fillWindow(grid_, wholeWindow(grid_), context.freshCost());
+}
+
+ObstacleLayer::ObstacleLayer(std::string name, const CostmapContext& context,
+                             const VoxelLayerParameters& parameters, const Costmap& master)
+    : ObstacleLayer(std::move(name), context, flattened(parameters, context.lidarHeight), master) {
+  shortened_ = 2.0 * master.resolution();
+}
+
+void ObstacleLayer::observe(const Observation& observation) {
+  if (observation.scan == nullptr) {
+    return;
+  }
+  for (ObservationBuffer& buffer : buffers_) {
+    buffer.observe(*observation.scan);
+  }
+}
+
+void ObstacleLayer::updateBounds(const Observation& observation, const Costmap& master,
+                                 CostmapBounds& bounds) {
+  if (context().isRolling) {
+    moveOrigin(grid_, observation.pose.position - 0.5 * nav2SizeOf(master), context().freshCost());
+  }
+  if (!parameters_.enabled) {
+    return;
+  }
+  bounds.touch(extra_);
+  extra_ = {};
+  isCurrent_ = true;
+  for (ObservationBuffer& buffer : buffers_) {
+    isCurrent_ = isCurrent_ && buffer.isCurrent(observation.time);
+    if (buffer.source().clearing) {
+      for (const PointCloud& cloud : buffer.clouds(observation.time)) {
+        clearAlong(cloud, buffer.source(), bounds);
+      }
+    }
+  }
+  for (ObservationBuffer& buffer : buffers_) {
+    if (buffer.source().marking && hasMarks_) {
+      for (const PointCloud& cloud : buffer.clouds(observation.time)) {
+        mark(cloud, buffer.source(), bounds);
+      }
+    }
+  }
+  footprint_.clear();
+  if (parameters_.footprintClearingEnabled) {
+    footprint_ = placed(context().footprint.corners, observation.pose);
+    for (const Vec2& corner : footprint_) {
+      bounds.touch(corner);
+    }
+  }
+}
+
+void ObstacleLayer::updateCosts(Costmap& master, const CellWindow& window) {
+  if (!parameters_.enabled) {
+    return;
+  }
+  if (wasReset_) {
+    isCurrent_ = true;
+    wasReset_ = false;
+  }
+  fillPolygon(grid_, footprint_, kFreeSpace);
+  switch (parameters_.combinationMethod) {
+    case 0:
+      mergeWindow(grid_, window, Merge::Overwrite, master);
+      break;
+    case 1:
+      mergeWindow(grid_, window, Merge::Maximum, master);
+      break;
+    case 2:
+      mergeWindow(grid_, window, Merge::MaximumOfKnown, master);
+      break;
+    default:  // nothing, as in Nav2
+      break;
+  }
+}
+
+void ObstacleLayer::reset(double time) {
+  fillWindow(grid_, wholeWindow(grid_), context().freshCost());
+  for (ObservationBuffer& buffer : buffers_) {
+    buffer.restartClock(time);
+  }
+  isCurrent_ = false;
+  wasReset_ = true;
+}
+
+void ObstacleLayer::clearArea(const Vec2& low, const Vec2& high, bool isInverted) {
+  const Cell from = nearestCell(grid_, low);
+  const Cell to = nearestCell(grid_, high);
+  for (int row = 0; row < grid_.height(); ++row) {
+    const bool isInRows = row > from.row && row < to.row;
+    for (int column = 0; column < grid_.width(); ++column) {
+      if ((isInRows && column > from.column && column < to.column) != isInverted) {
+        grid_.set({column, row}, kNoInformation);
+      }
+    }
+  }
+  isCurrent_ = false;
+  extra_.touch(grid_.origin());
+  extra_.touch(grid_.origin() + nav2SizeOf(grid_));
+}
+
+void ObstacleLayer::clearAlong(const PointCloud& cloud, const ObservationSource& source,
+                               CostmapBounds& bounds) {
+  const std::optional<Cell> from = grid_.worldToCell(cloud.origin);
+  if (!from) {
+    return;  // Nav2 does not trace from off the map
+  }
+  bounds.touch(cloud.origin);
+  for (const Vec2& point : cloud.points) {
+    Vec2 end = point;
+    if (shortened_ > 0.0) {
+      const double length = (point - cloud.origin).norm();
+      const double share = length > shortened_ ? (length - shortened_) / length : 0.0;
+      end = cloud.origin + share * (point - cloud.origin);
+    }
+    clearRay(*from, cloud.origin, clippedEnd(cloud.origin, end), source, bounds);
+  }
+}
+
+void ObstacleLayer::clearRay(Cell from, const Vec2& origin, const Vec2& end,
+                             const ObservationSource& source, CostmapBounds& bounds) {
+  const std::optional<Cell> to = grid_.worldToCell(end);
+  if (!to) {
+    return;
+  }
+  freeRay(
+      grid_, from, *to,
+      {grid_.cellDistance(source.raytraceMaxRange), grid_.cellDistance(source.raytraceMinRange)});
+  const Vec2 way = end - origin;
+  const double length = way.norm();
+  if (length >= source.raytraceMinRange) {
+    const double share = length > 0.0 ? std::min(1.0, source.raytraceMaxRange / length) : 1.0;
+    bounds.touch(origin + share * way);
+  }
+}
+
+void ObstacleLayer::mark(const PointCloud& cloud, const ObservationSource& source,
+                         CostmapBounds& bounds) {
+  const double most = source.obstacleMaxRange * source.obstacleMaxRange;
+  const double least = source.obstacleMinRange * source.obstacleMinRange;
+  const std::optional<Cell> eye = grid_.worldToCell(cloud.origin);
+  const double mostCells = grid_.cellDistance(source.obstacleMaxRange);
+  for (const Vec2& point : cloud.points) {
+    const double distance = (point - cloud.origin).squaredNorm();
+    const std::optional<Cell> cell = grid_.worldToCell(point);
+    if (distance > most || distance < least || !cell) {
+      continue;
+    }
+    if (eye && context().distro == Distro::Main) {
+      const double across = cell->column - eye->column, up = cell->row - eye->row;
+      if (std::floor(std::sqrt(across * across + up * up)) > mostCells) {
+        continue;
+      }
+    }
+    grid_.set(*cell, kLethal);
+    bounds.touch(point);
+  }
+}
+
+/// The end of a ray, drawn back to the border of the map.
+Vec2 ObstacleLayer::clippedEnd(const Vec2& origin, const Vec2& end) const {
+  const Vec2 way = end - origin;
+  const Vec2& low = grid_.origin();
+  const Vec2 high = low + grid_.resolution() * Vec2(grid_.width(), grid_.height());
+  Vec2 cut = end;
+  for (const int axis : {0, 1}) {
+    const int other = 1 - axis;
+    if (cut[axis] < low[axis]) {
+      cut[other] = origin[other] + way[other] * (low[axis] - origin[axis]) / way[axis];
+      cut[axis] = low[axis];
+    }
+  }
+  for (const int axis : {0, 1}) {
+    const int other = 1 - axis;
+    if (cut[axis] > high[axis]) {
+      cut[other] = origin[other] + way[other] * (high[axis] - origin[axis]) / way[axis];
+      cut[axis] = high[axis] - kEdgeMargin;
+    }
+  }
+  return cut;
+}
+
+}  // namespace sim2d::nav2
