@@ -88,7 +88,7 @@ void StaticLayer::updateBounds(const Observation& observation, const Costmap& /*
   }
   if (isNew_ || context().isRolling) {
     isNew_ = false;
-    bounds.touch(grid_.cellToWorld({0, 0}));
+    bounds.touch(grid_.cellToWorld({0, 0}));  // centres, as Nav2 has it
     bounds.touch(grid_.cellToWorld({grid_.width(), grid_.height()}));
   }
   footprint_.clear();
