@@ -56,6 +56,12 @@ void addRows(Nav2Keys& keys, const std::vector<Nav2Key<Parameters>>& table,
   }
 }
 
+inline void addIdle(Nav2Keys& keys, const std::vector<IdleKey>& table) {
+  for (const IdleKey& key : table) {
+    keys.idle.push_back({key.name, key.why});
+  }
+}
+
 /// `defaults` with what the block gives. Keys that `distro` lacks are left out; each value of
 /// another type is a problem.
 template <class Parameters>

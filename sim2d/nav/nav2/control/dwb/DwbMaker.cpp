@@ -1,0 +1,153 @@
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim2d/nav/nav2/control/ControllerRegistry.h"
+#include "sim2d/nav/nav2/control/dwb/DwbController.h"
+#include "sim2d/nav/nav2/control/dwb/VelocitySamples.h"
+
+/// Makes a DwbController of a block of parameters.
+namespace sim2d::nav2 {
+namespace {
+
+using GeneratorKind = TrajectoryGenerator::Kind;
+constexpr char kStandardGenerator[] = "dwb_plugins::StandardTrajectoryGenerator";
+constexpr char kLimitedGenerator[] = "dwb_plugins::LimitedAccelGenerator";
+
+std::vector<std::string> namespacesOf(const DwbParameters& parameters) {
+  return parameters.criticNamespaces.empty() ? std::vector<std::string>{"dwb_critics"}
+                                             : parameters.criticNamespaces;
+}
+
+/// The class of a critic: its key `class`, else its name.
+std::string criticClass(const Nav2Block& block, const std::string& name) {
+  const auto given = block.find(name + ".class");
+  const auto* text = given == block.end() ? nullptr : std::get_if<std::string>(&given->second);
+  return text != nullptr ? *text : name;
+}
+
+/// Numbers without which no trajectory can be made, or too many of them.
+void checkDwbNumbers(const DwbParameters& p, base::Diagnostics& problems) {
+  constexpr double kMostSteps = 10000.0, kMostSamples = 100000.0;
+  const std::pair<const char*, double> positive[] = {{"sim_time", p.simTime},
+                                                     {"time_granularity", p.timeGranularity},
+                                                     {"linear_granularity", p.linearGranularity},
+                                                     {"angular_granularity", p.angularGranularity}};
+  for (const auto& [key, value] : positive) {
+    if (!(value > 0.0 && std::isfinite(value))) {
+      problems.push_back(base::error("nav2.wrong-value", {key, value, "above 0"}));
+    }
+  }
+  const double speed = std::abs(p.maxVelX) + std::abs(p.minVelX) + std::abs(p.maxVelY);
+  const double steps = p.simTime * (1.0 / p.timeGranularity + speed / p.linearGranularity +
+                                    std::abs(p.maxVelTheta) / p.angularGranularity);
+  if (!base::hasErrors(problems) && !(steps < kMostSteps)) {
+    problems.push_back(base::error("nav2.wrong-value",
+                                   {"sim_time", p.simTime, "short enough for its granularities"}));
+  }
+  const double samples = static_cast<double>(p.vxSamples) * p.vySamples * p.vthetaSamples;
+  if (samples > kMostSamples) {
+    problems.push_back(
+        base::error("nav2.wrong-value", {"vx_samples", p.vxSamples, "a product below 100000"}));
+  }
+}
+
+/// Main turns them round; before, Nav2 takes them as they are.
+void mendDecelerations(DwbParameters& p, base::Diagnostics& problems) {
+  const std::pair<const char*, double*> limits[] = {{"decel_lim_x", &p.decelLimX},
+                                                    {"decel_lim_y", &p.decelLimY},
+                                                    {"decel_lim_theta", &p.decelLimTheta}};
+  for (const auto& [key, limit] : limits) {
+    if (*limit > 0.0) {
+      problems.push_back(base::warning("nav2.positive-deceleration", {key, *limit}));
+      *limit = -*limit;
+    }
+  }
+}
+
+GeneratorKind generatorKind(const std::string& name, base::Diagnostics& problems) {
+  const std::string plugin = pluginName(name);
+  if (plugin != kStandardGenerator && plugin != kLimitedGenerator) {
+    problems.push_back(unknownPlugin(name, {kStandardGenerator, kLimitedGenerator}));
+  }
+  return plugin == kLimitedGenerator ? GeneratorKind::LimitedAccel : GeneratorKind::Standard;
+}
+
+DwbController::NamedCritic makeCritic(const std::string& name, const ControllerSetup& setup,
+                                      const DwbParameters& parameters,
+                                      base::Diagnostics& problems) {
+  const std::string plugin = criticClass(setup.block, name);
+  const DwbCriticType* type = dwbCriticType(plugin, namespacesOf(parameters));
+  if (type == nullptr) {
+    std::vector<std::string> known;
+    for (const DwbCriticType& each : dwbCriticTypes()) {
+      known.emplace_back(each.plugin);
+    }
+    const bool isBare = plugin.find(':') == std::string::npos;
+    problems.push_back(unknownPlugin(isBare ? "dwb_critics::" + plugin : plugin, known));
+    return {name, nullptr};
+  }
+  const auto values =
+      filled(DwbCriticParameters(), type->keys, setup.block, setup.distro, problems, name + ".");
+  if (values.aggregation != "last" && values.aggregation != "sum" &&
+      values.aggregation != "product") {
+    problems.push_back(base::error(
+        "nav2.wrong-value",
+        {name + ".aggregation_type", "'" + values.aggregation + "'", "last, sum or product"}));
+  }
+  return {name, type->make({values, parameters, setup.distro})};
+}
+
+base::Result<std::unique_ptr<Controller>> makeDwb(const ControllerSetup& setup) {
+  base::Diagnostics problems;
+  DwbController::Setup made;
+  made.parameters = filled(DwbParameters(), dwbKeys(), setup.block, setup.distro, problems);
+  made.distro = setup.distro;
+  made.frequency = setup.frequency;
+  if (setup.distro == Distro::Main) {
+    mendDecelerations(made.parameters, problems);
+  }
+  checkDwbNumbers(made.parameters, problems);
+  made.generator = generatorKind(made.parameters.generator, problems);
+  if (setup.block.count("critics") == 0) {
+    problems.push_back(base::error("nav2.missing-key", {"critics"}));
+  }
+  for (const std::string& name : made.parameters.critics) {
+    made.critics.push_back(makeCritic(name, setup, made.parameters, problems));
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {std::make_unique<DwbController>(std::move(made)), std::move(problems)};
+}
+
+Nav2Keys dwbKeysOf(const Nav2Block& given, Distro distro) {
+  Nav2Keys keys;
+  addRows(keys, dwbKeys(), DwbParameters());
+  addIdle(keys, dwbIdleKeys());
+  base::Diagnostics ignored;  // the maker tells them
+  const auto parameters = filled(DwbParameters(), dwbKeys(), given, distro, ignored);
+  for (const std::string& name : parameters.critics) {
+    keys.rows.push_back({name + ".class", Nav2Value(name), "", "class of the critic"});
+    const DwbCriticType* type = dwbCriticType(criticClass(given, name), namespacesOf(parameters));
+    if (type != nullptr) {
+      addRows(keys, type->keys, DwbCriticParameters(), name + ".");
+    }
+  }
+  return keys;
+}
+
+}  // namespace
+
+void addDwb(ControllerRegistry& registry) {
+  ControllerType type;
+  type.plugin = "dwb_core::DWBLocalPlanner";
+  type.help = "Tries velocities and takes the one whose trajectory its critics find cheapest.";
+  type.keys = dwbKeysOf;
+  type.make = makeDwb;
+  registry.add(std::move(type));
+}
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,119 @@
+#include "sim2d/nav/nav2/control/dwb/MapGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <vector>
+
+namespace sim2d::nav2 {
+
+void MapGrid::clear(int width, int height) {
+  width_ = width;
+  height_ = height;
+  hasSeeds_ = false;
+  const std::size_t cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  values_.assign(cells, kNotYet);
+  isFound_.assign(cells, 0);
+  entries_.resize(cells);
+  for (std::size_t pile = nearest_; pile <= farthest_ && waiting_ > 0; ++pile) {
+    piles_[pile] = -1;
+  }
+  const auto side = static_cast<std::size_t>(width);
+  const auto other = static_cast<std::size_t>(height);
+  piles_.resize(side * side + other * other + 1, -1);
+  nearest_ = piles_.size();
+  farthest_ = 0;
+  waiting_ = 0;
+}
+
+void MapGrid::seed(Cell cell) {
+  hasSeeds_ = true;
+  const std::int32_t index = cell.row * width_ + cell.column;
+  if (isFound_[static_cast<std::size_t>(index)] == 0) {
+    push(index, 0, 0);
+  }
+}
+
+void MapGrid::push(std::int32_t cell, int dx, int dy) {
+  const auto index = static_cast<std::size_t>(cell);
+  const auto pile = static_cast<std::size_t>(dx * dx + dy * dy);
+  isFound_[index] = 1;
+  entries_[index] = {piles_[pile], static_cast<std::int16_t>(dx), static_cast<std::int16_t>(dy)};
+  piles_[pile] = cell;
+  nearest_ = std::min(nearest_, pile);
+  farthest_ = std::max(farthest_, pile);
+  ++waiting_;
+}
+
+std::int32_t MapGrid::pop() {
+  while (piles_[nearest_] < 0) {
+    ++nearest_;
+  }
+  const std::int32_t cell = piles_[nearest_];
+  piles_[nearest_] = entries_[static_cast<std::size_t>(cell)].next;
+  --waiting_;
+  return cell;
+}
+
+void MapGrid::growTo(std::size_t wanted) {
+  while (waiting_ > 0 && values_[wanted] == kNotYet) {
+    const std::int32_t cell = pop();
+    const auto index = static_cast<std::size_t>(cell);
+    const int dx = entries_[index].dx, dy = entries_[index].dy;
+    values_[index] = std::abs(dx) + std::abs(dy);
+    const int column = cell % width_, row = cell / width_;
+    if (column > 0 && isFound_[index - 1] == 0) {
+      push(cell - 1, dx - 1, dy);
+    }
+    if (row > 0 && isFound_[index - static_cast<std::size_t>(width_)] == 0) {
+      push(cell - width_, dx, dy - 1);
+    }
+    if (column + 1 < width_ && isFound_[index + 1] == 0) {
+      push(cell + 1, dx + 1, dy);
+    }
+    if (row + 1 < height_ && isFound_[index + static_cast<std::size_t>(width_)] == 0) {
+      push(cell + width_, dx, dy + 1);
+    }
+  }
+}
+
+Path refined(const Path& path, double resolution) {
+  if (path.empty()) {
+    return {};
+  }
+  Path fine{path.front()};
+  const double leastSquared = resolution * resolution * 4.0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Pose2& last = path[i - 1];
+    const Vec2 way = path[i].position - last.position;
+    const double squared = way.squaredNorm();
+    if (squared > leastSquared) {
+      const double gap = std::sqrt(squared) - std::sqrt(leastSquared);
+      const int count = static_cast<int>(gap / resolution) - 1;
+      const Vec2 step = way / count;
+      for (int j = 1; j < count; ++j) {
+        fine.push_back({last.position + j * step, last.heading});
+      }
+    }
+    fine.push_back(path[i]);
+  }
+  return fine;
+}
+
+std::vector<Cell> pathSeeds(const Path& path, const Costmap& costmap) {
+  std::vector<Cell> seeds;
+  for (const Pose2& pose : refined(path, costmap.resolution())) {
+    const std::optional<Cell> cell = costmap.worldToCell(pose.position);
+    if (cell && costmap.at(*cell) != kNoInformation) {
+      seeds.push_back(*cell);
+    } else if (!seeds.empty()) {
+      break;
+    }
+  }
+  return seeds;
+}
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,226 @@
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "sim2d/nav/nav2/control/PathHandler.h"
+#include "sim2d/nav/nav2/control/dwb/DwbCritic.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+double squaredSpeed(const BodyTwist& twist) {
+  return twist.linear * twist.linear + twist.lateral * twist.lateral;
+}
+
+/// At the goal: brake first, then turn on the spot.
+class RotateToGoalCritic final : public DwbCritic {
+ public:
+  explicit RotateToGoalCritic(const DwbCriticSetup& setup)
+      : parameters_(setup.parameters),
+        tolerance_(setup.controller.xyGoalTolerance),
+        stopped_(setup.controller.transStoppedVelocity),
+        distro_(setup.distro) {}
+
+  void reset() override {
+    isInWindow_ = false;
+    isRotating_ = false;
+  }
+  void prepare(const DwbScene& scene) override {
+    const Pose2& robot = scene.input.robot;
+    const double squared = (robot.position - scene.goal.position).squaredNorm();
+    const bool isLong = distro_ == Distro::Main && pathLength(scene.plan) > kPathLengthTolerance;
+    isInWindow_ = isInWindow_ || (squared <= tolerance_ * tolerance_ && !isLong);
+    speedSquared_ = squaredSpeed(scene.input.speed);
+    isRotating_ = isRotating_ || (isInWindow_ && speedSquared_ <= stopped_ * stopped_);
+    goalHeading_ = scene.goal.heading;
+  }
+  DwbPrice price(const DwbTrajectory& trajectory) override {
+    if (!isInWindow_) {
+      return 0.0;
+    }
+    if (!isRotating_) {
+      const double squared = squaredSpeed(trajectory.velocity);
+      if (squared >= speedSquared_) {
+        return "Not slowing down near goal.";
+      }
+      return squared * parameters_.slowingFactor + turnLeft(trajectory);
+    }
+    const BodyTwist& velocity = trajectory.velocity;
+    if (std::abs(velocity.linear) > kStandstill || std::abs(velocity.lateral) > kStandstill) {
+      return "Nonrotation command near goal.";
+    }
+    return turnLeft(trajectory);
+  }
+  double scale(double /*resolution*/) const override { return parameters_.scale; }
+
+ private:
+  static constexpr double kStandstill = 1e-5;          // [m/s]
+  static constexpr double kPathLengthTolerance = 1.0;  // [m]; its key lacks a dot in Nav2
+
+  double turnLeft(const DwbTrajectory& trajectory) const {
+    const double end = parameters_.lookaheadTime >= 0.0
+                           ? trajectory.at(parameters_.lookaheadTime).heading
+                           : trajectory.poses.back().heading;
+    return std::abs(base::angleDiff(goalHeading_, end));
+  }
+
+  DwbCriticParameters parameters_;
+  double tolerance_;  // [m]
+  double stopped_;    // [m/s]
+  Distro distro_;
+  bool isInWindow_ = false, isRotating_ = false;
+  double speedSquared_ = 0.0;  // [m^2/s^2]
+  double goalHeading_ = 0.0;   // [rad]
+};
+
+/// Signs that an axis has had.
+class AxisTrend {
+ public:
+  void reset() { *this = {}; }
+  /// True when the sign flipped: the old one is forbidden now.
+  bool update(double velocity) {
+    if (velocity == 0.0 || std::isnan(velocity)) {
+      return false;
+    }
+    const int sign = velocity > 0.0 ? 1 : -1;
+    const bool isFlip = sign == -sign_;
+    isNegativeForbidden_ = isNegativeForbidden_ || (isFlip && sign > 0);
+    isPositiveForbidden_ = isPositiveForbidden_ || (isFlip && sign < 0);
+    sign_ = sign;
+    return isFlip;
+  }
+  bool forbids(double velocity) const {
+    return (isNegativeForbidden_ && velocity < 0.0) || (isPositiveForbidden_ && velocity > 0.0);
+  }
+  bool hasFlipped() const { return isNegativeForbidden_ || isPositiveForbidden_; }
+
+ private:
+  int sign_ = 0;  // of the last velocity that was not 0
+  bool isNegativeForbidden_ = false, isPositiveForbidden_ = false;
+};
+
+/// No to and fro: after a change of sign the old one is illegal until the robot has got on.
+class OscillationCritic final : public DwbCritic {
+ public:
+  explicit OscillationCritic(const DwbCriticSetup& setup) : parameters_(setup.parameters) {}
+
+  void reset() override {
+    x_.reset();
+    y_.reset();
+    theta_.reset();
+  }
+  void prepare(const DwbScene& scene) override {
+    robot_ = scene.input.robot;
+    time_ = scene.input.time;
+  }
+  DwbPrice price(const DwbTrajectory& trajectory) override {
+    const BodyTwist& velocity = trajectory.velocity;
+    if (x_.forbids(velocity.linear) || y_.forbids(velocity.lateral) ||
+        theta_.forbids(velocity.angular)) {
+      return "Trajectory is oscillating.";
+    }
+    return 0.0;
+  }
+  void debrief(const BodyTwist& chosen) override {
+    bool hasFlipped = x_.update(chosen.linear);
+    if (parameters_.xOnlyThreshold < 0.0 || std::abs(chosen.linear) <= parameters_.xOnlyThreshold) {
+      hasFlipped = y_.update(chosen.lateral) || hasFlipped;
+      hasFlipped = theta_.update(chosen.angular) || hasFlipped;
+    }
+    if (hasFlipped) {
+      flip_ = robot_;
+      flipTime_ = time_;
+    }
+    if ((x_.hasFlipped() || y_.hasFlipped() || theta_.hasFlipped()) && hasGotOn()) {
+      reset();
+    }
+  }
+  double scale(double /*resolution*/) const override { return parameters_.scale; }
+
+ private:
+  bool hasGotOn() const {
+    const DwbCriticParameters& p = parameters_;
+    const double squared = (robot_.position - flip_.position).squaredNorm();
+    if (p.resetDistance >= 0.0 && squared > p.resetDistance * p.resetDistance) {
+      return true;
+    }
+    // As in Nav2 the headings are subtracted as they are: passing pi counts as a turn.
+    if (p.resetAngle >= 0.0 && std::abs(robot_.heading - flip_.heading) > p.resetAngle) {
+      return true;
+    }
+    return p.resetTime >= 0.0 && time_ - flipTime_ > p.resetTime;
+  }
+
+  DwbCriticParameters parameters_;
+  AxisTrend x_, y_, theta_;
+  Pose2 robot_, flip_;
+  double time_ = 0.0, flipTime_ = 0.0;  // [s]
+};
+
+class PreferForwardCritic final : public DwbCritic {
+ public:
+  explicit PreferForwardCritic(const DwbCriticSetup& setup) : parameters_(setup.parameters) {}
+  DwbPrice price(const DwbTrajectory& trajectory) override {
+    const DwbCriticParameters& p = parameters_;
+    const double x = trajectory.velocity.linear, turn = std::abs(trajectory.velocity.angular);
+    if (x < 0.0 || (x < p.strafeX && turn < p.strafeTheta)) {
+      return p.penalty;
+    }
+    return turn * p.thetaScale;
+  }
+  double scale(double /*resolution*/) const override { return parameters_.scale; }
+
+ private:
+  DwbCriticParameters parameters_;
+};
+
+class TwirlingDwbCritic final : public DwbCritic {
+ public:
+  explicit TwirlingDwbCritic(const DwbCriticSetup& setup) : scale_(setup.parameters.scale) {}
+  DwbPrice price(const DwbTrajectory& trajectory) override {
+    return std::abs(trajectory.velocity.angular);
+  }
+  double scale(double /*resolution*/) const override { return scale_; }
+
+ private:
+  double scale_;
+};
+
+template <class Critic>
+std::unique_ptr<DwbCritic> makeMotionCritic(const DwbCriticSetup& setup) {
+  return std::make_unique<Critic>(setup);
+}
+
+}  // namespace
+
+std::vector<DwbCriticType> motionCriticTypes() {
+  using P = DwbCriticParameters;
+  const Nav2Key<P> scale{"scale", &P::scale, "", "weight"};
+  return {
+      {"dwb_critics::RotateToGoalCritic",
+       {scale,
+        {"slowing_factor", &P::slowingFactor, "s^2/m^2", "price of speed near the goal"},
+        {"lookahead_time", &P::lookaheadTime, "s",
+         "whose heading counts; negative: that of the end"}},
+       makeMotionCritic<RotateToGoalCritic>},
+      {"dwb_critics::OscillationCritic",
+       {scale,
+        {"oscillation_reset_dist", &P::resetDistance, "m",
+         "so far from the flip it is forgotten; negative: never"},
+        {"oscillation_reset_angle", &P::resetAngle, "rad", "idem, turned"},
+        {"oscillation_reset_time", &P::resetTime, "s", "idem, later"},
+        {"x_only_threshold", &P::xOnlyThreshold, "m/s",
+         "faster ahead turns and strafes are not noted; negative: always"}},
+       makeMotionCritic<OscillationCritic>},
+      {"dwb_critics::PreferForwardCritic",
+       {scale,
+        {"penalty", &P::penalty, "", "price of driving backwards or creeping"},
+        {"strafe_x", &P::strafeX, "m/s", "slower ahead, unless turning, is creeping"},
+        {"strafe_theta", &P::strafeTheta, "rad/s", "turning"},
+        {"theta_scale", &P::thetaScale, "s/rad", "price of turning"}},
+       makeMotionCritic<PreferForwardCritic>},
+      {"dwb_critics::TwirlingCritic", {scale}, makeMotionCritic<TwirlingDwbCritic>},
+  };
+}
+
+}  // namespace sim2d::nav2
