@@ -72,6 +72,10 @@ base::Result<std::unique_ptr<Controller>> ControllerRegistry::make(
 const ControllerRegistry& controllerRegistry() {
   static const ControllerRegistry kRegistry = [] {
     ControllerRegistry registry;
+    addRegulatedPurePursuit(registry);
+    addDwb(registry);
+    addGraceful(registry);
+    addRotationShim(registry);
     return registry;
   }();
   return kRegistry;
