@@ -1,0 +1,200 @@
+#include <cmath>
+
+#include <QtTest>
+
+#include "sim2d/nav/nav2/control/PathHandler.h"
+#include "tests/nav/ControlScene.h"
+
+using namespace control_scene;
+using base::Vec2;
+
+namespace {
+
+Pose2 at(double x, double y, double heading = 0.0) {
+  return {Vec2(x, y), heading};
+}
+
+PathHandler handlerOf(PathHandling::Rule rule) {
+  PathHandling handling;
+  handling.rule = rule;
+  return PathHandler(handling);
+}
+
+}  // namespace
+
+class PathHandlerTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void lengths_byHand();
+  void pursuit_farPoses_areCut();
+  void pursuit_loop_searchIsBounded();
+  void pursuit_atTheEnd_twoPosesSinceJazzy();
+  void dwb_beginsNear_endsByDistance();
+  void way_endsByLengthOrMap();
+  void way_inversion_isHeldUntilReached();
+  void way_rotation_isHeldUntilMade();
+  void problems_inNav2sWords();
+
+ private:
+  const Costmap map_{60, 60, 0.05, Vec2(-1.5, -1.5)};
+};
+
+void PathHandlerTest::lengths_byHand() {
+  const Path path = {at(0, 0), at(3, 4), at(3, 5), at(3, 5), at(2, 5)};
+  QCOMPARE(pathLength(path), 7.0);
+  QCOMPARE(pathLength({}), 0.0);
+  QCOMPARE(firstAfterDistance(path, 0, 4.9), std::size_t{1});
+  QCOMPARE(firstAfterDistance(path, 0, 5.0), std::size_t{2});  // more than, not as much
+  QCOMPARE(firstAfterDistance(path, 1, 1.0), std::size_t{4});
+  QCOMPARE(firstAfterDistance(path, 0, 7.0), std::size_t{5});
+  QCOMPARE(firstAfterInversion(path), path.size());
+  QCOMPARE(firstAfterInversion({at(0, 0), at(1, 0), at(0.5, 0.1)}), std::size_t{2});
+  QCOMPARE(firstAfterInversion({at(0, 0), at(1, 0), at(1, 1)}), std::size_t{3});  // right angle
+  QVERIFY(isNear(halfExtent(map_), 1.4875));  // (59 + 0.5) * 0.05 / 2
+}
+
+void PathHandlerTest::pursuit_farPoses_areCut() {
+  PathHandler handler = handlerOf(PathHandling::Rule::Pursuit);
+  handler.setPlan(straight(3.0, 0.1));
+  const LocalPlan local = handler.localPlan(at(0.52, 0.3), map_);
+  QVERIFY(local.problem == nullptr);
+  QVERIFY(isNear(local.poses.front().position.x(), 0.5));
+  // hypot(x - 0.52, 0.3) <= 1.4875: x up to 1.977
+  QVERIFY(isNear(local.poses.back().position.x(), 1.9));
+  QVERIFY(isNear(handler.plan().front().position.x(), 0.5));  // what is passed is erased
+  QVERIFY(isNear(handler.localPlan(at(0.2, 0.0), map_).poses.front().position.x(), 0.5));
+}
+
+/// A path that comes by again: only its first half map is looked at.
+void PathHandlerTest::pursuit_loop_searchIsBounded() {
+  Path path = straight(2.0, 0.1);
+  for (int i = 0; i <= 20; ++i) {
+    path.push_back(at(2.0 - 0.1 * i, 0.1));
+  }
+  PathHandler bounded = handlerOf(PathHandling::Rule::Pursuit);
+  bounded.setPlan(path);
+  QCOMPARE(bounded.localPlan(at(0.0, 0.1), map_).poses.front(), path.front());
+  PathHandling everywhere;
+  everywhere.rule = PathHandling::Rule::Pursuit;
+  everywhere.searchDistance = -1.0;
+  PathHandler all(everywhere);
+  all.setPlan(path);
+  QCOMPARE(all.localPlan(at(0.0, 0.1), map_).poses.size(), std::size_t{1});  // the very last
+  everywhere.searchDistance = 0.35;
+  PathHandler little(everywhere);
+  little.setPlan(path);
+  QVERIFY(isNear(little.localPlan(at(1.0, 0.0), map_).poses.front().position.x(), 0.3));
+}
+
+void PathHandlerTest::pursuit_atTheEnd_twoPosesSinceJazzy() {
+  PathHandling handling;
+  handling.rule = PathHandling::Rule::Pursuit;
+  PathHandler humble(handling);
+  humble.setPlan(straight(0.5, 0.1));
+  QCOMPARE(humble.localPlan(at(0.5, 0.0), map_).poses.size(), std::size_t{1});
+  handling.keepsTwo = true;
+  PathHandler jazzy(handling);
+  jazzy.setPlan(straight(0.5, 0.1));
+  QCOMPARE(jazzy.localPlan(at(0.5, 0.0), map_).poses.size(), std::size_t{2});
+  QCOMPARE(jazzy.localPlan(at(0.5, 0.0), map_).poses.size(), std::size_t{2});
+}
+
+void PathHandlerTest::dwb_beginsNear_endsByDistance() {
+  PathHandling handling;
+  handling.rule = PathHandling::Rule::Dwb;
+  handling.pruneDistance = 0.25;
+  handling.forwardPruneDistance = 1.0;
+  PathHandler handler(handling);
+  handler.setPlan(straight(3.0, 0.1));
+  LocalPlan local = handler.localPlan(at(0.52, 0.0), map_);
+  QVERIFY(isNear(local.poses.front().position.x(), 0.3));  // the first nearer than 0.25
+  QVERIFY(isNear(local.poses.back().position.x(), 1.5));   // the last not farther than 1
+  QVERIFY(isNear(handler.plan().front().position.x(), 0.3));
+  handling.prunesPlan = false;  // then half the map counts: 60 * 0.05 / 2
+  handling.shortensPlan = false;
+  PathHandler whole(handling);
+  whole.setPlan(straight(3.0, 0.1));
+  local = whole.localPlan(at(0.52, 0.0), map_);
+  QVERIFY(isNear(local.poses.front().position.x(), 0.0));
+  QVERIFY(isNear(local.poses.back().position.x(), 2.0));
+  QVERIFY(isNear(whole.plan().front().position.x(), 0.0));
+  // Farther on than forward_prune_distance of way nothing is looked for.
+  handling.prunesPlan = true;
+  PathHandler behind(handling);
+  behind.setPlan(straight(3.0, 0.1));
+  local = behind.localPlan(at(2.0, 0.0), map_);
+  QVERIFY(isNear(local.poses.front().position.x(), 1.1));
+}
+
+void PathHandlerTest::way_endsByLengthOrMap() {
+  PathHandling handling;
+  handling.pruneDistance = 0.55;
+  PathHandler handler(handling);
+  Path path = straight(0.5, 0.1);
+  path.push_back(at(0.5, 0.1));
+  path.push_back(at(0.4, 0.1));
+  handler.setPlan(path);
+  QVERIFY((handler.localPlan(at(0, 0), map_).poses.back().position - Vec2(0.5, 0.0)).norm() < 1e-9);
+  handling.pruneDistance = 5.0;
+  PathHandler far(handling);
+  far.setPlan(straight(3.0, 0.1));
+  QVERIFY(
+      isNear(far.localPlan(at(0.12, 0), map_).poses.back().position.x(), 1.4));  // map ends at 1.5
+  QVERIFY(isNear(far.plan().front().position.x(), 0.1));
+}
+
+void PathHandlerTest::way_inversion_isHeldUntilReached() {
+  PathHandling handling;
+  handling.enforcesInversion = true;
+  PathHandler handler(handling);
+  Path path = straight(0.8, 0.1);
+  const std::size_t ahead = path.size();
+  for (int i = 1; i <= 6; ++i) {
+    path.push_back(at(0.8 - 0.1 * i, 0.0));
+  }
+  handler.setPlan(path);
+  QCOMPARE(handler.localPlan(at(0, 0), map_).poses.size(), ahead);
+  QCOMPARE(handler.localPlan(at(0.75, 0, 0.5), map_).poses.back().position.x(), 0.8);  // askew: 0.4
+  QCOMPARE(handler.localPlan(at(0.65, 0, 0.1), map_).poses.back().position.x(),
+           0.8);  // reached now
+  const LocalPlan back = handler.localPlan(at(0.79, 0, 0.1), map_);
+  QVERIFY(isNear(back.poses.back().position.x(), 0.2));
+  QVERIFY(isNear(back.poses.front().position.x(), 0.7));
+}
+
+void PathHandlerTest::way_rotation_isHeldUntilMade() {
+  PathHandling handling;
+  handling.enforcesRotation = true;
+  PathHandler handler(handling);
+  Path path = straight(0.5, 0.1);
+  path.push_back(at(0.5, 0.0, 0.5));
+  path.push_back(at(0.5, 0.0, 1.0));  // 1 rad on the spot
+  for (int i = 1; i <= 5; ++i) {
+    path.push_back(at(0.5, 0.1 * i, 1.57));
+  }
+  handler.setPlan(path);
+  QCOMPARE(handler.localPlan(at(0, 0), map_).poses.back(), at(0.5, 0.0, 1.0));
+  handler.localPlan(at(0.45, 0.0, 0.5), map_);  // not turned yet
+  QCOMPARE(handler.localPlan(at(0.45, 0.0, 0.9), map_).poses.back(), at(0.5, 0.0, 1.0));
+  QVERIFY(isNear(handler.localPlan(at(0.45, 0.0, 0.9), map_).poses.back().position.y(), 0.5));
+  handling.minimumRotation = 1.1;
+  PathHandler little(handling);
+  little.setPlan(path);
+  QVERIFY(isNear(little.localPlan(at(0, 0), map_).poses.back().position.y(), 0.5));
+}
+
+void PathHandlerTest::problems_inNav2sWords() {
+  PathHandling handling;
+  handling.rejectsUnitPath = true;
+  PathHandler handler(handling);
+  QCOMPARE(handler.localPlan(at(0, 0), map_).problem, "Received plan with zero length");
+  handler.setPlan({at(0, 0)});
+  QCOMPARE(handler.localPlan(at(0, 0), map_).problem, "Received plan with length of one");
+  handler.setPlan(straight(1.0));
+  QCOMPARE(handler.localPlan(at(0, 0), Costmap(4, 4, 0.05, Vec2(9.0, 9.0))).problem,
+           "Resulting plan has 0 poses in it.");
+}
+
+QTEST_APPLESS_MAIN(PathHandlerTest)
+#include "tst_PathHandler.moc"
