@@ -33,6 +33,12 @@ constexpr ProblemText kTexts[] = {
     {"nav2.not-without", "{key} is switched off: it does nothing without {other}"},
     {"nav2.missing-key", "{key} has no default and must be given"},
     {"nav2.positive-deceleration", "{key} {found} is taken as negative: it is a deceleration"},
+    {"nav2.mppi-period",
+     "the controller is asked every {found} s, its model_dt is {wanted} s: Nav2's MPPI starts only "
+     "when it is asked as often or more often"},
+    {"nav2.mppi-no-shift",
+     "the controller is asked every {found} s, its model_dt is {wanted} s: Nav2's MPPI does not "
+     "shift its sequence then (make them equal)"},
     {"planner.unknown-parameter", "unknown to '{planner}'{nearest}"},
     {"planner.command-unused", "counts with planner 'external' only, not with '{planner}'"},
     {"planner.bad-value", "'{found}' is not {wanted}"},

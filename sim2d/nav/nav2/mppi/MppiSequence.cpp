@@ -1,0 +1,160 @@
+#include "sim2d/nav/nav2/mppi/MppiSequence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "sim2d/base/Math.h"
+#include "sim2d/nav/mppi/MppiUpdate.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr std::size_t kLeastFiltered = 21;
+
+float within(float value, float low, float high) {
+  return std::min(high, std::max(low, value));
+}
+
+/// Mean of nine, padded like the filter of Savitzky and Golay.
+std::vector<float> meanOfNine(const std::vector<float>& sequence,
+                              const std::array<float, 4>& sent) {
+  std::vector<float> padded(sent.begin(), sent.end());
+  padded.insert(padded.end(), sequence.begin(), sequence.end());
+  padded.insert(padded.end(), 4, sequence.back());
+  std::vector<float> result(sequence.size());
+  for (std::size_t i = 0; i < sequence.size(); ++i) {
+    float sum = 0.0F;
+    for (std::size_t tap = 0; tap < 9; ++tap) {
+      sum += padded[i + tap];
+    }
+    result[i] = sum / 9.0F;
+  }
+  return result;
+}
+
+}  // namespace
+
+MppiLimits mppiLimitsOf(const MppiSettings& settings) {
+  const auto single = [](double value) { return static_cast<float>(value); };
+  MppiLimits limits;
+  limits.low = {single(settings.vxMin), single(-settings.wzMax), single(-settings.vyMax)};
+  limits.high = {single(settings.vxMax), single(settings.wzMax), single(settings.vyMax)};
+  limits.least = {single(settings.axMin), single(-settings.azMax), single(settings.ayMin)};
+  limits.most = {single(settings.axMax), single(settings.azMax), single(settings.ayMax)};
+  limits.turningRadius = single(settings.minTurningRadius);
+  return limits;
+}
+
+MppiLimits limitedTo(const MppiLimits& limits, double limit, bool isPercentage) {
+  if (limit == 0.0) {
+    return limits;
+  }
+  const double share = isPercentage ? limit / 100.0 : limit / static_cast<double>(limits.high[0]);
+  MppiLimits scaled = limits;
+  for (std::size_t axis = 0; axis < scaled.low.size(); ++axis) {
+    scaled.low[axis] *= static_cast<float>(share);
+    scaled.high[axis] *= static_cast<float>(share);
+  }
+  return scaled;
+}
+
+float reachable(float wanted, float now, float least, float most, float dt) {
+  const bool isAhead = now > 0.0F;
+  return within(wanted, now + dt * (isAhead ? least : -most), now + dt * (isAhead ? most : -least));
+}
+
+void limitTurns(MppiSequence& sequence, float radius) {
+  for (std::size_t i = 0; i < sequence[0].size(); ++i) {
+    const float most = std::abs(sequence[0][i]) / radius;
+    sequence[1][i] = within(sequence[1][i], -most, most);
+  }
+}
+
+void limitEachOther(MppiSequence& sequence, const MppiLimits& limits, float dt,
+                    bool limitsAccelerations) {
+  for (std::size_t axis = 0; axis < sequence.size(); ++axis) {
+    std::vector<float>& controls = sequence[axis];
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+      controls[i] = within(controls[i], limits.low[axis], limits.high[axis]);
+      if (limitsAccelerations && i > 0) {
+        controls[i] =
+            reachable(controls[i], controls[i - 1], limits.least[axis], limits.most[axis], dt);
+      }
+    }
+  }
+}
+
+void limitFromSpeed(MppiSequence& sequence, const MppiLimits& limits, const MppiControl& speed,
+                    float firstDt, float dt) {
+  for (std::size_t axis = 0; axis < sequence.size(); ++axis) {
+    std::vector<float>& controls = sequence[axis];
+    for (float& control : controls) {
+      control = within(control, limits.low[axis], limits.high[axis]);
+    }
+    controls[0] =
+        reachable(controls[0], speed[axis], limits.least[axis], limits.most[axis], firstDt);
+    for (std::size_t i = 1; i < controls.size(); ++i) {
+      controls[i] =
+          reachable(controls[i], controls[i - 1], limits.least[axis], limits.most[axis], dt);
+    }
+  }
+}
+
+void tieToSpeed(MppiSequence& sequence, const MppiLimits& limits, const MppiControl& speed,
+                float firstDt) {
+  for (std::size_t axis = 0; axis < sequence.size(); ++axis) {
+    sequence[axis][0] =
+        reachable(sequence[axis][0], speed[axis], limits.least[axis], limits.most[axis], firstDt);
+  }
+}
+
+void shiftByOne(MppiSequence& sequence) {
+  for (std::vector<float>& controls : sequence) {
+    std::move(controls.begin() + 1, controls.end(), controls.begin());
+  }
+}
+
+bool filterSequence(MppiSequence& sequence, const std::array<MppiControl, 4>& sent, int order) {
+  if (sequence[0].size() < kLeastFiltered) {
+    return false;
+  }
+  for (std::size_t axis = 0; axis < sequence.size(); ++axis) {
+    std::vector<float>& controls = sequence[axis];
+    const std::array<float, 4> before = {sent[0][axis], sent[1][axis], sent[2][axis],
+                                         sent[3][axis]};
+    const float last = controls.back();
+    controls = order == 1 ? meanOfNine(controls, before) : savitzkyGolay(controls, before);
+    controls.back() = last;
+  }
+  return true;
+}
+
+Path integrated(const Pose2& start, const MppiSequence& sequence, double dt) {
+  Path path;
+  path.reserve(sequence[0].size());
+  Pose2 pose = start;
+  for (std::size_t i = 0; i < sequence[0].size(); ++i) {
+    const Vec2 way =
+        dt * Vec2(static_cast<double>(sequence[0][i]), static_cast<double>(sequence[2][i]));
+    pose.position = pose.toWorld(way);
+    pose.heading = base::wrapToPi(pose.heading + dt * static_cast<double>(sequence[1][i]));
+    path.push_back(pose);
+  }
+  return path;
+}
+
+MppiRetries::Next MppiRetries::after(bool hasFailed) {
+  if (!hasFailed) {
+    count_ = 0;
+    return Next::Done;
+  }
+  if (++count_ > limit_) {
+    count_ = 0;
+    return Next::GiveUp;
+  }
+  return Next::Retry;
+}
+
+}  // namespace sim2d::nav2

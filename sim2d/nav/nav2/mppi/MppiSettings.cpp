@@ -1,0 +1,282 @@
+#include "sim2d/nav/nav2/mppi/MppiSettings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "sim2d/base/Problems.h"
+#include "sim2d/nav/mppi/MppiKernel.h"
+#include "sim2d/nav/nav2/control/ControllerRegistry.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr int kMostTrajectories = 50000;
+
+/// Main: the block of a motion model.
+struct MotionModelSettings {
+  std::string plugin;
+  double minTurningRadius = 0.2;  // [m]
+};
+
+const std::vector<Nav2Key<MotionModelSettings>>& motionModelKeys() {
+  using P = MotionModelSettings;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"plugin", &P::plugin, "", "mppi::DiffDriveMotionModel and so on", kMain},
+      {"min_turning_r", &P::minTurningRadius, "m", "radius of the tightest turn (Ackermann)",
+       kMain},
+  };
+  return kKeys;
+}
+
+constexpr std::array<const char*, 3> kMotionModels = {"DiffDrive", "Omni", "Ackermann"};
+
+/// "mppi::DiffDriveMotionModel" of "DiffDrive".
+std::string motionPluginOf(const std::string& model) {
+  return "mppi::" + model + "MotionModel";
+}
+
+/// Gathers values that cannot be.
+class MppiValueCheck {
+ public:
+  explicit MppiValueCheck(base::Diagnostics& problems) : problems_(problems) {}
+
+  void within(const std::string& key, double value, double low, double high, const char* wanted) {
+    if (!(value >= low && value <= high)) {
+      problems_.push_back(base::error("nav2.wrong-value", {key, value, wanted}));
+    }
+  }
+  void positive(const std::string& key, double value) {
+    within(key, value, std::numeric_limits<double>::min(), 1e6, "greater than 0");
+  }
+  void notNegative(const std::string& key, double value) {
+    within(key, value, 0.0, 1e6, "0 or more");
+  }
+  void count(const std::string& key, int value, int least, int most) {
+    const std::string range = std::to_string(least) + " to " + std::to_string(most);
+    within(key, value, least, most, range.c_str());
+  }
+
+ private:
+  base::Diagnostics& problems_;
+};
+
+void checkOptimizer(const MppiSettings& settings, MppiValueCheck& check) {
+  check.count("time_steps", settings.timeSteps, 2, kMostMppiSteps);
+  check.count("batch_size", settings.batchSize, 1, kMostTrajectories);
+  check.count("iteration_count", settings.iterationCount, 1, 1000);
+  check.count("retry_attempt_limit", settings.retryAttemptLimit, 0, 1000);
+  check.count("sgf_order", settings.sgfOrder, 1, 2);
+  check.positive("model_dt", settings.modelDt);
+  check.positive("temperature", settings.temperature);
+  check.notNegative("gamma", settings.gamma);
+  check.positive("vx_max", settings.vxMax);
+  check.notNegative("vy_max", settings.vyMax);
+  check.notNegative("wz_max", settings.wzMax);
+  check.within("vx_min", settings.vxMin, -1e6, settings.vxMax, "vx_max or less");
+  check.notNegative("ax_max", settings.axMax);
+  check.notNegative("ay_max", settings.ayMax);
+  check.notNegative("az_max", settings.azMax);
+  check.within("ax_min", settings.axMin, -1e6, 0.0, "0 or less");
+  check.within("ay_min", settings.ayMin, -1e6, 0.0, "0 or less");
+  check.notNegative("vx_std", settings.vxStd);
+  check.notNegative("vy_std", settings.vyStd);
+  check.notNegative("wz_std", settings.wzStd);
+  check.notNegative("model_delay_vx", settings.vxDelay);
+  check.notNegative("model_delay_vy", settings.vyDelay);
+  check.notNegative("model_delay_wz", settings.wzDelay);
+  check.positive("min_turning_r", settings.minTurningRadius);
+  check.notNegative("TrajectoryValidator.collision_lookahead_time", settings.collisionLookahead);
+  check.positive("prune_distance", settings.pruneDistance);
+}
+
+void checkCritics(const MppiCriticSettings& critics, MppiValueCheck& check) {
+  visitCritics(critics, [&](const char* name, const auto& critic, const auto& /*keys*/) {
+    const std::string prefix = std::string(name) + ".";
+    check.count(prefix + "cost_power", critic.power, 0, 100);
+    check.within(prefix + "cost_weight", critic.weight, -1e9, 1e9, "a finite number");
+  });
+  check.count("CostCritic.trajectory_point_step", critics.cost.pointStep, 1, kMostMppiSteps);
+  check.count("PathAlignCritic.trajectory_point_step", critics.pathAlign.pointStep, 1,
+              kMostMppiSteps);
+  check.count("PathAlignCritic.offset_from_furthest", critics.pathAlign.offsetFromFurthest, 0,
+              kMostTrajectories);
+  check.count("PathFollowCritic.offset_from_furthest", critics.pathFollow.offsetFromFurthest, 0,
+              kMostTrajectories);
+  check.count("PathAngleCritic.offset_from_furthest", critics.pathAngle.offsetFromFurthest, 0,
+              kMostTrajectories);
+  check.count("PathAngleCritic.mode", critics.pathAngle.mode, 0, 2);
+  check.within("VelocityDeadbandCritic.deadband_velocities (size)",
+               static_cast<double>(critics.deadband.velocities.size()), 3.0, 3.0, "3");
+}
+
+std::vector<std::string> knownCritics() {
+  MppiCriticSettings settings;
+  std::vector<std::string> names;
+  visitCritics(settings, [&](const char* name, const auto& /*critic*/, const auto& /*keys*/) {
+    names.emplace_back(name);
+  });
+  return names;
+}
+
+void checkCriticNames(const std::vector<std::string>& critics, base::Diagnostics& problems) {
+  const std::vector<std::string> known = knownCritics();
+  for (const std::string& name : critics) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      problems.push_back(unknownPlugin(name, known));
+    }
+  }
+}
+
+/// Sets the motion; main names a block with the plugin.
+void readMotion(const Nav2Block& block, MppiConfiguration& mppi, base::Diagnostics& problems) {
+  std::string model = mppi.settings.motionModel;
+  std::vector<std::string> known(kMotionModels.begin(), kMotionModels.end());
+  if (mppi.distro == Distro::Main) {
+    const std::string prefix = model + ".";
+    MotionModelSettings given =
+        filled(MotionModelSettings(), motionModelKeys(), block, mppi.distro, problems, prefix);
+    mppi.settings.minTurningRadius = given.minTurningRadius;
+    if (!given.plugin.empty()) {
+      model = pluginName(given.plugin);
+      std::transform(known.begin(), known.end(), known.begin(), motionPluginOf);
+    }
+  }
+  const auto found = std::find(known.begin(), known.end(), model);
+  if (found == known.end()) {
+    problems.push_back(unknownPlugin(model, known));
+    return;
+  }
+  mppi.motion = static_cast<MppiMotion>(found - known.begin());
+}
+
+}  // namespace
+
+const std::vector<Nav2Key<MppiSettings>>& mppiKeys() {
+  using P = MppiSettings;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"time_steps", &P::timeSteps, "", "steps of a trajectory, 2 to 200"},
+      {"model_dt", &P::modelDt, "s", "length of a step; the controller's period is no longer"},
+      {"batch_size", &P::batchSize, "", "trajectories"},
+      {"iteration_count", &P::iterationCount, "", "updates per call"},
+      {"temperature", &P::temperature, "", "the less, the more the cheapest ones count"},
+      {"gamma", &P::gamma, "", "the more, the more the last sequence is kept"},
+      {"vx_max", &P::vxMax, "m/s", "greatest speed ahead"},
+      {"vx_min", &P::vxMin, "m/s", "least speed; below 0 back"},
+      {"vy_max", &P::vyMax, "m/s", "greatest speed sideways (Omni)"},
+      {"wz_max", &P::wzMax, "rad/s", "greatest rate of turn"},
+      {"ax_max", &P::axMax, "m/s²", "greatest acceleration ahead", kSinceJazzy},
+      {"ax_min", &P::axMin, "m/s²", "greatest deceleration, below 0", kSinceJazzy},
+      {"ay_max", &P::ayMax, "m/s²", "greatest acceleration sideways", kSinceJazzy},
+      {"ay_min", &P::ayMin, "m/s²", "greatest deceleration sideways, below 0", kSinceJazzy},
+      {"az_max", &P::azMax, "rad/s²", "greatest acceleration of turn", kSinceJazzy},
+      {"vx_std", &P::vxStd, "m/s", "standard deviation of the noise"},
+      {"vy_std", &P::vyStd, "m/s", "idem, sideways (Omni)"},
+      {"wz_std", &P::wzStd, "rad/s", "idem, of the rate of turn"},
+      {"motion_model", &P::motionModel, "",
+       "DiffDrive, Omni or Ackermann; main: the block with the plugin"},
+      {"AckermannConstraints.min_turning_r", &P::minTurningRadius, "m",
+       "radius of the tightest turn (Ackermann)", kUntilJazzy},
+      {"retry_attempt_limit", &P::retryAttemptLimit, "", "so many failures are tried again"},
+      {"regenerate_noises", &P::regeneratesNoises, "",
+       "false: the same noise until the next reset"},
+      {"open_loop", &P::isOpenLoop, "", "starts from the last command, not the measured speed",
+       kSinceJazzy},
+      {"reset_period", &P::resetPeriod, "s", "forgets all after so long without a call", kHumble},
+      {"model_delay_vx", &P::vxDelay, "s", "so long until a command counts", kMain},
+      {"model_delay_vy", &P::vyDelay, "s", "so long until a command counts", kMain},
+      {"model_delay_wz", &P::wzDelay, "s", "so long until a command counts", kMain},
+      {"clamp_raw_controls", &P::clampsRawControls, "",
+       "averages what can be driven, not what was drawn", kMain},
+      {"sgf_order", &P::sgfOrder, "", "of the filter; 1: mean of nine, 2: quadratic", kMain},
+      {"critics", &P::critics, "", "who prices trajectories, in this order"},
+      {"TrajectoryValidator.collision_lookahead_time", &P::collisionLookahead, "s",
+       "so long the optimal trajectory must not collide", kMain},
+      {"TrajectoryValidator.consider_footprint", &P::validatesFootprint, "",
+       "by the edges of the footprint, not by its centre", kMain},
+      {"max_robot_pose_search_dist", &P::searchDistance, "m",
+       "the robot is looked for on so much of the path; 0: half the costmap", kUntilJazzy},
+      {"prune_distance", &P::pruneDistance, "m", "so much of the path counts", kUntilJazzy},
+      {"enforce_path_inversion", &P::enforcesInversion, "",
+       "the path ends at its first cusp until the robot is there", kUntilJazzy},
+      {"inversion_xy_tolerance", &P::inversionXyTolerance, "m", "so near is at the cusp",
+       kUntilJazzy},
+      {"inversion_yaw_tolerance", &P::inversionYawTolerance, "rad", "idem, heading", kUntilJazzy},
+  };
+  return kKeys;
+}
+
+const std::vector<IdleKey>& mppiIdleKeys() {
+  static const std::vector<IdleKey> kKeys = {
+      {"transform_tolerance", "no TF here"},
+      {"visualize", "the window draws what is weighed"},
+      {"publish_optimal_trajectory", "no topics here"},
+      {"publish_critics_stats", "no topics here"},
+      {"TrajectoryVisualizer.trajectory_step", "the window chooses what it draws"},
+      {"TrajectoryVisualizer.time_step", "the window chooses what it draws"},
+      {"TrajectoryValidator.plugin", "there is one validator here"},
+  };
+  return kKeys;
+}
+
+base::Result<MppiConfiguration> readMppi(const Nav2Block& block, Distro distro) {
+  base::Diagnostics problems;
+  MppiConfiguration mppi;
+  mppi.distro = distro;
+  mppi.settings = filled(MppiSettings(), mppiKeys(), block, distro, problems);
+  mppi.critics = criticSettingsOf(distro);
+  visitCritics(mppi.critics, [&](const char* name, auto& critic, const auto& keys) {
+    critic = filled(critic, keys, block, distro, problems, std::string(name) + ".");
+  });
+  readMotion(block, mppi, problems);
+  MppiValueCheck check(problems);
+  checkOptimizer(mppi.settings, check);
+  checkCritics(mppi.critics, check);
+  checkCriticNames(mppi.settings.critics, problems);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {std::move(mppi), std::move(problems)};
+}
+
+Nav2Keys mppiKeysOf(const Nav2Block& block, Distro distro) {
+  Nav2Keys keys;
+  addRows(keys, mppiKeys(), MppiSettings());
+  for (const IdleKey& key : mppiIdleKeys()) {
+    keys.idle.push_back({key.name, key.why});
+  }
+  base::Diagnostics ignored;  // whoever makes the controller tells them
+  const MppiSettings given = filled(MppiSettings(), mppiKeys(), block, distro, ignored);
+  if (distro == Distro::Main) {
+    addRows(keys, motionModelKeys(), MotionModelSettings(), given.motionModel + ".");
+  }
+  const MppiCriticSettings critics = criticSettingsOf(distro);
+  visitCritics(critics, [&](const char* name, const auto& critic, const auto& table) {
+    const std::string prefix = std::string(name) + ".";
+    const auto& listed = given.critics;
+    if (std::find(listed.begin(), listed.end(), name) != listed.end()) {
+      addRows(keys, table, critic, prefix);
+      for (const IdleKey& key : criticIdleKeys()) {
+        keys.idle.push_back({prefix + key.name, key.why});
+      }
+      return;
+    }
+    for (const auto& key : table) {
+      keys.idle.push_back({prefix + key.name, std::string(name) + " is not in critics"});
+    }
+  });
+  return keys;
+}
+
+MppiShift mppiShiftOf(double period, double modelDt) {
+  constexpr double kSame = 1e-6;  // [s]
+  if (period + kSame < modelDt) {
+    return MppiShift::Keeps;
+  }
+  return std::abs(period - modelDt) < kSame ? MppiShift::Shifts : MppiShift::Refused;
+}
+
+}  // namespace sim2d::nav2
