@@ -76,6 +76,7 @@ const ControllerRegistry& controllerRegistry() {
     addDwb(registry);
     addGraceful(registry);
     addRotationShim(registry);
+    addMppi(registry);
     return registry;
   }();
   return kRegistry;

@@ -57,6 +57,7 @@ base::Diagnostic unknownPlugin(const std::string& found, const std::vector<std::
 
 void addDwb(ControllerRegistry& registry);
 void addGraceful(ControllerRegistry& registry);
+void addMppi(ControllerRegistry& registry);
 void addRegulatedPurePursuit(ControllerRegistry& registry);
 void addRotationShim(ControllerRegistry& registry);
 

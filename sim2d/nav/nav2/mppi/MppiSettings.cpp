@@ -245,9 +245,7 @@ base::Result<MppiConfiguration> readMppi(const Nav2Block& block, Distro distro) 
 Nav2Keys mppiKeysOf(const Nav2Block& block, Distro distro) {
   Nav2Keys keys;
   addRows(keys, mppiKeys(), MppiSettings());
-  for (const IdleKey& key : mppiIdleKeys()) {
-    keys.idle.push_back({key.name, key.why});
-  }
+  addIdle(keys, mppiIdleKeys());
   base::Diagnostics ignored;  // whoever makes the controller tells them
   const MppiSettings given = filled(MppiSettings(), mppiKeys(), block, distro, ignored);
   if (distro == Distro::Main) {

@@ -1,0 +1,189 @@
+#include "sim2d/nav/nav2/mppi/MppiController.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim2d/base/Problems.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr int kShownTrajectories = 40;
+constexpr int kShownStride = 4;  // steps between poses of a shown trajectory
+
+PathHandling mppiHandling(const MppiConfiguration& mppi) {
+  PathHandling handling;
+  handling.rule = PathHandling::Rule::Way;
+  handling.searchDistance = mppi.settings.searchDistance;
+  handling.pruneDistance = mppi.settings.pruneDistance;
+  handling.keepsTwo = mppi.distro == Distro::Jazzy;
+  handling.enforcesInversion = mppi.settings.enforcesInversion;
+  handling.inversionXyTolerance = mppi.settings.inversionXyTolerance;
+  handling.inversionYawTolerance = mppi.settings.inversionYawTolerance;
+  return handling;
+}
+
+base::Result<std::unique_ptr<Controller>> makeMppi(const ControllerSetup& setup) {
+  auto mppi = readMppi(setup.block, setup.distro);
+  if (!mppi) {
+    return mppi.diagnostics();
+  }
+  base::Diagnostics problems = mppi.diagnostics();
+  const double period = 1.0 / setup.frequency;
+  const double modelDt = mppi->settings.modelDt;
+  switch (mppiShiftOf(period, modelDt)) {
+    case MppiShift::Refused:
+      return base::error("nav2.mppi-period", {period, modelDt});
+    case MppiShift::Keeps:
+      problems.push_back(base::warning("nav2.mppi-no-shift", {period, modelDt}));
+      break;
+    case MppiShift::Shifts:
+      break;
+  }
+  MppiOptimizerSetup optimizer;
+  optimizer.period = period;
+  optimizer.seed = setup.seed;
+  optimizer.robotId = setup.robotId;
+  return {std::make_unique<MppiController>(*mppi, optimizer), std::move(problems)};
+}
+
+}  // namespace
+
+MppiController::MppiController(const MppiConfiguration& mppi, const MppiOptimizerSetup& setup)
+    : mppi_(mppi), optimizer_(mppi, setup), handler_(mppiHandling(mppi)) {}
+
+void MppiController::setPlan(const Path& plan) {
+  handler_.setPlan(plan);
+  if (!plan.empty()) {
+    goal_ = plan.back();
+  }
+}
+
+LocalPlan MppiController::localPlan(const ControlInput& input) {
+  if (input.localPlan == nullptr) {
+    return handler_.localPlan(input.robot, input.costmap);
+  }
+  LocalPlan local;
+  local.poses = *input.localPlan;
+  if (local.poses.empty()) {
+    local.problem = "Resulting plan has 0 poses in it.";
+  }
+  return local;
+}
+
+/// Humble forgets when it has not been asked for a while.
+void MppiController::resetWhenLate(double time) {
+  const bool isLate = lastTime_ && time - *lastTime_ > mppi_.settings.resetPeriod;
+  if (mppi_.distro == Distro::Humble && isLate) {
+    optimizer_.reset();
+  }
+  lastTime_ = time;
+}
+
+Control MppiController::computeVelocityCommands(const ControlInput& input) {
+  resetWhenLate(input.time);
+  view_ = {};
+  LocalPlan local = localPlan(input);
+  if (local.problem != nullptr) {
+    return {ControlCode::InvalidPath, local.problem};
+  }
+  view_.localPlan = std::move(local.poses);
+  const MppiScene scene{input.robot,
+                        input.speed,
+                        view_.localPlan,
+                        goal_,
+                        input.costmap,
+                        input.shape,
+                        input.goalChecker.xyTolerance()};
+  const auto command = optimizer_.command(scene);
+  view_.predicted = optimizer_.optimal();
+  if (isWatched()) {
+    showTrajectories();
+  }
+  if (!command) {
+    return {ControlCode::NoValidControl, "Optimizer fail to compute path"};
+  }
+  return *command;
+}
+
+void MppiController::setSpeedLimit(double limit, bool isPercentage) {
+  optimizer_.setSpeedLimit(limit, isPercentage);
+}
+
+void MppiController::reset() {
+  if (mppi_.distro != Distro::Humble) {
+    optimizer_.reset();
+  }
+}
+
+void MppiController::showTrajectories() {
+  const int count = optimizer_.trajectories().count();
+  const int stride = std::max(1, count / kShownTrajectories);
+  for (int i = 0; i < kShownTrajectories && i * stride < count; ++i) {
+    view_.trajectories.push_back(shownTrajectory(i * stride));
+  }
+  if (!view_.predicted.empty()) {
+    view_.trajectories.push_back(shownOptimal());
+  }
+}
+
+WeighedTrajectory MppiController::shownTrajectory(int sample) const {
+  const TrajectoryColumns& columns = optimizer_.trajectories();
+  const MppiCritics& critics = optimizer_.critics();
+  const auto at = static_cast<std::size_t>(sample);
+  WeighedTrajectory shown;
+  for (int step = 0; step < columns.steps(); ++step) {
+    const std::size_t place = columns.placeOf(step, sample);
+    if (step % kShownStride == 0 || step + 1 == columns.steps()) {
+      shown.poses.push_back(
+          {Vec2(static_cast<double>(columns.x[place]), static_cast<double>(columns.y[place])),
+           base::wrapToPi(static_cast<double>(columns.yaw[place]))});
+    }
+  }
+  const std::size_t first = columns.placeOf(0, sample);
+  shown.twist = {static_cast<double>(columns.controls[0][first]),
+                 static_cast<double>(columns.controls[1][first]),
+                 static_cast<double>(columns.controls[2][first])};
+  for (std::size_t i = 0; i < critics.names().size(); ++i) {
+    const double score = static_cast<double>(critics.scores(i)[at]);
+    shown.scores.push_back({critics.names()[i], score, critics.wasAsked(i) ? 1.0 : 0.0});
+    shown.total += score;
+  }
+  if (critics.hits()[at] > 0.0F) {
+    shown.refusal = "Trajectory collides";
+  }
+  return shown;
+}
+
+/// What the critics say of it: the mean over the trajectories by their weights.
+WeighedTrajectory MppiController::shownOptimal() const {
+  const MppiCritics& critics = optimizer_.critics();
+  const std::vector<float>& weights = optimizer_.weights();
+  WeighedTrajectory shown;
+  shown.isChosen = true;
+  shown.poses = view_.predicted;
+  for (std::size_t i = 0; i < critics.names().size(); ++i) {
+    double mean = 0.0;
+    for (std::size_t sample = 0; sample < weights.size(); ++sample) {
+      mean += static_cast<double>(weights[sample]) * static_cast<double>(critics.scores(i)[sample]);
+    }
+    shown.scores.push_back({critics.names()[i], mean, critics.wasAsked(i) ? 1.0 : 0.0});
+    shown.total += mean;
+  }
+  return shown;
+}
+
+void addMppi(ControllerRegistry& registry) {
+  ControllerType type;
+  type.plugin = "nav2_mppi_controller::MPPIController";
+  type.help = "Model predictive path integral control: many drawn trajectories, their mean by cost";
+  type.keys = mppiKeysOf;
+  type.make = makeMppi;
+  registry.add(std::move(type));
+}
+
+}  // namespace sim2d::nav2

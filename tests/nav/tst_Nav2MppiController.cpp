@@ -1,0 +1,386 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <QtTest>
+
+#include "sim2d/nav/nav2/control/ControllerRegistry.h"
+#include "sim2d/nav/nav2/control/PathHandler.h"
+#include "sim2d/nav/nav2/mppi/MppiSettings.h"
+#include "tests/nav/Nav2MppiScenes.h"
+
+using namespace sim2d::nav2;
+using nav2test::HandScene;
+using sim2d::BodyTwist;
+
+/// nav2_mppi_controller::MPPIController: what it reads, refuses, follows and shows.
+class Nav2MppiControllerTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void read_nothing_hasTheDefaultsOfTheCode_data();
+  void read_nothing_hasTheDefaultsOfTheCode();
+  void read_everyKey_isTaken();
+  void read_badBlock_tellsEveryProblem();
+  void read_motionModel_byRelease();
+  void keys_criticsListed_haveRows();
+  void make_period_isComparedWithModelDt();
+  void command_path_isCutAndFollowed();
+  void command_main_takesTheServersPath();
+  void command_noPath_isInvalid();
+  void command_walledIn_isNoValidControl();
+  void command_pauseOrNewGoal_resetsByRelease();
+  void watch_trajectories_changesNoCommand();
+};
+
+namespace {
+
+const char kMppi[] = "nav2_mppi_controller::MPPIController";
+
+Nav2Block stockBlock() {
+  return {{"critics", nav2test::stockCritics()}, {"batch_size", 200}};
+}
+
+std::unique_ptr<Controller> made(Distro distro, const Nav2Block& block = stockBlock(),
+                                 double frequency = 20.0) {
+  ControllerSetup setup;
+  setup.distro = distro;
+  setup.block = block;
+  setup.frequency = frequency;
+  auto result = controllerRegistry().make(kMppi, setup);
+  return result ? std::move(*result) : nullptr;
+}
+
+/// A robot with its controller.
+struct Driver {
+  explicit Driver(Distro distro, std::unique_ptr<Controller> drives)
+      : controller(std::move(drives)),
+        checker(std::move(*makeGoalChecker("nav2_controller::SimpleGoalChecker", distro, {}))) {
+    scene.goAhead(6.0, 121);
+    controller->setPlan(scene.path);
+  }
+  Control command(const Path* local = nullptr) {
+    ControlInput input{scene.robot, scene.speed, scene.costmap, scene.shape, *checker, time};
+    input.localPlan = local;
+    time += 0.05;
+    return controller->computeVelocityCommands(input);
+  }
+
+  HandScene scene;
+  std::unique_ptr<Controller> controller;
+  std::unique_ptr<GoalChecker> checker;
+  double time = 100.0;
+};
+
+std::vector<std::string> problemsOf(const base::Diagnostics& diagnostics) {
+  std::vector<std::string> texts;
+  for (const base::Diagnostic& problem : diagnostics) {
+    texts.push_back(problem.text());
+  }
+  return texts;
+}
+
+}  // namespace
+
+void Nav2MppiControllerTest::read_nothing_hasTheDefaultsOfTheCode_data() {
+  QTest::addColumn<int>("distro");
+  QTest::addColumn<QString>("key");
+  QTest::addColumn<double>("wanted");
+  const struct {
+    const char* key;
+    double humble, jazzy, main;  // -1: not there
+  } rows[] = {{"time_steps", 56, 56, 56},
+              {"model_dt", 0.05, 0.05, 0.05},
+              {"batch_size", 1000, 1000, 1000},
+              {"iteration_count", 1, 1, 1},
+              {"temperature", 0.3, 0.3, 0.3},
+              {"gamma", 0.015, 0.015, 0.015},
+              {"vx_max", 0.5, 0.5, 0.5},
+              {"vy_max", 0.5, 0.5, 0.5},
+              {"wz_max", 1.9, 1.9, 1.9},
+              {"ax_max", -1, 3.0, 3.0},
+              {"az_max", -1, 3.5, 3.5},
+              {"vx_std", 0.2, 0.2, 0.2},
+              {"wz_std", 0.4, 0.4, 0.4},
+              {"retry_attempt_limit", 1, 1, 1},
+              {"regenerate_noises", 0, 0, 0},
+              {"open_loop", -1, 0, 0},
+              {"reset_period", 1.0, -1, -1},
+              {"sgf_order", -1, -1, 2},
+              {"AckermannConstraints.min_turning_r", 0.2, 0.2, -1},
+              {"TrajectoryValidator.collision_lookahead_time", -1, -1, 2.0},
+              {"prune_distance", 1.5, 1.5, -1},
+              {"ConstraintCritic.cost_weight", 4.0, 4.0, 4.0},
+              {"CostCritic.cost_weight", 3.81, 3.81, 3.81},
+              {"CostCritic.collision_cost", 1e6, 1e6, 1e6},
+              {"CostCritic.trajectory_point_step", -1, 2, 2},
+              {"CostCritic.near_collision_cost", -1, 253, 253},
+              {"GoalCritic.threshold_to_consider", 1.4, 1.4, 1.4},
+              {"PathAlignCritic.max_path_occupancy_ratio", 0.07, 0.07, 0.07},
+              {"PathAlignCritic.offset_from_furthest", 20, 20, 20},
+              {"PathFollowCritic.offset_from_furthest", 6, 6, 6},
+              {"PathAngleCritic.cost_weight", 2.0, 2.2, 2.2},
+              {"PathAngleCritic.max_angle_to_furthest", 1.2, 0.785, 0.785},
+              {"PathAngleCritic.mode", -1, 0, 0},
+              {"PathAngleCritic.forward_preference", 1, -1, -1},
+              {"ObstaclesCritic.collision_cost", 1e4, 1e5, 1e5},
+              {"ObstaclesCritic.cost_scaling_factor", 10.0, -1, -1}};
+  for (const auto& row : rows) {
+    const QString key = QString::fromLatin1(row.key);
+    QTest::addRow("Humble %s", row.key) << 0 << key << row.humble;
+    QTest::addRow("Jazzy %s", row.key) << 1 << key << row.jazzy;
+    QTest::addRow("main %s", row.key) << 2 << key << row.main;
+  }
+}
+
+void Nav2MppiControllerTest::read_nothing_hasTheDefaultsOfTheCode() {
+  QFETCH(int, distro);
+  QFETCH(QString, key);
+  QFETCH(double, wanted);
+  Nav2Block block = stockBlock();
+  std::get<std::vector<std::string>>(block["critics"]).push_back("ObstaclesCritic");
+  const Nav2Keys keys = mppiKeysOf(block, static_cast<Distro>(distro));
+  const Nav2Keys::Row* row = keys.find(key.toStdString(), static_cast<Distro>(distro));
+  QCOMPARE(row != nullptr, wanted >= 0.0);
+  if (row != nullptr) {
+    const auto number = [](const auto& value) {
+      using Value = std::decay_t<decltype(value)>;
+      if constexpr (std::is_arithmetic_v<Value>) {
+        return static_cast<double>(value);
+      } else {
+        return -2.0;
+      }
+    };
+    QCOMPARE(std::visit(number, row->fallback), wanted);
+  }
+}
+
+/// Each key given anew arrives in the struct: another value than the default comes back.
+void Nav2MppiControllerTest::read_everyKey_isTaken() {
+  for (const Distro distro : {Distro::Humble, Distro::Jazzy, Distro::Main}) {
+    Nav2Block block;
+    block["critics"] = nav2test::stockCritics();
+    for (const Nav2Keys::Row& row : mppiKeysOf(block, distro).rows) {
+      if (!isIn(row.distros, distro)) {
+        continue;
+      }
+      if (const double* number = std::get_if<double>(&row.fallback)) {
+        block[row.name] = *number * 0.5;
+      } else if (const bool* flag = std::get_if<bool>(&row.fallback)) {
+        block[row.name] = !*flag;
+      }
+    }
+    const auto mppi = readMppi(block, distro);
+    QVERIFY2(mppi, mppi.diagnostics().empty() ? "" : mppi.diagnostics()[0].text().c_str());
+    QCOMPARE(mppi->settings.modelDt, 0.025);
+    QCOMPARE(mppi->settings.vxMin, -0.175);
+    QCOMPARE(mppi->settings.minTurningRadius, 0.1);
+    QCOMPARE(mppi->settings.axMin, distro == Distro::Humble ? -3.0 : -1.5);
+    QCOMPARE(mppi->settings.vyStd, 0.1);
+    QCOMPARE(mppi->settings.isOpenLoop, distro != Distro::Humble);
+    QCOMPARE(mppi->settings.clampsRawControls, distro == Distro::Main);
+    QVERIFY(mppi->settings.regeneratesNoises);
+    QCOMPARE(mppi->critics.cost.weight, 1.905);
+    QVERIFY(mppi->critics.cost.considersFootprint);
+    QVERIFY(!mppi->critics.preferForward.isEnabled);
+    QCOMPARE(mppi->critics.pathAlign.mostOccupied, 0.035);
+    QCOMPARE(mppi->critics.twirling.weight, 10.0);
+  }
+}
+
+void Nav2MppiControllerTest::read_badBlock_tellsEveryProblem() {
+  Nav2Block block = stockBlock();
+  block["critics"] = std::vector<std::string>{"CostCritc", "PathAlignLegacyCritic", "GoalCritic"};
+  block["vx_max"] = 1;  // an integer is no double
+  block["time_steps"] = 1;
+  block["temperature"] = 0.0;
+  block["motion_model"] = std::string("Diff");
+  block["PathAngleCritic.mode"] = 3;
+  block["VelocityDeadbandCritic.deadband_velocities"] = std::vector<double>{0.1};
+  const auto mppi = readMppi(block, Distro::Jazzy);
+  QVERIFY(!mppi);
+  const auto texts = problemsOf(mppi.diagnostics());
+  QCOMPARE(texts.size(), std::size_t(8));
+  const auto has = [&](const char* part) {
+    return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
+      return text.find(part) != std::string::npos;
+    });
+  };
+  QVERIFY(has("no plugin 'CostCritc' here (did you mean 'CostCritic'?"));
+  QVERIFY(has("'PathAlignLegacyCritic'"));
+  QVERIFY(has("vx_max has an invalid type"));
+  QVERIFY(has("time_steps 1 is not 2 to 200"));
+  QVERIFY(has("temperature 0 is not greater than 0"));
+  QVERIFY(has("'Diff'"));
+  QVERIFY(has("PathAngleCritic.mode 3 is not 0 to 2"));
+  QVERIFY(has("deadband_velocities"));
+}
+
+void Nav2MppiControllerTest::read_motionModel_byRelease() {
+  Nav2Block block = stockBlock();
+  block["motion_model"] = std::string("Ackermann");
+  block["AckermannConstraints.min_turning_r"] = 0.7;
+  QCOMPARE(readMppi(block, Distro::Jazzy)->motion, MppiMotion::Ackermann);
+  QCOMPARE(readMppi(block, Distro::Jazzy)->settings.minTurningRadius, 0.7);
+  block["motion_model"] = std::string("car");
+  QVERIFY(!readMppi(block, Distro::Jazzy));
+  QVERIFY(!readMppi(block, Distro::Main));
+  block["car.plugin"] = std::string("mppi::AckermannMotionModel");
+  block["car.min_turning_r"] = 0.9;
+  QVERIFY(!readMppi(block, Distro::Jazzy));
+  QCOMPARE(readMppi(block, Distro::Main)->motion, MppiMotion::Ackermann);
+  QCOMPARE(readMppi(block, Distro::Main)->settings.minTurningRadius, 0.9);
+  QVERIFY(mppiKeysOf(block, Distro::Main).find("car.min_turning_r", Distro::Main) != nullptr);
+  block["car.plugin"] = std::string("mppi::OmniMotionModel");
+  QCOMPARE(readMppi(block, Distro::Main)->motion, MppiMotion::Omni);
+}
+
+void Nav2MppiControllerTest::keys_criticsListed_haveRows() {
+  const Nav2Keys keys =
+      mppiKeysOf({{"critics", std::vector<std::string>{"GoalCritic"}}}, Distro::Jazzy);
+  QVERIFY(keys.find("GoalCritic.cost_weight", Distro::Jazzy) != nullptr);
+  QVERIFY(keys.find("TwirlingCritic.cost_weight", Distro::Jazzy) == nullptr);
+  const auto idle = [&](const std::string& name) {
+    return std::any_of(keys.idle.begin(), keys.idle.end(),
+                       [&](const Nav2Keys::Idle& key) { return key.name == name; });
+  };
+  QVERIFY(idle("TwirlingCritic.cost_weight"));
+  QVERIFY(!idle("GoalCritic.cost_weight"));
+  QVERIFY(idle("visualize"));
+}
+
+void Nav2MppiControllerTest::make_period_isComparedWithModelDt() {
+  ControllerSetup setup;
+  setup.block = stockBlock();
+  setup.frequency = 10.0;
+  const auto slow = controllerRegistry().make(kMppi, setup);
+  QVERIFY(!slow);
+  QCOMPARE(slow.diagnostics()[0].code, std::string_view("nav2.mppi-period"));
+  setup.frequency = 20.0;
+  const auto equal = controllerRegistry().make(kMppi, setup);
+  QVERIFY(equal && equal.diagnostics().empty());
+  setup.frequency = 30.0;
+  const auto fast = controllerRegistry().make(kMppi, setup);
+  QVERIFY(static_cast<bool>(fast));
+  QCOMPARE(fast.diagnostics()[0].code, std::string_view("nav2.mppi-no-shift"));
+}
+
+void Nav2MppiControllerTest::command_path_isCutAndFollowed() {
+  for (const Distro distro : {Distro::Humble, Distro::Jazzy}) {
+    Driver driver(distro, made(distro));
+    for (int call = 0; call < 30; ++call) {
+      const Control control = driver.command();
+      QVERIFY(static_cast<bool>(control));
+      driver.scene.speed = control.twist;
+      driver.scene.robot.position.x() += 0.05 * control.twist.linear;
+    }
+    const double x = driver.scene.robot.position.x();
+    QVERIFY(x > 0.3);
+    QVERIFY(driver.scene.speed.linear > 0.3);
+    const ControlView& view = driver.controller->view();
+    QVERIFY(std::fabs(view.localPlan.front().position.x() - x) < 0.06);
+    QVERIFY(pathLength(view.localPlan) <= 1.5 + 1e-9);
+    QCOMPARE(view.predicted.size(), std::size_t(56));
+    QVERIFY(view.predicted.back().position.x() > x + 0.5);
+    QVERIFY(view.trajectories.empty());
+  }
+}
+
+void Nav2MppiControllerTest::command_main_takesTheServersPath() {
+  Driver driver(Distro::Main, made(Distro::Main));
+  Path local;
+  for (int i = 0; i < 30; ++i) {  // to the left, whatever the plan says
+    local.push_back({Vec2(0.0, 0.05 * i), base::kPi / 2.0});
+  }
+  Control control = driver.command(&local);
+  for (int call = 0; call < 10; ++call) {
+    driver.scene.speed = control.twist;
+    control = driver.command(&local);
+  }
+  QVERIFY(control.twist.angular > 0.2);
+  QCOMPARE(driver.controller->view().localPlan, local);
+}
+
+void Nav2MppiControllerTest::command_noPath_isInvalid() {
+  for (const Distro distro : {Distro::Jazzy, Distro::Main}) {
+    Driver driver(distro, made(distro));
+    driver.controller->setPlan({});
+    const Path none;
+    const Control control = driver.command(distro == Distro::Main ? &none : nullptr);
+    QCOMPARE(control.code, ControlCode::InvalidPath);
+    QVERIFY(!control.words.empty());
+    QCOMPARE(control.twist, BodyTwist{});
+  }
+}
+
+void Nav2MppiControllerTest::command_walledIn_isNoValidControl() {
+  Driver driver(Distro::Jazzy, made(Distro::Jazzy));
+  std::fill(driver.scene.costmap.costs().begin(), driver.scene.costmap.costs().end(), kLethal);
+  const Control control = driver.command();
+  QCOMPARE(control.code, ControlCode::NoValidControl);
+  QCOMPARE(control.words, std::string("Optimizer fail to compute path"));
+  QVERIFY(driver.controller->view().predicted.empty());
+}
+
+/// Humble forgets after a pause, the others when a goal begins. Speeds are held at 0, so commands
+/// grow by what the sequence remembers.
+void Nav2MppiControllerTest::command_pauseOrNewGoal_resetsByRelease() {
+  for (const Distro distro : {Distro::Humble, Distro::Jazzy}) {
+    const auto warm = [&](Driver& driver) {
+      for (int call = 0; call < 20; ++call) {
+        driver.command();
+      }
+    };
+    Driver steady(distro, made(distro));
+    Driver paused(distro, made(distro));
+    Driver begun(distro, made(distro));
+    warm(steady);
+    warm(paused);
+    warm(begun);
+    paused.time += 1.0;
+    begun.controller->reset();
+    const double remembered = steady.command().twist.linear;
+    const bool isHumble = distro == Distro::Humble;
+    QCOMPARE(paused.command().twist.linear == remembered, !isHumble);
+    QCOMPARE(begun.command().twist.linear == remembered, isHumble);
+  }
+}
+
+void Nav2MppiControllerTest::watch_trajectories_changesNoCommand() {
+  Driver plain(Distro::Jazzy, made(Distro::Jazzy));
+  Driver watched(Distro::Jazzy, made(Distro::Jazzy));
+  plain.scene.addObstacle(Vec2(0.3, 0.3));
+  watched.scene.addObstacle(Vec2(0.3, 0.3));
+  watched.controller->watch(true);
+  for (int call = 0; call < 5; ++call) {
+    QVERIFY(plain.command().twist == watched.command().twist);
+  }
+  const auto& shown = watched.controller->view().trajectories;
+  QCOMPARE(shown.size(), std::size_t(41));
+  std::size_t refused = 0;
+  for (const WeighedTrajectory& one : shown) {
+    QCOMPARE(one.scores.size(), nav2test::stockCritics().size());
+    double sum = 0.0;
+    for (const CriticScore& score : one.scores) {
+      sum += score.scale * score.raw;
+    }
+    QVERIFY(std::fabs(sum - one.total) <= 1e-9 * one.total);
+    QCOMPARE(one.poses.size(), std::size_t(one.isChosen ? 56 : 15));
+    QCOMPARE(one.isChosen, &one == &shown.back());
+    refused += one.refusal.empty() ? 0 : 1;
+    QCOMPARE(one.refusal.empty(), one.scores[1].raw < 1e3);  // CostCritic
+  }
+  QCOMPARE(shown[0].scores[2].scale, 0.0);  // the goal is far: GoalCritic was not asked
+  QCOMPARE(shown[0].scores[1].scale, 1.0);
+  QVERIFY(refused < 20);
+}
+
+QTEST_APPLESS_MAIN(Nav2MppiControllerTest)
+#include "tst_Nav2MppiController.moc"
