@@ -1,0 +1,293 @@
+#include "sim2d/nav/nav2/global/HybridSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim2d/nav/nav2/costmap/FootprintCost.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr double kNewCell =
+    1.4142135623730951;  // [cells] a move of this length surely leaves the cell
+constexpr int kAncestors = 8, kGenerations = 5;
+
+}  // namespace
+
+HybridSearch::HybridSearch(const Setting& setting)
+    : setting_(setting), blockOf_(setting.costmap.costs().size(), -1) {}
+
+bool HybridSearch::isInside(const Vec2& place) const {
+  return place.x() >= 0.0 && place.y() >= 0.0 && place.x() < setting_.costmap.width() &&
+         place.y() < setting_.costmap.height();
+}
+
+std::optional<std::uint8_t> HybridSearch::costAt(const Pose2& pose) const {
+  if (!isInside(pose.position)) {
+    return std::nullopt;
+  }
+  const Costmap& costmap = setting_.costmap;
+  const bool allowUnknown = setting_.parameters.allowUnknown;
+  const std::uint8_t cost =
+      costmap.at({static_cast<int>(pose.position.x()), static_cast<int>(pose.position.y())});
+  if (!isSmacFree(cost, allowUnknown)) {
+    return std::nullopt;
+  }
+  const PlanRequest& request = setting_.request;
+  const double safe = request.circumscribedCost;
+  if (request.footprint.empty() || (safe > 0.0 && cost < safe)) {
+    return cost;
+  }
+  const Pose2 inWorld{costmap.origin() + costmap.resolution() * pose.position, pose.heading};
+  const std::uint8_t edges = footprintCost(costmap, request.footprint, inWorld);
+  return isEdgeCollision(edges, allowUnknown) ? std::nullopt : std::optional(cost);
+}
+
+int HybridSearch::nodeAt(const Vec2& place, int bin) {
+  const Cell cell{static_cast<int>(place.x()), static_cast<int>(place.y())};
+  const auto bins = static_cast<std::size_t>(setting_.motion.bins());
+  std::int32_t& block = blockOf_[setting_.costmap.indexOf(cell)];
+  if (block < 0) {
+    block = static_cast<std::int32_t>(slots_.size() / bins);
+    slots_.resize(slots_.size() + bins, -1);
+  }
+  std::int32_t& slot =
+      slots_[static_cast<std::size_t>(block) * bins + static_cast<std::size_t>(bin)];
+  if (slot < 0) {
+    slot = static_cast<std::int32_t>(nodes_.size());
+    nodes_.emplace_back();
+    nodes_.back().g = std::numeric_limits<double>::max();
+    nodes_.back().bin = bin;
+  }
+  return slot;
+}
+
+double HybridSearch::estimate(const Node& node) {
+  const Vec2& place = node.pose.position;
+  const double round =
+      setting_.obstacles.from({static_cast<int>(place.x()), static_cast<int>(place.y())});
+  double curve = std::numeric_limits<double>::max();
+  for (const Pose2& goal : goals_) {
+    const int bin = setting_.motion.wrappedBin(node.bin - setting_.motion.nearestBin(goal.heading));
+    double length = setting_.curves.from(goal.toLocal(place), bin);
+    if (length <= 0.0 && round <= 0.0) {
+      length =
+          shortestCurve(setting_.motion.car(), node.pose, goal, setting_.motion.turningRadius())
+              .length();
+    }
+    curve = std::min(curve, length);
+  }
+  return std::max(round, curve);
+}
+
+PlanResult HybridSearch::find(const Pose2& start, const std::vector<Pose2>& goals) {
+  const SmacHybridParameters& given = setting_.parameters;
+  const SmacLimits limits = smacLimits(given, given.maxPlanningTime, kSmacHybridPerSecond);
+  const double tolerance = given.tolerance / setting_.costmap.resolution();
+  goals_ = goals;
+  for (const Pose2& goal : goals) {
+    goalNodes_.push_back(nodeAt(goal.position, setting_.motion.nearestBin(goal.heading)));
+  }
+  const int bin = setting_.motion.nearestBin(start.heading);
+  const int first = nodeAt(start.position, bin);
+  Node& root = nodes_[static_cast<std::size_t>(first)];
+  root.pose = {start.position, base::wrapToPi(bin * setting_.motion.binSize())};
+  root.g = 0.0;
+  open_.push(0.0, static_cast<std::size_t>(first));
+  PlanResult result;
+  int nearGoal = 0;
+  while (!open_.isEmpty() && result.iterations < limits.most) {
+    const std::size_t node = open_.pop().node;
+    const int index = static_cast<int>(node);
+    if (nodes_[node].isVisited) {
+      continue;
+    }
+    if (setting_.request.stop != nullptr && result.iterations % limits.checkEvery == 0) {
+      setting_.request.stop->check();
+    }
+    ++result.iterations;
+    nodes_[node].isVisited = true;
+    if (auto whole = curveToGoal(index)) {
+      result.path = std::move(*whole);
+      return result;
+    }
+    if (std::find(goalNodes_.begin(), goalNodes_.end(), index) != goalNodes_.end()) {
+      result.path = pathTo(index);
+      return result;
+    }
+    if (nearest_.estimate < tolerance && ++nearGoal >= limits.mostOnApproach) {
+      break;
+    }
+    expand(index);
+  }
+  if (nearest_.estimate < tolerance) {
+    result.path = pathTo(static_cast<int>(nearest_.node));
+  } else {
+    result.error = result.iterations < limits.most ? PlanError::NoValidPath : PlanError::Timeout;
+  }
+  return result;
+}
+
+void HybridSearch::expand(int index) {
+  for (std::size_t step = 0; step < setting_.motion.steps().size(); ++step) {
+    enter(index, step);
+  }
+}
+
+/// Goes a step from a node, if that leads somewhere cheaper than before.
+void HybridSearch::enter(int from, std::size_t step) {
+  const HybridMotion& motion = setting_.motion;
+  const Node node = nodes_[static_cast<std::size_t>(from)];
+  const Vec2 place = node.pose.position + motion.offset(step, node.bin);
+  if (!isInside(place)) {
+    return;
+  }
+  const HybridStep& taken = motion.steps()[step];
+  const int bin = motion.wrappedBin(node.bin + taken.bins);
+  const int index = nodeAt(place, bin);
+  if (nodes_[static_cast<std::size_t>(index)].isVisited) {
+    return;
+  }
+  const Pose2 pose{place, base::wrapToPi(bin * motion.binSize())};
+  const auto cost = costAt(pose);
+  if (!cost) {
+    return;
+  }
+  const HybridStep* before =
+      node.step < 0 ? nullptr : &motion.steps()[static_cast<std::size_t>(node.step)];
+  const double g = node.g + motion.cost(before, taken, *cost);
+  Node& next = nodes_[static_cast<std::size_t>(index)];
+  if (g < next.g) {
+    next.pose = pose;
+    next.g = g;
+    next.step = static_cast<int>(step);
+    next.parent = from;
+    next.cost = *cost;
+    const double toGo = estimate(next);
+    nearest_.offer(toGo, static_cast<std::size_t>(index));
+    open_.push(g + toGo, static_cast<std::size_t>(index));
+  }
+}
+
+/// Every now and then, more often near the goal, a curve straight into it; from as early a node as
+/// one leads from.
+std::optional<Path> HybridSearch::curveToGoal(int index) {
+  const Node& node = nodes_[static_cast<std::size_t>(index)];
+  const double ratio = setting_.parameters.analyticExpansionRatio;
+  expansion_.closest = std::min(expansion_.closest, static_cast<int>(estimate(node)));
+  const int desired =
+      std::max(static_cast<int>(expansion_.closest / ratio), static_cast<int>(std::ceil(ratio)));
+  expansion_.due = std::min(expansion_.due, desired);
+  if (expansion_.due-- > 0) {
+    return std::nullopt;
+  }
+  expansion_.due = desired - 1;
+  const Pose2* goal = nullptr;
+  std::optional<Path> curve = shortestToGoals(node, goal);
+  if (!curve) {
+    return std::nullopt;
+  }
+  const Node* from = &node;
+  for (int i = 0; i < kAncestors; ++i) {
+    const Node* ancestor = ancestorOf(*from);
+    auto longer = ancestor == nullptr ? std::nullopt : curveFrom(*ancestor, *goal);
+    if (!longer) {
+      break;
+    }
+    curve = std::move(longer);
+    from = ancestor;
+  }
+  Path path = pathTo(static_cast<int>(from - nodes_.data()));
+  path.insert(path.end(), curve->begin(), curve->end());
+  return path;
+}
+
+/// Every coarse-th heading of the goal first, all when one of those can be reached.
+std::optional<Path> HybridSearch::shortestToGoals(const Node& node, const Pose2*& goal) const {
+  const auto coarse =
+      static_cast<std::size_t>(std::max(1, setting_.parameters.coarseSearchResolution));
+  std::optional<Path> shortest;
+  double least = std::numeric_limits<double>::max();
+  for (const bool isCoarse : {true, false}) {
+    for (std::size_t i = 0; i < goals_.size() && (isCoarse || shortest); ++i) {
+      if ((i % coarse == 0) != isCoarse) {
+        continue;
+      }
+      const double length = curveLength(node, goals_[i]);
+      auto curve = length < least ? curveFrom(node, goals_[i]) : std::nullopt;
+      if (curve) {
+        least = length;
+        goal = &goals_[i];
+        shortest = std::move(curve);
+      }
+    }
+  }
+  return shortest;
+}
+
+double HybridSearch::curveLength(const Node& node, const Pose2& goal) const {
+  return shortestCurve(setting_.motion.car(), node.pose, goal, setting_.motion.turningRadius())
+      .length();
+}
+
+const HybridSearch::Node* HybridSearch::ancestorOf(const Node& node) const {
+  const Node* ancestor = &node;
+  for (int i = 0; i < kGenerations; ++i) {
+    if (ancestor->parent < 0) {
+      return nullptr;
+    }
+    ancestor = &nodes_[static_cast<std::size_t>(ancestor->parent)];
+  }
+  return ancestor;
+}
+
+/// The poses of a curve behind its start; none if it is too long or short, hits or costs too much.
+std::optional<Path> HybridSearch::curveFrom(const Node& node, const Pose2& goal) const {
+  const ShortestCurve curve =
+      shortestCurve(setting_.motion.car(), node.pose, goal, setting_.motion.turningRadius());
+  const double length = curve.length();
+  const double most =
+      setting_.parameters.analyticExpansionMaxLength / setting_.costmap.resolution();
+  if (length > most || length < kNewCell) {
+    return std::nullopt;
+  }
+  const int pieces = static_cast<int>(length / kNewCell);
+  Path path;
+  std::vector<std::uint8_t> costs;
+  for (int i = 1; i <= pieces; ++i) {
+    path.push_back(i < pieces ? curve.at(length * i / pieces) : goal);
+    const auto cost = costAt(path.back());
+    if (!cost) {
+      return std::nullopt;
+    }
+    costs.push_back(*cost);
+  }
+  return isTooCostly(costs, length) ? std::nullopt : std::optional(std::move(path));
+}
+
+/// Whether a curve leaves what costs more than wanted other than towards the goal.
+bool HybridSearch::isTooCostly(const std::vector<std::uint8_t>& costs, double length) const {
+  const SmacHybridParameters& given = setting_.parameters;
+  if (setting_.distro == Distro::Humble) {
+    return false;
+  }
+  const auto isCheap = [&](std::uint8_t cost) { return cost <= given.analyticExpansionMaxCost; };
+  const auto lastCheap = std::find_if(costs.rbegin(), costs.rend(), isCheap);
+  if (std::all_of(lastCheap, costs.rend(), isCheap)) {
+    return false;
+  }
+  const double circle = 2.0 * base::kPi * setting_.motion.turningRadius();
+  return !(given.analyticExpansionMaxCostOverride && length < circle);
+}
+
+Path HybridSearch::pathTo(int index) const {
+  Path path;
+  for (int at = index; at >= 0; at = nodes_[static_cast<std::size_t>(at)].parent) {
+    path.push_back(nodes_[static_cast<std::size_t>(at)].pose);
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+}  // namespace sim2d::nav2
