@@ -1,0 +1,97 @@
+#include "sim2d/nav/nav2/global/GlobalPlanners.h"
+
+#include <cassert>
+
+#include "sim2d/nav/nav2/global/NavfnPlanner.h"
+#include "sim2d/nav/nav2/global/PlannerChecks.h"
+#include "sim2d/nav/nav2/global/PluginNames.h"
+#include "sim2d/nav/nav2/global/Smac2DPlanner.h"
+#include "sim2d/nav/nav2/global/SmacHybridPlanner.h"
+#include "sim2d/nav/nav2/global/ThetaStarPlanner.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr char kNavfn[] = "nav2_navfn_planner::NavfnPlanner";
+constexpr char kThetaStar[] = "nav2_theta_star_planner::ThetaStarPlanner";
+constexpr char kSmac2D[] = "nav2_smac_planner::SmacPlanner2D";
+constexpr char kSmacHybrid[] = "nav2_smac_planner::SmacPlannerHybrid";
+
+const std::vector<KnownElsewhere>& plannersElsewhere() {
+  static const std::vector<KnownElsewhere> kPlanners = {
+      {"nav2_smac_planner::SmacPlannerLattice", kSmacHybrid,
+       "it needs files of motion primitives, which are not read here"},
+      {"nav2_smac_planner::SmacPlanner", kSmacHybrid, "its name before Humble"},
+  };
+  return kPlanners;
+}
+
+/// Humble knows no number of refinements: there are four.
+template <class Smac>
+Smac smacDefaults(Distro distro) {
+  Smac parameters;
+  if (distro == Distro::Humble) {
+    parameters.smootherRefinementNum = 4;
+  }
+  return parameters;
+}
+
+GlobalPlannerParameters plannerDefaults(const std::string& name, Distro distro) {
+  if (name == kNavfn) {
+    return NavfnParameters();
+  }
+  if (name == kThetaStar) {
+    return ThetaStarParameters();
+  }
+  if (name == kSmac2D) {
+    return smacDefaults<Smac2DParameters>(distro);
+  }
+  auto parameters = smacDefaults<SmacHybridParameters>(distro);
+  parameters.allowPrimitiveInterpolation = distro == Distro::Main;
+  return parameters;
+}
+
+struct PlannerMaker {
+  Distro distro;
+
+  std::unique_ptr<GlobalPlanner> operator()(const NavfnParameters& parameters) const {
+    return std::make_unique<NavfnPlanner>(parameters, distro);
+  }
+  std::unique_ptr<GlobalPlanner> operator()(const ThetaStarParameters& parameters) const {
+    return std::make_unique<ThetaStarPlanner>(parameters);
+  }
+  std::unique_ptr<GlobalPlanner> operator()(const Smac2DParameters& parameters) const {
+    return std::make_unique<Smac2DPlanner>(parameters, distro);
+  }
+  std::unique_ptr<GlobalPlanner> operator()(const SmacHybridParameters& parameters) const {
+    return std::make_unique<SmacHybridPlanner>(parameters, distro);
+  }
+};
+
+}  // namespace
+
+std::vector<std::string> globalPlannerPluginNames() {
+  return {kNavfn, kThetaStar, kSmac2D, kSmacHybrid};
+}
+
+PluginAnswer<GlobalPlannerParameters> globalPlannerPlugin(const std::string& className,
+                                                          Distro distro) {
+  const PluginMatch match = matchPlugin(className, globalPlannerPluginNames(), plannersElsewhere());
+  PluginAnswer<GlobalPlannerParameters> answer{std::nullopt, match.name, match.why};
+  if (match.isOffered) {
+    answer.parameters = plannerDefaults(match.name, distro);
+  }
+  return answer;
+}
+
+std::vector<std::string> complaintsAbout(const GlobalPlannerParameters& parameters) {
+  return std::visit([](const auto& given) { return plannerComplaints(given); }, parameters);
+}
+
+std::unique_ptr<GlobalPlanner> makeGlobalPlanner(const GlobalPlannerParameters& parameters,
+                                                 Distro distro) {
+  assert(complaintsAbout(parameters).empty());
+  return std::visit(PlannerMaker{distro}, parameters);
+}
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,106 @@
+#include "sim2d/nav/nav2/global/SavitzkyGolaySmoother.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim2d/nav/nav2/global/SmoothingSweeps.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr int kUsualWindow = 7, kUsualOrder = 3;
+constexpr std::size_t kShortestFiltered = 9;  // poses beyond the first
+
+double dotOf(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += a[i] * b[i];
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<double> savitzkyGolayWeights(int window, int order) {
+  const int half = window / 2;
+  const auto count = static_cast<std::size_t>(window), middle = static_cast<std::size_t>(half);
+  std::vector<double> weights(count, 0.0);
+  std::vector<std::vector<double>> basis;  // polynomials at -half … half, orthonormal
+  for (int degree = 0; degree <= order; ++degree) {
+    std::vector<double> next(count, 1.0);
+    for (std::size_t i = 0; i < count && degree > 0; ++i) {
+      next[i] = basis.back()[i] * (static_cast<double>(i) - half);
+    }
+    for (int round = 0; round < 2; ++round) {  // twice: the first leaves rounding behind
+      for (const std::vector<double>& before : basis) {
+        const double share = dotOf(next, before);
+        for (std::size_t i = 0; i < count; ++i) {
+          next[i] -= share * before[i];
+        }
+      }
+    }
+    const double length = std::sqrt(dotOf(next, next));
+    for (double& value : next) {
+      value /= length;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      weights[i] += next[middle] * next[i];
+    }
+    basis.push_back(next);
+  }
+  return weights;
+}
+
+SavitzkyGolaySmoother::SavitzkyGolaySmoother(const SavitzkyGolayParameters& parameters,
+                                             Distro distro)
+    : parameters_(parameters),
+      distro_(distro),
+      weights_(distro == Distro::Main
+                   ? savitzkyGolayWeights(parameters.windowSize, parameters.polyOrder)
+                   : savitzkyGolayWeights(kUsualWindow, kUsualOrder)) {}
+
+SmoothResult SavitzkyGolaySmoother::smooth(const Path& path, const Costmap& /*costmap*/,
+                                           double /*maxDuration*/) const {
+  SmoothResult result;
+  if (path.empty()) {
+    result.error = SmoothError::InvalidPath;
+    return result;
+  }
+  const bool splits = distro_ == Distro::Humble || parameters_.enforcePathInversion;
+  const std::vector<PathSegment> segments =
+      splits ? directionalSegments(path) : std::vector<PathSegment>{{0, path.size() - 1}};
+  const int rounds = 1 + (parameters_.doRefinement ? parameters_.refinementNum : 0);
+  result.path = path;
+  for (const PathSegment& part : segments) {
+    if (part.last - part.first <= kShortestFiltered) {
+      continue;
+    }
+    const auto first = result.path.begin() + static_cast<std::ptrdiff_t>(part.first);
+    const auto last = result.path.begin() + static_cast<std::ptrdiff_t>(part.last);
+    Path segment(first, last + 1);
+    for (int i = 0; i < rounds; ++i) {
+      filter(segment);
+    }
+    faceAlongSegment(segment, false);
+    std::copy(segment.begin(), segment.end(), first);
+  }
+  return result;
+}
+
+/// All poses but the ends, which repeat beyond themselves.
+void SavitzkyGolaySmoother::filter(Path& segment) const {
+  const Path before = segment;
+  const int half = static_cast<int>(weights_.size() / 2),
+            last = static_cast<int>(before.size()) - 1;
+  for (int i = 1; i < last; ++i) {
+    Vec2 sum = Vec2::Zero();
+    for (int k = -half; k <= half; ++k) {
+      const int at = std::clamp(i + k, 0, last);
+      sum += weights_[static_cast<std::size_t>(k + half)] *
+             before[static_cast<std::size_t>(at)].position;
+    }
+    segment[static_cast<std::size_t>(i)].position = sum;
+  }
+}
+
+}  // namespace sim2d::nav2
