@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,11 @@ struct Scene {
   Costmap costmap;
   std::optional<InflationLayer> layer;
 };
+
+int squareTo(Cell from, Cell to) {
+  const int across = to.column - from.column, up = to.row - from.row;
+  return across * across + up * up;
+}
 
 void addDistros() {
   QTest::addColumn<Distro>("distro");
@@ -73,6 +79,7 @@ class InflationLayerTest : public QObject {
   void updateCosts_radiusThree_touches29Cells();
   void updateCosts_manyObstacles_areAsFarAsTheNearest_data();
   void updateCosts_manyObstacles_areAsFarAsTheNearest();
+  void updateCosts_largeRadius_isExactToo();
   void updateCosts_window_isAllThatChanges_data() { addDistros(); }
   void updateCosts_window_isAllThatChanges();
   void updateCosts_higherCosts_stay_data() { addDistros(); }
@@ -223,6 +230,28 @@ void InflationLayerTest::updateCosts_manyObstacles_areAsFarAsTheNearest() {
     }
   }
   QVERIFY2(1000 * others <= most * cells, qPrintable(QString::number(others)));
+}
+
+/// Squares of more than 127 cells need more than 16 bits.
+void InflationLayerTest::updateCosts_largeRadius_isExactToo() {
+  for (const int radius : {127, 128, 180}) {
+    Scene scene(200, Distro::Main, 1.5, inflationLayer(radius, 0.01));
+    scene.costmap.set({3, 5}, kLethal);
+    scene.costmap.set({190, 150}, kLethal);
+    scene.inflate();
+    for (int row = 0; row < 200; row += 3) {
+      for (int column = 0; column < 200; ++column) {
+        const int square =
+            std::min(squareTo({column, row}, {3, 5}), squareTo({column, row}, {190, 150}));
+        const double distance = 0.01 * std::floor(100.0 * std::sqrt(square) + 0.5);
+        const int expected = square == 0 ? 254
+                             : distance <= 1.5
+                                 ? 253
+                                 : static_cast<int>(252.0 * std::exp(-0.01 * (distance - 1.5)));
+        QCOMPARE(int{scene.costmap.at({column, row})}, square <= radius * radius ? expected : 0);
+      }
+    }
+  }
 }
 
 void InflationLayerTest::updateCosts_window_isAllThatChanges() {

@@ -1,6 +1,7 @@
 #include "sim2d/nav/nav2/costmap/InflationLayer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,6 +16,21 @@ InflationLaw lawOf(const InflationLayerParameters& parameters, const CostmapCont
   const bool isCustom = context.distro == Distro::Main && parameters.customInscribedRadius >= 0.0;
   return {parameters.inflationRadius, parameters.costScalingFactor,
           isCustom ? parameters.customInscribedRadius : context.footprint.inscribed};
+}
+
+constexpr int kBlock = 8;           // columns worked at in one go
+constexpr int kMostRadius16 = 127;  // [cells]; (r + 1)² + r² fits 16 bits
+
+int blocksFor(const CellWindow& window) {
+  return (window.right - window.left + kBlock - 1) / kBlock;
+}
+
+/// `squares` lowered to those of `line` plus `more`; of a fixed length, so that it is vectorised.
+template <class Square>
+void lower(std::array<Square, kBlock>& squares, const Square* line, Square more) {
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    squares[i] = std::min(squares[i], static_cast<Square>(line[i] + more));
+  }
 }
 
 }  // namespace
@@ -59,10 +75,12 @@ void InflationLayer::updateCosts(Costmap& master, const CellWindow& window) {
   const CellWindow wide{std::max(0, window.left - radius_), std::max(0, window.bottom - radius_),
                         std::min(master.width(), window.right + radius_),
                         std::min(master.height(), window.top + radius_)};
-  if (context().distro == Distro::Main) {
-    inflateExactly(master, window, wide);
-  } else {
+  if (context().distro != Distro::Main) {
     inflateBySpreading(master, window, wide);
+  } else if (radius_ <= kMostRadius16) {
+    inflateExactly(master, window, wide, across_);
+  } else {
+    inflateExactly(master, window, wide, acrossFar_);
   }
 }
 
@@ -126,55 +144,62 @@ void InflationLayer::inflateBySpreading(Costmap& master, const CellWindow& windo
   }
 }
 
-/// Squared distance to the nearest source in the same row, in `across_`: rows of `wide`, columns of
-/// `window`.
+/// Squared distance to the nearest source in the same row, in `across`: rows of `wide`, columns of
+/// `window`, filled up to whole blocks.
+template <class Square>
 void InflationLayer::findRowDistances(const Costmap& master, const CellWindow& window,
-                                      const CellWindow& wide) {
-  const int width = window.right - window.left;
-  const auto far = static_cast<std::uint32_t>(radius_ + 1);
-  across_.assign(static_cast<std::size_t>(width * (wide.top - wide.bottom)), far * far);
-  std::uint32_t* line = across_.data() - window.left;
-  for (int row = wide.bottom; row < wide.top; ++row, line += width) {
+                                      const CellWindow& wide, std::vector<Square>& across) const {
+  const int stride = blocksFor(window) * kBlock;
+  const int far = radius_ + 1;
+  across.assign(static_cast<std::size_t>(stride * (wide.top - wide.bottom)),
+                static_cast<Square>(far * far));
+  Square* line = across.data();
+  for (int row = wide.bottom; row < wide.top; ++row, line += stride) {
     const std::uint8_t* const costs = master.costs().data() + master.indexOf({0, row});
-    std::uint32_t distance = far;
+    int distance = far;
     for (int column = wide.left; column < window.right; ++column) {
       distance = isSource(costs[column]) ? 0 : std::min(distance + 1, far);
       if (column >= window.left) {
-        line[column] = distance * distance;
+        line[column - window.left] = static_cast<Square>(distance * distance);
       }
     }
     distance = far;
     for (int column = wide.right - 1; column >= window.left; --column) {
       distance = isSource(costs[column]) ? 0 : std::min(distance + 1, far);
       if (column < window.right) {
-        line[column] = std::min(line[column], distance * distance);
+        Square& square = line[column - window.left];
+        square = std::min(square, static_cast<Square>(distance * distance));
       }
     }
   }
 }
 
+/// The squares of the rows around plus that of the way up or down: the least of them.
+template <class Square>
 void InflationLayer::inflateExactly(Costmap& master, const CellWindow& window,
-                                    const CellWindow& wide) {
-  findRowDistances(master, window, wide);
-  const int width = window.right - window.left;
-  const auto most = static_cast<std::uint32_t>(radius_ * radius_);
+                                    const CellWindow& wide, std::vector<Square>& across) {
+  findRowDistances(master, window, wide, across);
+  const int blocks = blocksFor(window), width = window.right - window.left;
+  const int most = radius_ * radius_;
   for (int row = window.bottom; row < window.top; ++row) {
-    squares_.assign(static_cast<std::size_t>(width), most + 1);
-    const int from = std::max(wide.bottom, row - radius_);
-    const int to = std::min(wide.top, row + radius_ + 1);
-    for (int other = from; other < to; ++other) {
-      const auto up = static_cast<std::uint32_t>((other - row) * (other - row));
-      const std::uint32_t* const line = across_.data() + (other - wide.bottom) * width;
-      for (int i = 0; i < width; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        squares_[at] = std::min(squares_[at], line[i] + up);
-      }
-    }
+    const int from = std::max(wide.bottom, row - radius_) - wide.bottom;
+    const int to = std::min(wide.top, row + radius_ + 1) - wide.bottom;
     std::uint8_t* const costs = master.costs().data() + master.indexOf({window.left, row});
-    for (int i = 0; i < width; ++i) {
-      const std::uint32_t square = squares_[static_cast<std::size_t>(i)];
-      if (square <= most) {
-        costs[i] = raised(costs[i], costs_[square]);
+    for (int block = 0; block < blocks; ++block) {
+      std::array<Square, kBlock> squares;
+      squares.fill(static_cast<Square>(most + 1));
+      const Square* line = across.data() + (from * blocks + block) * kBlock;
+      for (int other = from; other < to; ++other, line += blocks * kBlock) {
+        const int up = other + wide.bottom - row;
+        lower(squares, line, static_cast<Square>(up * up));
+      }
+      const int last = std::min(kBlock, width - block * kBlock);
+      for (int i = 0; i < last; ++i) {
+        const int square = squares[static_cast<std::size_t>(i)];
+        if (square <= most) {
+          std::uint8_t& cost = costs[block * kBlock + i];
+          cost = raised(cost, costs_[static_cast<std::size_t>(square)]);
+        }
       }
     }
   }

@@ -34,8 +34,12 @@ class InflationLayer final : public CostmapLayer {
   bool isSource(std::uint8_t cost) const;
   std::uint8_t raised(std::uint8_t old, std::uint8_t cost) const;
   void inflateBySpreading(Costmap& master, const CellWindow& window, const CellWindow& wide);
-  void inflateExactly(Costmap& master, const CellWindow& window, const CellWindow& wide);
-  void findRowDistances(const Costmap& master, const CellWindow& window, const CellWindow& wide);
+  template <class Square>
+  void inflateExactly(Costmap& master, const CellWindow& window, const CellWindow& wide,
+                      std::vector<Square>& across);
+  template <class Square>
+  void findRowDistances(const Costmap& master, const CellWindow& window, const CellWindow& wide,
+                        std::vector<Square>& across) const;
 
   InflationLayerParameters parameters_;
   InflationLaw law_;
@@ -45,7 +49,8 @@ class InflationLayer final : public CostmapLayer {
   std::vector<std::uint8_t> costs_;        // by squared distance [cells²], up to radius_²
   std::vector<std::vector<Spread>> bins_;  // idem; empty between updates
   std::vector<char> seen_;
-  std::vector<std::uint32_t> across_, squares_;  // [cells²]
+  std::vector<std::int16_t> across_;     // squared distances along rows [cells²]
+  std::vector<std::int32_t> acrossFar_;  // idem, of a large radius
 };
 
 }  // namespace sim2d::nav2
