@@ -284,7 +284,8 @@ constexpr ProblemText kTexts[] = {
     {"library.failed", "the planner of '{file}' gives up with code {error}{reason?: %}"},
     {"library.no-number", "{key} of the command of '{file}' is not finite"},
 
-    // Nav2: costmaps.
+    // Nav2: costmaps and servers.
+    {"nav2.bad-parameter", "{key}: must be {wanted}"},
     {"nav2.polygon-unreadable", "'{found}' is no list of points (\"[[x, y], [x, y], …]\")"},
     {"nav2.polygon-too-small", "'{found}' has fewer than 3 points"},
     {"nav2.inflation-cut",

@@ -1,0 +1,240 @@
+#include "sim2d/nav/nav2/servers/Behaviors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim2d/base/Math.h"
+#include "sim2d/nav/nav2/costmap/FootprintCost.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr double kBehaviorClock = 1e-9;  // [s], rounding of times
+constexpr double kTurnReached = 1e-6;    // [rad]
+
+BehaviorStep running(const BodyTwist& twist) {
+  BehaviorStep step;
+  step.twist = twist;
+  return step;
+}
+BehaviorStep succeeded() {
+  BehaviorStep step;
+  step.status = BehaviorStatus::Succeeded;
+  return step;
+}
+BehaviorStep failed(BehaviorError error, std::string words) {
+  BehaviorStep step;
+  step.status = BehaviorStatus::Failed;
+  step.error = error;
+  step.words = std::move(words);
+  return step;
+}
+
+bool isOver(double time, double start, double allowance) {
+  return allowance > 0.0 && time - start > allowance + kBehaviorClock;
+}
+
+int sweepCycles(const BehaviorParameters& parameters) {
+  return static_cast<int>(parameters.cycleFrequency * parameters.simulateAheadTime);
+}
+
+}  // namespace
+
+DriveParameters driveDefaults(Distro distro) {
+  return distro == Distro::Main ? DriveParameters{2.5, -2.5, 0.10} : DriveParameters{};
+}
+
+const std::vector<Nav2Key<BehaviorParameters>>& behaviorKeys() {
+  using P = BehaviorParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"cycle_frequency", &P::cycleFrequency, "Hz", "Cycles of a behaviour per second."},
+      {"behavior_plugins", &P::behaviorPlugins, "", "Names of the behaviours."},
+      {"simulate_ahead_time", &P::simulateAheadTime, "s", "How far ahead they look."},
+      {"max_rotational_vel", &P::maxRotationalVel, "rad/s", "Spin: greatest turning speed."},
+      {"min_rotational_vel", &P::minRotationalVel, "rad/s", "Spin: least turning speed."},
+      {"rotational_acc_lim", &P::rotationalAccLim, "rad/s²", "Spin: braking before the end."},
+      {"projection_time", &P::projectionTime, "s", "Assisted teleop: how far ahead it looks."},
+      {"simulation_time_step", &P::simulationTimeStep, "s", "Assisted teleop: in which steps."},
+  };
+  return kKeys;
+}
+
+const std::vector<Nav2Key<DriveParameters>>& driveKeys() {
+  using P = DriveParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"acceleration_limit", &P::accelerationLimit, "m/s²", "Acceleration; 0: at once.",
+       kHumble | kMain},
+      {"deceleration_limit", &P::decelerationLimit, "m/s²", "Deceleration, up to 0; 0: at once.",
+       kHumble | kMain},
+      {"minimum_speed", &P::minimumSpeed, "m/s", "Least speed.", kHumble | kMain},
+  };
+  return kKeys;
+}
+
+const std::vector<IdleKey>& idleBehaviorKeys() {
+  static const std::vector<IdleKey> kKeys = {
+      {"local_costmap_topic", "behaviours read the published local costmap"},
+      {"global_costmap_topic", "behaviours read the published local costmap"},
+      {"costmap_topic", "behaviours read the published local costmap"},
+      {"local_footprint_topic", "the footprint is the costmap's"},
+      {"global_footprint_topic", "the footprint is the costmap's"},
+      {"footprint_topic", "the footprint is the costmap's"},
+      {"local_frame", "frames coincide here"},
+      {"global_frame", "frames coincide here"},
+      {"robot_base_frame", "frames coincide here"},
+      {"transform_tolerance", "no TF here"},
+      {"cmd_vel_teleop", "no topics here"},
+      {"enable_stamped_cmd_vel", "no topics here"},
+      {"use_sim_time", "time is simulated here"},
+  };
+  return kKeys;
+}
+
+std::uint16_t behaviorCode(BehaviorKind kind, BehaviorError error) {
+  const int action = 700 + 10 * static_cast<int>(kind);
+  const bool isBackUp = kind == BehaviorKind::BackUp;  // numbers the last two the other way round
+  switch (error) {
+    case BehaviorError::None:
+      return 0;
+    case BehaviorError::Timeout:
+      return static_cast<std::uint16_t>(action + 1);
+    case BehaviorError::CollisionAhead:
+      return static_cast<std::uint16_t>(action + (isBackUp ? 4 : 3));
+    case BehaviorError::InvalidInput:
+      return static_cast<std::uint16_t>(action + (isBackUp ? 3 : 4));
+  }
+  return static_cast<std::uint16_t>(action);
+}
+
+bool isBehaviorBlocked(const BehaviorInput& input, const Pose2& pose) {
+  return !input.costmap.worldToCell(pose.position) ||
+         footprintCost(input.costmap, input.footprint, pose) >= kLethal;
+}
+
+Spin::Spin(const BehaviorParameters& parameters, const Goal& goal, double time, const Pose2& pose)
+    : parameters_(parameters), goal_(goal), start_(time), heading_(pose.heading) {}
+
+BehaviorStep Spin::cycle(const BehaviorInput& input) {
+  if (isOver(input.time, start_, goal_.timeAllowance)) {
+    return failed(BehaviorError::Timeout,
+                  "Exceeded time allowance before reaching the Spin goal - Exiting Spin");
+  }
+  double turn = input.pose.heading - heading_;
+  if (std::fabs(turn) > base::kPi) {
+    turn = std::copysign(2.0 * base::kPi - std::fabs(turn), heading_);
+  }
+  turned_ += turn;
+  heading_ = input.pose.heading;
+  const double left = std::fabs(goal_.angle) - std::fabs(turned_);
+  if (left < kTurnReached) {
+    return succeeded();
+  }
+  const double fastest = std::sqrt(2.0 * parameters_.rotationalAccLim * left);
+  const double speed =
+      std::min(std::max(fastest, parameters_.minRotationalVel), parameters_.maxRotationalVel);
+  BodyTwist twist;
+  twist.angular = std::copysign(speed, goal_.angle);
+  if (input.isCollisionChecked && !isFree(input, twist.angular)) {
+    return failed(BehaviorError::CollisionAhead, "Collision Ahead - Exiting Spin");
+  }
+  return running(twist);
+}
+
+/// Nav2 looks no farther ahead than it has turned so far.
+bool Spin::isFree(const BehaviorInput& input, double omega) const {
+  for (int i = 0; i < sweepCycles(parameters_); ++i) {
+    const double ahead = omega * (i / parameters_.cycleFrequency);
+    if (std::fabs(turned_) - std::fabs(ahead) <= 0.0) {
+      break;
+    }
+    if (isBehaviorBlocked(input, {input.pose.position, input.pose.heading + ahead})) {
+      return false;
+    }
+  }
+  return true;
+}
+
+DriveStraight::Goal DriveStraight::backUp(const Goal& goal) {
+  return {-std::fabs(goal.distance), -std::fabs(goal.speed), goal.timeAllowance};
+}
+
+DriveStraight::DriveStraight(const BehaviorParameters& parameters, const DriveParameters& drive,
+                             const Goal& goal, double time, const Pose2& pose)
+    : parameters_(parameters), drive_(drive), goal_(goal), start_(time), from_(pose.position) {}
+
+BehaviorStep DriveStraight::cycle(const BehaviorInput& input) {
+  if ((goal_.distance > 0.0) != (goal_.speed > 0.0)) {
+    return failed(BehaviorError::InvalidInput, "Speed and command sign did not match");
+  }
+  if (isOver(input.time, start_, goal_.timeAllowance)) {
+    return failed(BehaviorError::Timeout,
+                  "Exceeded time allowance before reaching the DriveOnHeading goal - Exiting "
+                  "DriveOnHeading");
+  }
+  driven_ = (input.pose.position - from_).norm();
+  const double left = std::fabs(goal_.distance) - driven_;
+  if (left <= 0.0) {
+    return succeeded();
+  }
+  BodyTwist twist;
+  twist.linear = speedFor(left);
+  if (input.isCollisionChecked && !isFree(input, twist.linear, left)) {
+    return failed(BehaviorError::CollisionAhead, "Collision Ahead - Exiting DriveOnHeading");
+  }
+  speed_ = twist.linear;
+  return running(twist);
+}
+
+double DriveStraight::speedFor(double left) const {
+  const double sign = goal_.speed > 0.0 ? 1.0 : -1.0;
+  double speed = std::fabs(goal_.speed);
+  if (drive_.accelerationLimit != 0.0 && drive_.decelerationLimit != 0.0) {
+    const double last = std::fabs(speed_);
+    speed = std::clamp(speed, last + drive_.decelerationLimit / parameters_.cycleFrequency,
+                       last + drive_.accelerationLimit / parameters_.cycleFrequency);
+    speed = std::min(speed, std::sqrt(-2.0 * drive_.decelerationLimit * left));
+  }
+  return sign * std::max(speed, drive_.minimumSpeed);
+}
+
+bool DriveStraight::isFree(const BehaviorInput& input, double speed, double left) const {
+  for (int i = 0; i < sweepCycles(parameters_); ++i) {
+    const double ahead = speed * (i / parameters_.cycleFrequency);
+    if (left - std::fabs(ahead) <= 0.0) {
+      break;
+    }
+    if (isBehaviorBlocked(input, {input.pose.ahead(ahead), input.pose.heading})) {
+      return false;
+    }
+  }
+  return true;
+}
+
+BehaviorStep Wait::cycle(const BehaviorInput& input) const {
+  BehaviorStep step = input.time < end_ - kBehaviorClock ? running({}) : succeeded();
+  step.hasTwist = step.status != BehaviorStatus::Running;
+  return step;
+}
+
+BehaviorStep AssistedTeleop::cycle(const BehaviorInput& input, const BodyTwist& wish) const {
+  if (isOver(input.time, start_, timeAllowance_)) {
+    return failed(BehaviorError::Timeout,
+                  "Exceeded time allowance before reaching the AssistedTeleop goal - Exiting "
+                  "AssistedTeleop");
+  }
+  const double step = parameters_.simulationTimeStep;
+  Pose2 pose = input.pose;
+  for (int i = 1; i * step < parameters_.projectionTime - kBehaviorClock; ++i) {
+    const Vec2 ahead = pose.direction();
+    pose.position += step * (wish.linear * ahead + wish.lateral * Vec2(-ahead.y(), ahead.x()));
+    pose.heading += step * wish.angular;
+    if (isBehaviorBlocked(input, pose)) {
+      const double factor = i == 1 ? 0.0 : i * step / parameters_.projectionTime;
+      return running({factor * wish.linear, factor * wish.angular, factor * wish.lateral});
+    }
+  }
+  return running(wish);
+}
+
+}  // namespace sim2d::nav2

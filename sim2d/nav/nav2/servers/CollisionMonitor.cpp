@@ -1,0 +1,354 @@
+#include "sim2d/nav/nav2/servers/CollisionMonitor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "sim2d/base/Math.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+BodyTwist times(const BodyTwist& twist, double factor) {
+  return {factor * twist.linear, factor * twist.angular, factor * twist.lateral};
+}
+
+/// Nav2's measure of how safe a command is: the less the safer.
+double dangerOf(const BodyTwist& twist) {
+  return twist.linear * twist.linear + twist.lateral * twist.lateral +
+         twist.angular * twist.angular;
+}
+
+double speedAlong(const BodyTwist& twist) {
+  return std::sqrt(twist.linear * twist.linear + twist.lateral * twist.lateral);
+}
+
+constexpr std::array<const char*, 3> kShapeTypes = {"polygon", "circle", "velocity_polygon"};
+constexpr std::array<const char*, 5> kActionTypes = {"none", "stop", "slowdown", "limit",
+                                                     "approach"};
+
+template <std::size_t N>
+bool isOneOf(const std::string& word, const std::array<const char*, N>& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+MonitorAction actionOf(const MonitorPolygon& keys) {
+  const auto found = std::find(kActionTypes.begin(), kActionTypes.end(), keys.actionType);
+  return static_cast<MonitorAction>(found - kActionTypes.begin());
+}
+
+Polygon pointsOf(const MonitorPolygon& keys, const Polygon& footprint) {
+  if (!keys.pointList.empty()) {
+    Polygon corners;
+    for (std::size_t i = 0; i + 1 < keys.pointList.size(); i += 2) {
+      corners.emplace_back(keys.pointList[i], keys.pointList[i + 1]);
+    }
+    return corners;
+  }
+  const base::Result<Polygon> corners = readPolygon(keys.points);
+  return corners ? *corners : footprint;
+}
+
+bool isInRange(const VelocitySubPolygon& part, const BodyTwist& command, bool isHolonomic) {
+  const double linear = isHolonomic ? speedAlong(command) : command.linear;
+  bool isIn = linear >= part.linearMin && linear <= part.linearMax &&
+              command.angular >= part.thetaMin && command.angular <= part.thetaMax;
+  if (isHolonomic) {
+    const double direction = base::atan2(command.lateral, command.linear);
+    const bool isAfter = direction >= part.directionStartAngle;
+    const bool isBefore = direction <= part.directionEndAngle;
+    const bool isWhole = part.directionStartAngle <= part.directionEndAngle;
+    isIn = isIn && (isWhole ? isAfter && isBefore : isAfter || isBefore);
+  }
+  return isIn;
+}
+
+void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
+  const auto require = [&shape, &problems](bool isRight, const char* key, const char* wanted) {
+    if (!isRight) {
+      problems.push_back(base::error("nav2.bad-parameter", {shape.name + "." + key, wanted}));
+    }
+  };
+  require(isOneOf(shape.type, kShapeTypes), "type", "polygon, circle or velocity_polygon");
+  require(isOneOf(shape.actionType, kActionTypes) && shape.actionType != "none", "action_type",
+          "stop, slowdown, limit or approach");
+  if (shape.type == "circle") {
+    require(shape.radius > 0.0, "radius", "above 0");
+  }
+  if (shape.type == "velocity_polygon") {
+    require(!shape.subPolygons.empty(), "velocity_polygons", "a list of names");
+    for (const VelocitySubPolygon& part : shape.subPolygons) {
+      base::append(problems, readPolygon(part.points).diagnostics());
+    }
+  }
+  if (shape.type == "polygon" && shape.pointList.empty() && !shape.points.empty()) {
+    base::append(problems, readPolygon(shape.points).diagnostics());
+  }
+  require(
+      shape.pointList.size() % 2 == 0 && (shape.pointList.empty() || shape.pointList.size() >= 6),
+      "points", "pairs of numbers, three at least");
+  require(shape.simulationTimeStep > 0.0, "simulation_time_step", "above 0");
+  require(shape.timeBeforeCollision > 0.0, "time_before_collision", "above 0");
+}
+
+}  // namespace
+
+const std::vector<Nav2Key<CollisionMonitorParameters>>& collisionMonitorKeys() {
+  using P = CollisionMonitorParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"source_timeout", &P::sourceTimeout, "s",
+       "An older scan is none; since Jazzy the robot stops then; 0: it does not."},
+      {"polygons", &P::polygons, "", "Names of the polygons, in the order of their test."},
+      {"observation_sources", &P::observationSources, "", "Names of the sources."},
+  };
+  return kKeys;
+}
+
+const std::vector<Nav2Key<MonitorPolygon>>& monitorPolygonKeys() {
+  using P = MonitorPolygon;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"type", &P::type, "", "polygon, circle or velocity_polygon."},
+      {"points", &P::pointList, "m", "Corners: x1, y1, x2 …", kHumble},
+      {"points", &P::points, "m", "Corners: \"[[x, y], …]\"; none: the robot's footprint.",
+       kSinceJazzy},
+      {"radius", &P::radius, "m", "Radius of a circle."},
+      {"action_type", &P::actionType, "", "stop, slowdown, limit or approach."},
+      {"max_points", &P::maxPoints, "", "It acts above so many points.", kHumble},
+      {"min_points", &P::minPoints, "", "It acts from so many points on."},
+      {"slowdown_ratio", &P::slowdownRatio, "", "Share of the command that is left."},
+      {"linear_limit", &P::linearLimit, "m/s", "Greatest speed.", kSinceJazzy},
+      {"angular_limit", &P::angularLimit, "rad/s", "Greatest turning speed.", kSinceJazzy},
+      {"time_before_collision", &P::timeBeforeCollision, "s", "Approach: how far ahead."},
+      {"simulation_time_step", &P::simulationTimeStep, "s", "Approach: in which steps."},
+      {"footprint_topic", &P::footprintTopic, "", "Whose footprint: here always the robot's."},
+      {"enabled", &P::enabled, "", "Whether it is tested.", kSinceJazzy},
+      {"holonomic", &P::holonomic, "", "Whether directions of motion count.", kSinceJazzy},
+      {"velocity_polygons", &P::velocityPolygons, "", "Names of its parts.", kSinceJazzy},
+  };
+  return kKeys;
+}
+
+const std::vector<Nav2Key<VelocitySubPolygon>>& velocitySubPolygonKeys() {
+  using P = VelocitySubPolygon;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"points", &P::points, "m", "Corners: \"[[x, y], …]\".", kSinceJazzy},
+      {"linear_min", &P::linearMin, "m/s", "Least speed.", kSinceJazzy},
+      {"linear_max", &P::linearMax, "m/s", "Greatest speed.", kSinceJazzy},
+      {"theta_min", &P::thetaMin, "rad/s", "Least turning speed.", kSinceJazzy},
+      {"theta_max", &P::thetaMax, "rad/s", "Greatest turning speed.", kSinceJazzy},
+      {"direction_start_angle", &P::directionStartAngle, "rad", "First direction of motion.",
+       kSinceJazzy},
+      {"direction_end_angle", &P::directionEndAngle, "rad", "Last direction of motion.",
+       kSinceJazzy},
+  };
+  return kKeys;
+}
+
+const std::vector<Nav2Key<MonitorSource>>& monitorSourceKeys() {
+  using P = MonitorSource;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"type", &P::type, "", "scan, pointcloud, range: here always the robot's lidar."},
+      {"enabled", &P::enabled, "", "Whether it is looked at.", kSinceJazzy},
+      {"source_timeout", &P::sourceTimeout, "s", "As that of the node, which counts without it.",
+       kSinceJazzy},
+  };
+  return kKeys;
+}
+
+const std::vector<IdleKey>& idleCollisionMonitorKeys() {
+  static const std::vector<IdleKey> kKeys = {
+      {"base_frame_id", "frames coincide here"},
+      {"odom_frame_id", "frames coincide here"},
+      {"transform_tolerance", "no TF here"},
+      {"base_shift_correction", "points are where the scan saw them"},
+      {"stop_pub_timeout", "a robot that stands goes on standing"},
+      {"cmd_vel_in_topic", "no topics here"},
+      {"cmd_vel_out_topic", "no topics here"},
+      {"state_topic", "no topics here"},
+      {"topic", "the scan is the robot's"},
+      {"min_height", "the lidar is planar"},
+      {"max_height", "the lidar is planar"},
+      {"visualize", "for displays of ROS"},
+      {"polygon_pub_topic", "for displays of ROS"},
+      {"polygon_sub_topic", "polygons do not change here"},
+      {"trigger_consecutive_points", "counts as 1"},
+      {"enable_stamped_cmd_vel", "no topics here"},
+      {"use_sim_time", "time is simulated here"},
+  };
+  return kKeys;
+}
+
+base::Diagnostics problemsOf(const CollisionMonitorParameters& parameters) {
+  base::Diagnostics problems;
+  for (const MonitorPolygon& shape : parameters.shapes) {
+    checkShape(shape, problems);
+  }
+  return problems;
+}
+
+bool isInPolygon(const Vec2& point, const Polygon& polygon) {
+  bool isIn = false;
+  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+    const Vec2& to = polygon[i];
+    const Vec2& from = polygon[j];
+    if ((point.y() <= to.y()) == (point.y() > from.y())) {
+      const double share = (point.y() - to.y()) / (from.y() - to.y());
+      isIn = isIn != (to.x() + share * (from.x() - to.x()) > point.x());
+    }
+  }
+  return isIn;
+}
+
+CollisionMonitor::CollisionMonitor(const CollisionMonitorParameters& parameters,
+                                   const Polygon& footprint, Distro distro)
+    : parameters_(parameters), distro_(distro) {
+  for (const MonitorPolygon& keys : parameters.shapes) {
+    Shape shape;
+    shape.keys = keys;
+    if (distro == Distro::Humble && keys.maxPoints >= 0) {
+      shape.keys.minPoints = keys.maxPoints + 1;
+    }
+    shape.corners = keys.type == "polygon" ? pointsOf(keys, footprint) : Polygon{};
+    for (const VelocitySubPolygon& part : keys.subPolygons) {
+      const base::Result<Polygon> corners = readPolygon(part.points);
+      shape.choices.push_back(corners ? *corners : Polygon{});
+    }
+    shapes_.push_back(std::move(shape));
+  }
+}
+
+MonitoredCommand CollisionMonitor::filter(const BodyTwist& command,
+                                          const Observation& observation) {
+  MonitoredCommand result;
+  result.twist = command;
+  if (!gatherPoints(observation)) {
+    return {BodyTwist{}, MonitorAction::Stop, "invalid source"};
+  }
+  for (Shape& shape : shapes_) {
+    if (!shape.keys.enabled) {
+      continue;
+    }
+    if (result.action == MonitorAction::Stop) {
+      break;
+    }
+    choose(shape, command);
+    MonitorAction action = MonitorAction::None;
+    const BodyTwist twist = safe(shape, command, action);
+    if (action == MonitorAction::Stop ||
+        (action != MonitorAction::None && dangerOf(twist) < dangerOf(result.twist))) {
+      result = {twist, action, shape.keys.name};
+    }
+  }
+  return result;
+}
+
+/// False: a source is too old, and the robot has to stop.
+bool CollisionMonitor::gatherPoints(const Observation& observation) {
+  constexpr double kRounding = 1e-9;  // [s]
+  points_.clear();
+  const LaserScan* const scan = observation.scan;
+  bool isRight = true, isSeen = false;
+  for (const MonitorSource& source : parameters_.sources) {
+    const bool isOld =
+        scan == nullptr || (source.sourceTimeout > 0.0 &&
+                            observation.time - scan->time > source.sourceTimeout + kRounding);
+    isSeen = isSeen || (source.enabled && !isOld);
+    isRight = isRight &&
+              !(source.enabled && isOld && source.sourceTimeout > 0.0 && distro_ != Distro::Humble);
+  }
+  if (!isSeen || !isRight) {
+    return isRight;
+  }
+  for (std::size_t i = 0; i < scan->distances.size(); ++i) {
+    if (scan->distances[i] < scan->range) {
+      const double angle =
+          scan->sensor.heading + scan->angleMin + static_cast<double>(i) * scan->perBeam;
+      points_.push_back(observation.pose.toLocal(scan->sensor.position +
+                                                 scan->distances[i] * base::directionOf(angle)));
+    }
+  }
+  return true;
+}
+
+/// The corners for a command; those before stay when none are for it.
+void CollisionMonitor::choose(Shape& shape, const BodyTwist& command) {
+  for (std::size_t i = 0; i < shape.choices.size(); ++i) {
+    if (isInRange(shape.keys.subPolygons[i], command, shape.keys.holonomic)) {
+      shape.corners = shape.choices[i];
+      return;
+    }
+  }
+}
+
+bool CollisionMonitor::isInside(const Shape& shape, const Vec2& point) {
+  return shape.keys.type == "circle" ? point.squaredNorm() < shape.keys.radius * shape.keys.radius
+                                     : !shape.corners.empty() && isInPolygon(point, shape.corners);
+}
+
+bool CollisionMonitor::isTriggered(const Shape& shape, const std::vector<Vec2>& points) {
+  int inside = 0;
+  for (const Vec2& point : points) {
+    inside += isInside(shape, point) ? 1 : 0;
+  }
+  return inside >= shape.keys.minPoints;
+}
+
+/// Until enough points lie inside, if the command goes on [s]; below 0: not within the time.
+double CollisionMonitor::timeToCollision(const Shape& shape, const BodyTwist& command) {
+  if (isTriggered(shape, points_)) {
+    return 0.0;
+  }
+  const double step = shape.keys.simulationTimeStep;
+  const base::SinCos turn = base::sinCos(command.angular * step);
+  Pose2 pose;
+  Vec2 velocity(command.linear, command.lateral);
+  for (double time = 0.0; time <= shape.keys.timeBeforeCollision; time += step) {
+    pose.position += step * velocity;
+    pose.heading += step * command.angular;
+    velocity = Vec2(velocity.x() * turn.cos - velocity.y() * turn.sin,
+                    velocity.x() * turn.sin + velocity.y() * turn.cos);
+    const Vec2 ahead = pose.direction();
+    moved_.clear();
+    for (const Vec2& point : points_) {
+      const Vec2 offset = point - pose.position;
+      moved_.emplace_back(ahead.dot(offset), base::cross(ahead, offset));
+    }
+    if (isTriggered(shape, moved_)) {
+      return time;
+    }
+  }
+  return -1.0;
+}
+
+/// What a shape leaves of a command, and by which action; None: it does not act.
+BodyTwist CollisionMonitor::safe(const Shape& shape, const BodyTwist& command,
+                                 MonitorAction& action) {
+  const MonitorAction own = actionOf(shape.keys);
+  if (own == MonitorAction::Approach) {
+    const double time = timeToCollision(shape, command);
+    if (time < 0.0) {
+      return command;
+    }
+    action = own;
+    return times(command, time / shape.keys.timeBeforeCollision);
+  }
+  if (!isTriggered(shape, points_)) {
+    return command;
+  }
+  action = own;
+  if (own == MonitorAction::Stop) {
+    return {};
+  }
+  if (own == MonitorAction::Slowdown) {
+    return times(command, shape.keys.slowdownRatio);
+  }
+  const double speed = speedAlong(command), turning = std::fabs(command.angular);
+  double ratio = 1.0;
+  ratio = speed > 0.0 ? std::min(ratio, shape.keys.linearLimit / speed) : ratio;
+  ratio = turning > 0.0 ? std::min(ratio, shape.keys.angularLimit / turning) : ratio;
+  return times(command, std::clamp(ratio, 0.0, 1.0));
+}
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim2d/base/Result.h"
+#include "sim2d/nav/Observation.h"
+#include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/costmap/Footprint.h"
+
+namespace sim2d::nav2 {
+
+/// A polygon of a velocity polygon, and the commands for which it counts.
+struct VelocitySubPolygon {
+  std::string name;                                                        // no key
+  std::string points;                                                      // "[[x, y], …]" [m]
+  double linearMin = 0.0, linearMax = 0.0;                                 // [m/s]
+  double thetaMin = 0.0, thetaMax = 0.0;                                   // [rad/s]
+  double directionStartAngle = -base::kPi, directionEndAngle = base::kPi;  // [rad], if holonomic
+};
+
+/// One of `polygons` of collision_monitor.
+struct MonitorPolygon {
+  std::string name;               // no key
+  std::string type;               // polygon, circle, velocity_polygon
+  std::string points;             // "[[x, y], …]" [m]; empty: the robot's footprint
+  std::vector<double> pointList;  // Humble's spelling of them: x1, y1, x2 …
+  double radius = 0.0;            // [m]
+  std::string actionType;         // stop, slowdown, limit, approach
+  int minPoints = 4;              // acts from so many points on
+  int maxPoints = -1;             // Humble's: acts above so many; below 0: not given
+  double slowdownRatio = 0.5;
+  double linearLimit = 0.5, angularLimit = 0.5;  // [m/s], [rad/s]
+  double timeBeforeCollision = 2.0;              // [s]
+  double simulationTimeStep = 0.1;               // [s]
+  std::string footprintTopic;
+  bool enabled = true, holonomic = false;
+  std::vector<std::string> velocityPolygons;    // names
+  std::vector<VelocitySubPolygon> subPolygons;  // no key: their blocks
+};
+
+/// One of `observation_sources`: the robot's lidar.
+struct MonitorSource {
+  std::string name;  // no key
+  std::string type = "scan";
+  bool enabled = true;
+  double sourceTimeout = 2.0;  // [s]; absent: that of the node
+};
+
+struct CollisionMonitorParameters {
+  double sourceTimeout = 2.0;  // [s]
+  std::vector<std::string> polygons, observationSources;
+  std::vector<MonitorPolygon> shapes;  // no key: blocks of `polygons`, in that order
+  std::vector<MonitorSource> sources;  // no key: blocks of `observation_sources`
+};
+const std::vector<Nav2Key<CollisionMonitorParameters>>& collisionMonitorKeys();
+const std::vector<Nav2Key<MonitorPolygon>>& monitorPolygonKeys();
+const std::vector<Nav2Key<VelocitySubPolygon>>& velocitySubPolygonKeys();
+const std::vector<Nav2Key<MonitorSource>>& monitorSourceKeys();
+const std::vector<IdleKey>& idleCollisionMonitorKeys();
+base::Diagnostics problemsOf(const CollisionMonitorParameters& parameters);
+
+/// Whether a point lies inside of a polygon: even number of crossings outside.
+bool isInPolygon(const Vec2& point, const Polygon& polygon);
+
+/// What it made of a command.
+enum class MonitorAction : std::uint8_t { None, Stop, Slowdown, Limit, Approach };
+struct MonitoredCommand {
+  BodyTwist twist;
+  MonitorAction action = MonitorAction::None;
+  std::string polygon;  // whose; "invalid source" when a scan is too old
+};
+
+/// The last stage before the base (nav2_collision_monitor): slows commands down by what the newest
+/// scan has in polygons about the robot. Thread: one at a time.
+class CollisionMonitor {
+ public:
+  /// Without errors. `footprint`: padded, of polygons without points.
+  CollisionMonitor(const CollisionMonitorParameters& parameters, const Polygon& footprint,
+                   Distro distro);
+
+  MonitoredCommand filter(const BodyTwist& command, const Observation& observation);
+
+ private:
+  struct Shape {
+    MonitorPolygon keys;
+    Polygon corners;               // now
+    std::vector<Polygon> choices;  // of keys.subPolygons
+  };
+  bool gatherPoints(const Observation& observation);
+  static void choose(Shape& shape, const BodyTwist& command);
+  static bool isInside(const Shape& shape, const Vec2& point);
+  static bool isTriggered(const Shape& shape, const std::vector<Vec2>& points);
+  double timeToCollision(const Shape& shape, const BodyTwist& command);
+  BodyTwist safe(const Shape& shape, const BodyTwist& command, MonitorAction& action);
+
+  CollisionMonitorParameters parameters_;
+  std::vector<Shape> shapes_;
+  Distro distro_;
+  std::vector<Vec2> points_, moved_;  // robot frame [m]
+};
+
+}  // namespace sim2d::nav2
