@@ -19,6 +19,7 @@ class Nav2MppiBench : public QObject {
  private Q_SLOTS:
   void command_2000x56_data();
   void command_2000x56();
+  void command_edgesOfTheFootprint();
 };
 
 namespace {
@@ -77,6 +78,20 @@ void Nav2MppiBench::command_2000x56() {
   });
   qInfo("%.3f ms, plain without drawing noise %.1f ms, ratio %.1f", vector, plain, plain / vector);
   QTest::setBenchmarkResult(vector, QTest::WalltimeMilliseconds);
+}
+
+/// CostCritic by the edges of the footprint, which are asked one pose at a time wherever the centre
+/// is near something.
+void Nav2MppiBench::command_edgesOfTheFootprint() {
+  MppiConfiguration mppi = nav2test::stockMppi(Distro::Jazzy);
+  mppi.settings.batchSize = 2000;
+  mppi.settings.regeneratesNoises = true;
+  mppi.critics.cost.considersFootprint = true;
+  const nav2test::HandScene scene = nav2test::curve();
+  MppiOptimizer optimizer(mppi, {});
+  const double time = fastestOf(kRounds, [&] { QVERIFY(optimizer.command(scene.view())); });
+  qInfo("%.3f ms", time);
+  QTest::setBenchmarkResult(time, QTest::WalltimeMilliseconds);
 }
 
 QTEST_APPLESS_MAIN(Nav2MppiBench)

@@ -49,7 +49,7 @@ struct CriticBench {
     std::vector<float> costs(columns.length.size(), 0.0F);
     critics.begin(scene.view());
     critics.score(scene.view(), columns, costs);
-    furthest = critics.furthest();
+    furthest = critics.furthest().value_or(-1);
     hasFailed = critics.hasFailed();
     wasAsked = critics.wasAsked(0);
     std::vector<double> result;

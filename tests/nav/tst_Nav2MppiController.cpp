@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -203,11 +204,12 @@ void Nav2MppiControllerTest::read_badBlock_tellsEveryProblem() {
   block["temperature"] = 0.0;
   block["motion_model"] = std::string("Diff");
   block["PathAngleCritic.mode"] = 3;
+  block["CostCritic.critical_cost"] = std::numeric_limits<double>::infinity();
   block["VelocityDeadbandCritic.deadband_velocities"] = std::vector<double>{0.1};
   const auto mppi = readMppi(block, Distro::Jazzy);
   QVERIFY(!mppi);
   const auto texts = problemsOf(mppi.diagnostics());
-  QCOMPARE(texts.size(), std::size_t(8));
+  QCOMPARE(texts.size(), std::size_t(9));
   const auto has = [&](const char* part) {
     return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
       return text.find(part) != std::string::npos;
@@ -221,6 +223,7 @@ void Nav2MppiControllerTest::read_badBlock_tellsEveryProblem() {
   QVERIFY(has("'Diff'"));
   QVERIFY(has("PathAngleCritic.mode 3 is not 0 to 2"));
   QVERIFY(has("deadband_velocities"));
+  QVERIFY(has("CostCritic.critical_cost"));
 }
 
 void Nav2MppiControllerTest::read_motionModel_byRelease() {
@@ -290,6 +293,8 @@ void Nav2MppiControllerTest::command_path_isCutAndFollowed() {
     QCOMPARE(view.predicted.size(), std::size_t(56));
     QVERIFY(view.predicted.back().position.x() > x + 0.5);
     QVERIFY(view.trajectories.empty());
+    QCOMPARE(view.lookahead.size(), std::size_t(1));
+    QVERIFY(view.lookahead[0].x() > x + 0.3);
   }
 }
 

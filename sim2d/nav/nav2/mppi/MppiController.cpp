@@ -101,6 +101,9 @@ Control MppiController::computeVelocityCommands(const ControlInput& input) {
                         input.goalChecker.xyTolerance()};
   const auto command = optimizer_.command(scene);
   view_.predicted = optimizer_.optimal();
+  if (const auto& furthest = optimizer_.critics().furthest()) {
+    view_.lookahead = {view_.localPlan[static_cast<std::size_t>(*furthest)].position};
+  }
   if (isWatched()) {
     showTrajectories();
   }

@@ -54,8 +54,8 @@ class MppiCritics {
   bool wasAsked(std::size_t critic) const { return wasAsked_[critic]; }
   const std::vector<float>& scores(std::size_t critic) const { return scores_[critic]; }
   const std::vector<float>& hits() const { return hits_; }  // 1: collides
-  /// Index of the path point reached furthest in this cycle.
-  int furthest() const { return furthest_.value_or(0); }
+  /// Index of the path point reached furthest in this cycle; none: no critic wanted to know.
+  const std::optional<int>& furthest() const { return furthest_; }
 
  private:
   struct Round;

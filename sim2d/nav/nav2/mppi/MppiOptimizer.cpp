@@ -101,19 +101,7 @@ void MppiOptimizer::setSpeedLimit(double limit, bool isPercentage) {
 
 std::optional<BodyTwist> MppiOptimizer::command(const MppiScene& scene) {
   begin(scene);
-  auto next = MppiRetries::Next::Retry;
-  while (next == MppiRetries::Next::Retry) {
-    optimize(scene);
-    if (isMain()) {
-      optimal_ = integrated(scene.robot, sequence_, mppi_.settings.modelDt);
-    }
-    const bool hasFailed = critics_.hasFailed() || (isMain() && !isOptimalValid(scene));
-    next = retries_.after(hasFailed);
-    if (hasFailed) {
-      reset();
-    }
-  }
-  if (next == MppiRetries::Next::GiveUp) {
+  if (!findOptimal(scene)) {
     optimal_.clear();
     return std::nullopt;
   }
@@ -130,6 +118,29 @@ std::optional<BodyTwist> MppiOptimizer::command(const MppiScene& scene) {
   }
   return BodyTwist{static_cast<double>(lastCommand_[0]), static_cast<double>(lastCommand_[1]),
                    static_cast<double>(lastCommand_[2])};
+}
+
+/// When every trajectory collides Nav2 retries with the flag of failure still set: no critic is
+/// asked, and the retries fail too. Here they are not made.
+bool MppiOptimizer::findOptimal(const MppiScene& scene) {
+  auto next = MppiRetries::Next::Retry;
+  while (next == MppiRetries::Next::Retry) {
+    optimize(scene);
+    if (critics_.hasFailed()) {
+      reset();
+      return false;
+    }
+    bool isValid = true;
+    if (isMain()) {
+      optimal_ = integrated(scene.robot, sequence_, mppi_.settings.modelDt);
+      isValid = isOptimalValid(scene);
+    }
+    next = retries_.after(!isValid);
+    if (!isValid) {
+      reset();
+    }
+  }
+  return next == MppiRetries::Next::Done;
 }
 
 /// Once per cycle: costs, the flag of failure, the path reached and free are of all its iterations.

@@ -49,6 +49,7 @@ class MppiOptimizer {
   void setRoll();
   void drawNoise();
   void begin(const MppiScene& scene);
+  bool findOptimal(const MppiScene& scene);
   MppiControl startSpeed(const MppiScene& scene) const;
   void optimize(const MppiScene& scene);
   void roll();

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "sim2d/base/Problems.h"
@@ -91,6 +93,15 @@ void checkOptimizer(const MppiSettings& settings, MppiValueCheck& check) {
   check.positive("min_turning_r", settings.minTurningRadius);
   check.notNegative("TrajectoryValidator.collision_lookahead_time", settings.collisionLookahead);
   check.positive("prune_distance", settings.pruneDistance);
+}
+
+void checkFinite(const Nav2Block& block, base::Diagnostics& problems) {
+  for (const auto& [key, value] : block) {
+    const double* number = std::get_if<double>(&value);
+    if (number != nullptr && !std::isfinite(*number)) {
+      problems.push_back(base::error("nav2.wrong-value", {key, *number, "a finite number"}));
+    }
+  }
 }
 
 void checkCritics(const MppiCriticSettings& critics, MppiValueCheck& check) {
@@ -232,6 +243,7 @@ base::Result<MppiConfiguration> readMppi(const Nav2Block& block, Distro distro) 
     critic = filled(critic, keys, block, distro, problems, std::string(name) + ".");
   });
   readMotion(block, mppi, problems);
+  checkFinite(block, problems);
   MppiValueCheck check(problems);
   checkOptimizer(mppi.settings, check);
   checkCritics(mppi.critics, check);

@@ -24,9 +24,8 @@ inline CellCost cellCostAt(const CostCells& cells, Lanes x, Lanes y) {
                            (row < fill(static_cast<float>(cells.rows)));
   const LaneInts left = xsimd::to_int(select(isOnMap, column, none));
   const LaneInts below = xsimd::to_int(select(isOnMap, row, none));
-  const Lanes at = xsimd::to_float(below) * fill(static_cast<float>(cells.columns)) +
-                   xsimd::to_float(left);  // exact: fewer than 2^24 cells
-  return {select(isOnMap, Lanes::gather(cells.costs, xsimd::to_int(at)), fill(255.0F)), isOnMap};
+  const LaneInts at = below * LaneInts(cells.columns) + left;
+  return {select(isOnMap, Lanes::gather(cells.costs, at), fill(255.0F)), isOnMap};
 }
 
 /// Costs on the edges where `isAsked`; elsewhere `otherwise`.
