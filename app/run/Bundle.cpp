@@ -7,6 +7,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/Echoes.h"
 #include "app/run/PlannerFiles.h"
+#include "app/run/ProgramRegistries.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -117,6 +118,7 @@ void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup, 
   setup.code = bundle.settings.code;
   setup.folder = folderOfPlanners(bundle.path);
   setup.stop = bundle.left;
+  setup.registries = sharedRegistries();
   base::Result<std::unique_ptr<sim2d::World>> world = sim2d::World::create(std::move(setup));
   base::Diagnostics ofWorld = world.diagnostics();
   sim2d::addPlaces(ofWorld, bundle.lines, bundle.path);
@@ -188,9 +190,8 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   sim2d::WorldSetup setup;
   setup.surroundings = surroundingsOf(bundle);
   bundle.left->check();
-  base::Diagnostics meaning =
-      sim2d::checkScenario(*bundle.scenario, *setup.surroundings, bundle.path,
-                           sim2d::knownNames(sim2d::programRegistries()));
+  base::Diagnostics meaning = sim2d::checkScenario(
+      *bundle.scenario, *setup.surroundings, bundle.path, sim2d::knownNames(programRegistries()));
   bundle.stop->check();  // else what was stopped would be told as places out of reach
   sim2d::addPlaces(meaning, bundle.lines, bundle.path);
   base::append(verdict.problems, meaning);
