@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/control/ControllerServer.h"
 #include "sim2d/nav/nav2/params/CostmapReading.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "sim2d/nav/nav2/params/PluginBlocks.h"
@@ -29,6 +30,7 @@ class FileReader {
 
   void read() {
     readCostmaps();
+    readControllers();
     readPlanners();
     readSmoothers();
     readNavigator();
@@ -48,6 +50,14 @@ class FileReader {
     NodeReader global = reader(kGlobalCostmap);
     to_.globalCostmap = readCostmap(global);
     global.finish();
+  }
+
+  void readControllers() {
+    NodeReader node = reader(kControllerServer);
+    to_.controllerServer = node.read({}, controllerServerNodeKeys(node.given({}), to_.distro));
+    const auto made = makeControllerServer(to_.controllerServer, to_.distro);
+    tellAt(node, made.diagnostics());
+    node.finish();
   }
 
   void readPlanners() {
@@ -144,6 +154,49 @@ Nav2Reading readNav2Parameters(const ParameterFile& file, const Nav2ReadOptions&
   parameters.notes.problems.clear();
   sortByPlace(reading.problems);
   return reading;
+}
+
+base::Diagnostics setNav2Value(ParameterFile& file, const Nav2Reading& reading,
+                               const std::string& path, const std::string& yaml) {
+  std::vector<std::string> known;  // with their nodes
+  for (const KeyNote& key : reading.parameters.notes.keys) {
+    if (key.use == KeyUse::Used) {
+      known.push_back(key.path);
+    }
+  }
+  for (const DefaultNote& fallback : reading.parameters.notes.defaults) {
+    known.push_back(fallback.path);
+  }
+  std::vector<std::string> nodes, names = known;
+  const std::string end = "." + path;
+  for (const std::string& full : known) {
+    const std::size_t dot = full.find('.');
+    names.push_back(full.substr(dot + 1));
+    if (full == path || full.substr(dot) == end) {
+      nodes.push_back(full.substr(0, dot));
+    }
+  }
+  if (nodes.empty()) {
+    return {base::error("nav2.set-unknown", {path, base::nearestName(path, names)})};
+  }
+  if (nodes.size() > 1) {
+    return {base::error("nav2.set-ambiguous", {path, base::join(nodes, ", ")})};
+  }
+  base::Diagnostics problems;
+  base::YamlNode value = base::parseYaml(yaml, {}, problems);
+  if (base::hasErrors(problems) || value.isNull() || value.isMap()) {
+    return {base::within(path, base::error("set.no-value", {yaml}))};
+  }
+  const bool hasNode = path.compare(0, nodes.front().size() + 1, nodes.front() + ".") == 0;
+  file.set(nodes.front(), hasNode ? path.substr(nodes.front().size() + 1) : path, std::move(value));
+  return {};
+}
+
+double xyGoalTolerance(const Nav2Parameters& parameters) {
+  const auto names = controllerValue<std::vector<std::string>>(parameters, "goal_checker_plugins",
+                                                               {"goal_checker"});
+  const std::string first = names.empty() ? std::string() : names.front();
+  return controllerValue(parameters, first + ".xy_goal_tolerance", 0.25);
 }
 
 }  // namespace sim2d::nav2

@@ -16,13 +16,6 @@
 /// A `nav2_params.yaml` as a whole: every server with its plugins.
 namespace sim2d::nav2 {
 
-/// A plugin whose parameters the one who makes it knows.
-struct NamedPlugin {
-  std::string name;    // "FollowPath"
-  std::string plugin;  // "dwb_core::DWBLocalPlanner"
-  Nav2Block block;
-};
-
 struct Nav2Parameters {
   std::string file;
   Distro distro = Distro::Jazzy;
@@ -30,6 +23,7 @@ struct Nav2Parameters {
   std::vector<std::string> distroReasons;  // of the guess
 
   CostmapSettings localCostmap, globalCostmap;
+  Nav2Block controllerServer;  // with its plugins below their names, for makeControllerServer
   PlannerServerParameters plannerServer;
   std::vector<std::pair<std::string, GlobalPlannerParameters>> planners;  // by name
   SmootherServerParameters smootherServer;
@@ -44,13 +38,28 @@ struct Nav2ReadOptions {
   std::string robot;             // its namespace counts before others
 };
 
-/// Everything at once: problems with line and column. With errors there is nothing to drive with,
-/// and the notes are in the problems alone.
+/// Everything at once, in the order of the file.
 struct Nav2Reading {
   Nav2Parameters parameters;
   base::Diagnostics problems;
   bool ok() const { return !base::hasErrors(problems); }
 };
 Nav2Reading readNav2Parameters(const ParameterFile& file, const Nav2ReadOptions& options = {});
+
+/// Puts a value at a parameter that `reading` knows: "FollowPath.temperature", with its node in
+/// front where several have it. Errors: no such parameter, several nodes, no YAML.
+base::Diagnostics setNav2Value(ParameterFile& file, const Nav2Reading& reading,
+                               const std::string& path, const std::string& yaml);
+
+/// What was given for the plugin of the controller server, or what Nav2 has without it.
+template <class T>
+T controllerValue(const Nav2Parameters& parameters, const std::string& key, T otherwise) {
+  const auto found = parameters.controllerServer.find(key);
+  const T* const value =
+      found == parameters.controllerServer.end() ? nullptr : std::get_if<T>(&found->second);
+  return value != nullptr ? *value : otherwise;
+}
+/// Of the goal checker that comes first [m].
+double xyGoalTolerance(const Nav2Parameters& parameters);
 
 }  // namespace sim2d::nav2

@@ -35,14 +35,16 @@ void tellUnknownPlugin(NodeReader& node, const std::string& name, const std::str
   node.tell(name + ".plugin", unknownPlugin(found, known));
 }
 
-void tellAt(NodeReader& node, const std::string& name, const base::Diagnostics& problems) {
+void tellAt(NodeReader& node, const base::Diagnostics& problems) {
   for (const base::Diagnostic& problem : problems) {
-    std::string place = name + ".plugin";
+    const std::string where = problem.value("where");
+    std::string place = where.empty() ? std::string() : where + ".plugin";
     for (const auto& [hole, value] : problem.values) {
-      const std::string key = name + "." + value;
-      place = node.has(key) ? key : place;
+      for (const std::string& key : {value, where + "." + value}) {
+        place = node.has(key) ? key : place;
+      }
     }
-    node.tell(place, base::within(node.node() + "." + name, problem));
+    node.tell(place, base::within(node.node(), problem));
   }
 }
 

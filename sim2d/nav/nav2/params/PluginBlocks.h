@@ -21,8 +21,8 @@ std::string pluginClass(NodeReader& node, const std::string& name, const std::st
 void tellUnknownPlugin(NodeReader& node, const std::string& name, const std::string& found,
                        const std::vector<std::string>& known);
 
-/// Problems of a component told at the places of the keys that they name, else at its class.
-void tellAt(NodeReader& node, const std::string& name, const base::Diagnostics& problems);
+/// Problems of a server told at the places of the keys that they name, else at the plugin's class.
+void tellAt(NodeReader& node, const base::Diagnostics& problems);
 
 /// By a class, `find(class)` gives something like PluginAnswer; its keys are read into it.
 template <class Answer, class Variant>
