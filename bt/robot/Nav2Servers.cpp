@@ -20,7 +20,6 @@ using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
 using State = RobotOutcome::State;
 
 constexpr double kCostmapTimeout = 1.0;  // [s], of planner_server since Jazzy
-constexpr double kSmoothedSpan = 0.3;    // [s], over which bt_navigator smooths the odometry
 constexpr double kLidarHeight = 0.2;     // [m]; scenarios do not tell
 constexpr double kCutTolerance = 1e-9;   // [m/s], [rad/s]
 
@@ -103,7 +102,7 @@ base::Diagnostics Nav2Servers::build() {
   for (const auto& [name, smoother] : parameters.smoothers) {
     smoothers_[name] = makePathSmoother(smoother, parameters.distro);
   }
-  motions_ = std::make_unique<Motions>(parameters);
+  motions_ = std::make_unique<Motions>(parameters, local_->footprint().corners);
   return problems;
 }
 
@@ -136,10 +135,7 @@ void Nav2Servers::sense(const sim2d::Observation& observation) {
   delayScan(observation);
   sensed_ = observation;
   sensed_.scan = scan_ ? &*scan_ : nullptr;
-  recentMotion_.emplace_back(time_, observation.motion);
-  while (recentMotion_.front().first <= time_ - kSmoothedSpan - 1e-9) {
-    recentMotion_.pop_front();
-  }
+  odometry_.add(time_, observation.motion);
   local_->update(sensed_);
   global_->update(sensed_);
 }
@@ -149,15 +145,12 @@ BodyTwist Nav2Servers::act() {
   planIfAsked(RobotAction::ComputePathThroughPoses);
   smoothIfAsked();
   control();
-  const Motions::Step step{*observation_, sensed_.scan, *local_, isDue(motions_->frequency()),
-                           time_};
-  motions_->run(step, command_);
+  const BodyTwist wanted = motions_->drive({sensed_, *local_, time_}, command_);
   for (const RobotAction action : Motions::kActions) {
     if (const auto outcome = motions_->takeOutcome(action)) {
       result(action) = *outcome;
     }
   }
-  const BodyTwist wanted = motions_->smoothed(step, command_);
   const BodyTwist sent = delayed(wanted);
   const BodyTwist left = sim2d::reached(setup_.body, observation_->motion, sent, observation_->dt);
   const bool isCut = std::fabs(left.linear - sent.linear) > kCutTolerance ||
@@ -188,7 +181,6 @@ void Nav2Servers::restart() {
   for (const RobotAction action : Motions::kActions) {
     motions_->cancel(action);
   }
-  counts_.recoveries += 0;
   hasPlanned_ = false;
 }
 
@@ -209,7 +201,9 @@ void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
     return;
   }
   if (Motions::isOne(action)) {
-    motions_->begin(action, request, {*observation_, sensed_.scan, *local_, true, time_});
+    if (!motions_->begin(action, request, {sensed_, *local_, time_})) {
+      result(action).state = State::Failed;
+    }
     return;
   }
   asked(action) = {request, step_, true, -1.0};
@@ -390,13 +384,8 @@ void Nav2Servers::takeFeedback(const FollowFeedback& feedback) {
 // ---- what nodes ask ----------------------------------------------------------------------------
 
 double Nav2Servers::speed() const {
-  BodyTwist sum;
-  for (const auto& [time, motion] : recentMotion_) {
-    sum.linear += motion.linear;
-    sum.lateral += motion.lateral;
-  }
-  const auto count = static_cast<double>(std::max<std::size_t>(recentMotion_.size(), 1));
-  return std::sqrt(sum.linear * sum.linear + sum.lateral * sum.lateral) / count;
+  const BodyTwist mean = odometry_.mean();
+  return std::sqrt(mean.linear * mean.linear + mean.lateral * mean.lateral);
 }
 
 bool Nav2Servers::isPathValid(PathId id, int maxCost, bool unknownBlocks) const {

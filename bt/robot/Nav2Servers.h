@@ -15,6 +15,7 @@
 #include "sim2d/nav/nav2/control/ControllerServer.h"
 #include "sim2d/nav/nav2/costmap/LayeredCostmap.h"
 #include "sim2d/nav/nav2/params/Nav2Parameters.h"
+#include "sim2d/nav/nav2/servers/OdometrySmoother.h"
 
 namespace bt {
 
@@ -60,6 +61,7 @@ class Nav2Servers final : public NavigatorHost {
   void setGoal(PathId goal) { goal_ = goal; }
   /// A new run of the tree begins: nothing is asked for any more.
   void restart();
+  static const std::array<RobotAction, 4>& behaviorActions();
 
   const Nav2Counts& counts() const { return counts_; }
   bool takeReplanned() { return std::exchange(hasReplanned_, false); }
@@ -128,7 +130,7 @@ class Nav2Servers final : public NavigatorHost {
   double newestScan_ = -1.0;                                      // [s]
   std::int64_t step_ = 0;                                         // calls of sense
   double time_ = 0.0, timeBefore_ = -1.0;                         // [s]
-  std::deque<std::pair<double, sim2d::BodyTwist>> recentMotion_;  // by time [s]
+  sim2d::nav2::OdometrySmoother odometry_{0.3};                    // of bt_navigator
   std::array<Asked, kRobotActions> asked_;
   std::array<RobotOutcome, kRobotActions> results_;
   std::optional<sim2d::nav2::FollowPathGoal> nextFollow_;  // once the cancelled one has ended

@@ -128,6 +128,31 @@ NodeStatus nonblocking(ParentContext& node) {
   return succeeded + skipped == node.childCount() ? NodeStatus::Success : NodeStatus::Running;
 }
 
+/// ReactiveSequence (`stop` = FAILURE) and ReactiveFallback (SUCCESS). Unlike BehaviorTree.CPP 4,
+/// which resets every other child when one runs, those before it keep their status, as in version
+/// 3: Nav2's conditions and PathLongerOnApproach would else look for the first time in each tick and
+/// never see a change.
+template <NodeStatus stop>
+NodeStatus reactive(ParentContext& node) {
+  int skipped = 0;
+  for (int child = 0; child < node.childCount(); ++child) {
+    const NodeStatus status = node.tickChild(child);
+    if (status == NodeStatus::Running) {
+      for (int later = child + 1; later < node.childCount(); ++later) {
+        node.resetChild(later);
+      }
+      return status;
+    }
+    if (status == stop || status == NodeStatus::Idle) {
+      return status;
+    }
+    skipped += status == NodeStatus::Skipped ? 1 : 0;
+  }
+  constexpr NodeStatus kPasses =
+      stop == NodeStatus::Failure ? NodeStatus::Success : NodeStatus::Failure;
+  return skipped == node.childCount() ? NodeStatus::Skipped : kPasses;
+}
+
 template <class Memory>
 void forgetMemory(ParentContext& node) {
   node.memory<Memory>() = {};
@@ -153,6 +178,10 @@ void addRobotControls(NodeLibrary& to) {
                                 {recovery, forgetMemory<RecoveryMemory>});
   to.addControl<RoundMemory>(*nodes.find("RoundRobin"), {roundRobin, forgetMemory<RoundMemory>});
   to.addControl(*nodes.find("NonblockingSequence"), {nonblocking, nullptr});
+  to.addControl(*to.catalogue().find("ReactiveSequence"),
+                {reactive<NodeStatus::Failure>, nullptr});
+  to.addControl(*to.catalogue().find("ReactiveFallback"),
+                {reactive<NodeStatus::Success>, nullptr});
 }
 
 }  // namespace bt

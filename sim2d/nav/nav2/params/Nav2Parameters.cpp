@@ -10,6 +10,7 @@
 #include "sim2d/nav/nav2/control/ControllerServer.h"
 #include "sim2d/nav/nav2/params/CostmapReading.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
+#include "sim2d/nav/nav2/params/MotionReading.h"
 #include "sim2d/nav/nav2/params/PluginBlocks.h"
 
 namespace sim2d::nav2 {
@@ -33,6 +34,7 @@ class FileReader {
     readControllers();
     readPlanners();
     readSmoothers();
+    readMotions(to_, [this](const std::string& node) { return reader(node); }, file_);
     readNavigator();
     lookAtOthers();
   }

@@ -12,9 +12,19 @@
 #include "sim2d/nav/nav2/global/PathSmoother.h"
 #include "sim2d/nav/nav2/params/BtNavigator.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
+#include "sim2d/nav/nav2/servers/Behaviors.h"
+#include "sim2d/nav/nav2/servers/CollisionMonitor.h"
+#include "sim2d/nav/nav2/servers/VelocitySmoother.h"
 
 /// A `nav2_params.yaml` as a whole: every server with its plugins.
 namespace sim2d::nav2 {
+
+/// behavior_server: which of the behaviours are loaded, and their keys.
+struct BehaviorSettings {
+  BehaviorParameters server;
+  DriveParameters backUp, driveOnHeading;
+  bool hasSpin = false, hasBackUp = false, hasDriveOnHeading = false, hasWait = false;
+};
 
 struct Nav2Parameters {
   std::string file;
@@ -28,6 +38,9 @@ struct Nav2Parameters {
   std::vector<std::pair<std::string, GlobalPlannerParameters>> planners;  // by name
   SmootherServerParameters smootherServer;
   std::vector<std::pair<std::string, PathSmootherParameters>> smoothers;
+  BehaviorSettings behaviors;
+  VelocitySmootherParameters velocitySmoother;
+  std::optional<CollisionMonitorParameters> collisionMonitor;  // none: not in the file
   BtNavigatorParameters btNavigator;
 
   ReadingNotes notes;  // of every key of the file; its problems are those of the result
