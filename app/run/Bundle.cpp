@@ -6,6 +6,7 @@
 
 #include "app/run/DataPaths.h"
 #include "app/run/Echoes.h"
+#include "app/run/Nav2Robots.h"
 #include "app/run/PlannerFiles.h"
 #include "app/run/ProgramRegistries.h"
 #include "sim2d/base/Text.h"
@@ -166,6 +167,8 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownF
     for (const RunOptions& later : options.then) {
       base::append(bundle.wrongWords, applyOptions(*scenario, later, settings.compatibility));
     }
+    base::append(options.set.empty() ? bundle.remarks : bundle.wrongWords,
+                 fillNav2Robots(*scenario, options.scenario));
   }
   bundle.scenario = std::move(scenario);
   if (bundle.hasScenario() && !base::hasErrors(bundle.wrongWords)) {
@@ -173,6 +176,9 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownF
                                    shippedMapsFolder()};
     readMapOf(bundle, places, files);
     findTrees(bundle, places, reading->hasBlock);
+    for (std::string& file : nav2FilesOf(*bundle.scenario, options.scenario)) {
+      bundle.inputs.push_back(std::move(file));
+    }
     for (std::string& file : filesThatPlannersRead(*bundle.scenario, options.scenario)) {
       bundle.inputs.push_back(std::move(file));
     }

@@ -1,13 +1,13 @@
 #include "app/run/ProgramRegistries.h"
 
-#include "app/run/DataPaths.h"
+#include "app/run/Nav2Robots.h"
 #include "bt/robot/Nav2Planner.h"
 
 namespace app {
 
 sim2d::Registries programRegistries() {
   sim2d::Registries all = sim2d::programRegistries();
-  bt::addNav2(all.planners, {shippedResources("nav2_params"), shippedResources("nav2_trees")});
+  bt::addNav2(all.planners, shippedNav2());
   return all;
 }
 

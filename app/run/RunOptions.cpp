@@ -127,7 +127,7 @@ base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& option
   if (options.planner) {
     robot.planner = options.planner;
   }
-  if (hasNav2 && robot.planner != kNav2Planner) {
+  if (hasNav2 && robot.planner != sim2d::kNav2Planner) {
     return {base::error("option.nav2-without-planner")};
   }
   robot.nav2Params = options.nav2Params ? fromHere(*options.nav2Params) : robot.nav2Params;

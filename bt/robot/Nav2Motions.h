@@ -47,9 +47,9 @@ class Nav2Servers::Motions {
   std::optional<RobotAction> running_;
   std::optional<RobotOutcome> outcome_;  // of the action that `ended_` names
   RobotAction ended_ = RobotAction::Wait;
-  bool stops_ = false;                         // a behaviour was cancelled
-  std::optional<sim2d::BodyTwist> direct_;     // of a behaviour that bypasses the smoother
-  sim2d::BodyTwist sent_;                      // by the smoother, holds
+  bool stops_ = false;                      // a behaviour was cancelled
+  std::optional<sim2d::BodyTwist> direct_;  // of a behaviour that bypasses the smoother
+  sim2d::BodyTwist sent_;                   // by the smoother, holds
 };
 
 }  // namespace bt

@@ -124,13 +124,13 @@ class Nav2Servers final : public NavigatorHost {
   sim2d::nav2::ControlledShape shape_;
 
   const sim2d::Observation* observation_ = nullptr;
-  sim2d::Observation sensed_;                                     // with the scan that has arrived
-  std::deque<std::pair<std::int64_t, sim2d::LaserScan>> scans_;   // under way, by step
-  std::optional<sim2d::LaserScan> scan_;                          // the last that has arrived
-  double newestScan_ = -1.0;                                      // [s]
-  std::int64_t step_ = 0;                                         // calls of sense
-  double time_ = 0.0, timeBefore_ = -1.0;                         // [s]
-  sim2d::nav2::OdometrySmoother odometry_{0.3};                    // of bt_navigator
+  sim2d::Observation sensed_;                                    // with the scan that has arrived
+  std::deque<std::pair<std::int64_t, sim2d::LaserScan>> scans_;  // under way, by step
+  std::optional<sim2d::LaserScan> scan_;                         // the last that has arrived
+  double newestScan_ = -1.0;                                     // [s]
+  std::int64_t step_ = 0;                                        // calls of sense
+  double time_ = 0.0, timeBefore_ = -1.0;                        // [s]
+  sim2d::nav2::OdometrySmoother odometry_{0.3};                  // of bt_navigator
   std::array<Asked, kRobotActions> asked_;
   std::array<RobotOutcome, kRobotActions> results_;
   std::optional<sim2d::nav2::FollowPathGoal> nextFollow_;  // once the cancelled one has ended

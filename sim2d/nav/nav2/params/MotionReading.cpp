@@ -86,17 +86,15 @@ void readBehavior(NodeReader& node, const std::string& name, BehaviorSettings& t
 void readBehaviors(NodeReader node, BehaviorSettings& to) {
   to.server = node.read({}, behaviorKeys(), idleBehaviorKeys(), BehaviorParameters());
   to.backUp = to.driveOnHeading = driveDefaults(node.distro());
-  for (const std::string& name :
-       pluginNames(node, "behavior_plugins", to.server.behaviorPlugins)) {
+  for (const std::string& name : pluginNames(node, "behavior_plugins", to.server.behaviorPlugins)) {
     readBehavior(node, name, to);
   }
   node.finish();
 }
 
 VelocitySmootherParameters readSmoother(NodeReader node) {
-  VelocitySmootherParameters smoother = node.read({}, velocitySmootherKeys(),
-                                                  idleVelocitySmootherKeys(),
-                                                  VelocitySmootherParameters());
+  VelocitySmootherParameters smoother = node.read(
+      {}, velocitySmootherKeys(), idleVelocitySmootherKeys(), VelocitySmootherParameters());
   tellAt(node, problemsOf(smoother));
   node.finish();
   return smoother;
@@ -116,9 +114,8 @@ MonitorPolygon readShape(NodeReader& node, const std::string& name) {
 }
 
 CollisionMonitorParameters readMonitor(NodeReader node) {
-  CollisionMonitorParameters monitor =
-      node.read({}, collisionMonitorKeys(), idleCollisionMonitorKeys(),
-                CollisionMonitorParameters());
+  CollisionMonitorParameters monitor = node.read(
+      {}, collisionMonitorKeys(), idleCollisionMonitorKeys(), CollisionMonitorParameters());
   for (const std::string& name : pluginNames(node, "polygons", monitor.polygons)) {
     monitor.shapes.push_back(readShape(node, name));
   }

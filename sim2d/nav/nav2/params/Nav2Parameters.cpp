@@ -34,7 +34,8 @@ class FileReader {
     readControllers();
     readPlanners();
     readSmoothers();
-    readMotions(to_, [this](const std::string& node) { return reader(node); }, file_);
+    readMotions(
+        to_, [this](const std::string& node) { return reader(node); }, file_);
     readNavigator();
     lookAtOthers();
   }
