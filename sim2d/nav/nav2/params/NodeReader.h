@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "sim2d/base/Result.h"
@@ -62,8 +63,13 @@ class NodeReader {
     for (const IdleKey& each : idle) {
       keys.idle.push_back({each.name, each.why});
     }
-    base::Diagnostics none;  // types have been looked at
-    return filled(defaults, table, read(prefix, keys), distro_, none);
+    const Nav2Block block = read(prefix, keys);           // types have been looked at there
+    if constexpr (sizeof(Parameters) < sizeof(double)) {  // truths alone; GCC warns of the rest
+      return withTruths(defaults, table, block);
+    } else {
+      base::Diagnostics none;
+      return filled(defaults, table, block, distro_, none);
+    }
   }
   /// One text, list of texts or number; nothing when it is absent, or of another type (told).
   template <class T>
@@ -85,6 +91,18 @@ class NodeReader {
   void finish();
 
  private:
+  template <class Parameters>
+  static Parameters withTruths(Parameters parameters, const std::vector<Nav2Key<Parameters>>& table,
+                               const Nav2Block& block) {
+    for (const Nav2Key<Parameters>& key : table) {
+      const auto* const member = std::get_if<bool Parameters::*>(&key.member);
+      const auto given = block.find(key.name);
+      if (member != nullptr && given != block.end()) {
+        parameters.** member = std::get<bool>(given->second);
+      }
+    }
+    return parameters;
+  }
   void note(const GivenParameter& parameter, KeyUse use, std::string why);
   std::string pathOf(const std::string& name) const { return parameters_.node + "." + name; }
 
