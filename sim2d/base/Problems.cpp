@@ -295,6 +295,7 @@ constexpr ProblemText kTexts[] = {
      "{layer}.{source}: drops every point of a lidar at {height} m: its heights are {low} to {high} "
      "m"},
     {"nav2.no-source", "{layer}: no observation source, it sees nothing"},
+    {"nav2.no-map", "{layer}: there is no map, it says nothing"},
     {"nav2.no-mask", "{layer}: has no mask, it does nothing"},
     {"nav2.data-type", "{layer}.{source}: data_type '{found}' counts as LaserScan"},
 

@@ -59,6 +59,9 @@ void checkPlugin(const CostmapPlugin& plugin, const CostmapSetup& setup, double 
                                        {plugin.name, inflation->inflationRadius, inscribed}));
     }
   }
+  if (std::holds_alternative<StaticLayerParameters>(plugin.parameters) && setup.map.isEmpty()) {
+    problems.push_back(base::warning("nav2.no-map", {plugin.name}));
+  }
   if (const auto* const social = std::get_if<SocialLayerParameters>(&plugin.parameters)) {
     checkRange(social->amplitude, kAmplitudeRange, plugin.name + ".amplitude", problems);
     checkRange(social->sigmaPerSpeed, kReachRange, plugin.name + ".sigma_per_speed", problems);

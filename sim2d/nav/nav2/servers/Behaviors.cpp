@@ -87,6 +87,7 @@ const std::vector<IdleKey>& idleBehaviorKeys() {
       {"cmd_vel_teleop", "no topics here"},
       {"enable_stamped_cmd_vel", "no topics here"},
       {"use_sim_time", "time is simulated here"},
+      {"introspection_mode", "no services of ROS here"},
   };
   return kKeys;
 }

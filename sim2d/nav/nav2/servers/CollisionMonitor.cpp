@@ -176,6 +176,7 @@ const std::vector<IdleKey>& idleCollisionMonitorKeys() {
       {"trigger_consecutive_points", "counts as 1"},
       {"enable_stamped_cmd_vel", "no topics here"},
       {"use_sim_time", "time is simulated here"},
+      {"introspection_mode", "no services of ROS here"},
   };
   return kKeys;
 }
