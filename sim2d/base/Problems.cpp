@@ -36,6 +36,7 @@ constexpr ProblemText kTexts[] = {
     {"nav2.mppi-period",
      "the controller is asked every {found} s, its model_dt is {wanted} s: Nav2's MPPI starts only "
      "when it is asked as often or more often"},
+    {"nav2.mppi-no-critics", "critics is empty, as in Nav2's code: nothing draws MPPI anywhere"},
     {"nav2.mppi-no-shift",
      "the controller is asked every {found} s, its model_dt is {wanted} s: Nav2's MPPI does not "
      "shift its sequence then (make them equal)"},
@@ -292,7 +293,8 @@ constexpr ProblemText kTexts[] = {
      "{layer}: inflation_radius {radius} is less than the robot's inscribed radius {inscribed}: "
      "cells in which it collides count as free"},
     {"nav2.lidar-not-taken",
-     "{layer}.{source}: drops every point of a lidar at {height} m: its heights are {low} to {high} "
+     "{layer}.{source}: drops every point of a lidar at {height} m: its heights are {low} to "
+     "{high} "
      "m"},
     {"nav2.no-source", "{layer}: no observation source, it sees nothing"},
     {"nav2.no-map", "{layer}: there is no map, it says nothing"},

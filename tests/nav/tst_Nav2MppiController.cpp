@@ -37,6 +37,7 @@ class Nav2MppiControllerTest : public QObject {
   void command_main_takesTheServersPath();
   void command_noPath_isInvalid();
   void command_walledIn_isNoValidControl();
+  void command_footprintOfARadius_isInvalid();
   void command_pauseOrNewGoal_resetsByRelease();
   void watch_trajectories_changesNoCommand();
 };
@@ -270,6 +271,10 @@ void Nav2MppiControllerTest::make_period_isComparedWithModelDt() {
   const auto equal = controllerRegistry().make(kMppi, setup);
   QVERIFY(equal && equal.diagnostics().empty());
   setup.frequency = 30.0;
+  setup.block.erase("critics");
+  const auto idle = controllerRegistry().make(kMppi, setup);
+  QCOMPARE(idle.diagnostics()[0].code, std::string_view("nav2.mppi-no-critics"));
+  setup.block = stockBlock();
   const auto fast = controllerRegistry().make(kMppi, setup);
   QVERIFY(static_cast<bool>(fast));
   QCOMPARE(fast.diagnostics()[0].code, std::string_view("nav2.mppi-no-shift"));
@@ -332,6 +337,19 @@ void Nav2MppiControllerTest::command_walledIn_isNoValidControl() {
   QCOMPARE(control.code, ControlCode::NoValidControl);
   QCOMPARE(control.words, std::string("Optimizer fail to compute path"));
   QVERIFY(driver.controller->view().predicted.empty());
+}
+
+void Nav2MppiControllerTest::command_footprintOfARadius_isInvalid() {
+  Nav2Block block = stockBlock();
+  block["ObstaclesCritic.consider_footprint"] = true;  // is not listed
+  Driver driver(Distro::Jazzy, made(Distro::Jazzy, block));
+  driver.scene.shape.isRadius = true;
+  QVERIFY(static_cast<bool>(driver.command()));
+  block["CostCritic.consider_footprint"] = true;
+  Driver edges(Distro::Jazzy, made(Distro::Jazzy, block));
+  QVERIFY(static_cast<bool>(edges.command()));
+  edges.scene.shape.isRadius = true;
+  QCOMPARE(edges.command().code, ControlCode::InvalidController);
 }
 
 /// Humble forgets after a pause, the others when a goal begins. Speeds are held at 0, so commands

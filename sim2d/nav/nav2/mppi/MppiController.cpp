@@ -27,6 +27,17 @@ PathHandling mppiHandling(const MppiConfiguration& mppi) {
   return handling;
 }
 
+bool isListed(const MppiConfiguration& mppi, const std::string& critic) {
+  const auto& critics = mppi.settings.critics;
+  return std::find(critics.begin(), critics.end(), critic) != critics.end();
+}
+
+bool asksFootprint(const MppiConfiguration& mppi) {
+  const MppiCriticSettings& critics = mppi.critics;
+  return (critics.cost.considersFootprint && isListed(mppi, "CostCritic")) ||
+         (critics.obstacles.considersFootprint && isListed(mppi, "ObstaclesCritic"));
+}
+
 base::Result<std::unique_ptr<Controller>> makeMppi(const ControllerSetup& setup) {
   auto mppi = readMppi(setup.block, setup.distro);
   if (!mppi) {
@@ -87,6 +98,11 @@ void MppiController::resetWhenLate(double time) {
 Control MppiController::computeVelocityCommands(const ControlInput& input) {
   resetWhenLate(input.time);
   view_ = {};
+  if (input.shape.isRadius && asksFootprint(mppi_)) {  // Nav2 does not start
+    return {ControlCode::InvalidController,
+            "Considering footprint in collision checking but no robot footprint provided in the "
+            "costmap."};
+  }
   LocalPlan local = localPlan(input);
   if (local.problem != nullptr) {
     return {ControlCode::InvalidPath, local.problem};
