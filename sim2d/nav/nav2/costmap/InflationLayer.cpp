@@ -27,7 +27,7 @@ int blocksFor(const CellWindow& window) {
 
 /// `squares` lowered to those of `line` plus `more`; of a fixed length, so that it is vectorised.
 template <class Square>
-void lower(std::array<Square, kBlock>& squares, const Square* line, Square more) {
+void lowerBlock(std::array<Square, kBlock>& squares, const Square* line, Square more) {
   for (std::size_t i = 0; i < squares.size(); ++i) {
     squares[i] = std::min(squares[i], static_cast<Square>(line[i] + more));
   }
@@ -191,7 +191,7 @@ void InflationLayer::inflateExactly(Costmap& master, const CellWindow& window,
       const Square* line = across.data() + (from * blocks + block) * kBlock;
       for (int other = from; other < to; ++other, line += blocks * kBlock) {
         const int up = other + wide.bottom - row;
-        lower(squares, line, static_cast<Square>(up * up));
+        lowerBlock(squares, line, static_cast<Square>(up * up));
       }
       const int last = std::min(kBlock, width - block * kBlock);
       for (int i = 0; i < last; ++i) {

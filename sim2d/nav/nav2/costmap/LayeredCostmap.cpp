@@ -109,10 +109,6 @@ LayeredCostmap::LayeredCostmap(const CostmapSetup& setup)
   }
 }
 
-LayeredCostmap::LayeredCostmap(LayeredCostmap&&) noexcept = default;
-LayeredCostmap& LayeredCostmap::operator=(LayeredCostmap&&) noexcept = default;
-LayeredCostmap::~LayeredCostmap() = default;
-
 bool LayeredCostmap::update(const Observation& observation) {
   time_ = observation.time;
   for (const auto& layer : plugins_) {

@@ -37,9 +37,6 @@ base::Diagnostics problemsOf(const CostmapSetup& setup);
 class LayeredCostmap {
  public:
   explicit LayeredCostmap(const CostmapSetup& setup);  // without errors
-  LayeredCostmap(LayeredCostmap&&) noexcept;
-  LayeredCostmap& operator=(LayeredCostmap&&) noexcept;
-  ~LayeredCostmap();
 
   /// Each step: takes in a new scan; the n-th update is due at n / update_frequency and made at the
   /// first step not before that. Returns whether one was made.
