@@ -333,10 +333,16 @@ void Nav2MppiControllerTest::command_noPath_isInvalid() {
 void Nav2MppiControllerTest::command_walledIn_isNoValidControl() {
   Driver driver(Distro::Jazzy, made(Distro::Jazzy));
   std::fill(driver.scene.costmap.costs().begin(), driver.scene.costmap.costs().end(), kLethal);
+  driver.controller->watch(true);
   const Control control = driver.command();
   QCOMPARE(control.code, ControlCode::NoValidControl);
   QCOMPARE(control.words, std::string("Optimizer fail to compute path"));
-  QVERIFY(driver.controller->view().predicted.empty());
+  const ControlView& view = driver.controller->view();
+  QVERIFY(view.predicted.empty());
+  QCOMPARE(view.trajectories.size(), std::size_t(40));  // why: they collide
+  for (const WeighedTrajectory& one : view.trajectories) {
+    QVERIFY(!one.isChosen && !one.refusal.empty());
+  }
 }
 
 void Nav2MppiControllerTest::command_footprintOfARadius_isInvalid() {
