@@ -72,6 +72,7 @@ std::vector<Pose2> SmacHybridPlanner::goalsAt(const HybridMotion& motion, const 
     }
   }
   std::vector<Pose2> goals;
+  goals.reserve(bins.size());
   for (const int each : bins) {
     goals.push_back({goal.position, base::wrapToPi(each * motion.binSize())});
   }
