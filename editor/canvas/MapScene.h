@@ -48,7 +48,9 @@ inline Vec2 toWorld(const QPointF& scene) {
 struct CanvasOptions {
   bool names = true, routes = true, grid = true, rulers = false;
   bool trails = true, robotPath = true, speech = true, proxemics = false, forces = false;
-  bool lidar = true, detections = false, candidates = false;  // of robots, in a run
+  bool lidar = true, detections = false, candidates = false;                  // of robots, in a run
+  bool velocities = false, gaussian = false, sight = false, density = false;  // of people, in a run
+  bool plans = false, contacts = false, thoughts = false;                     // idem
   bool map = true, people = true, robots = true, goals = true, obstacles = true, areas = true;
   bool groups = true;                            // who walks together
   bool snapToPoints = true, snapToWalls = true;  // what is drawn or moved
