@@ -7,6 +7,7 @@
 #include <QMenu>
 
 #include "app/window/FileDialogs.h"
+#include "app/window/OverlayActions.h"
 #include "app/window/Workspace.h"
 
 namespace app {
@@ -30,6 +31,7 @@ class WindowActions : public QObject {
   QAction *robotPath, *lidar, *detections, *candidates;
   /// What the canvas shows and what drawing snaps to, checkable.
   QList<QAction*> overlays, layers, snapping;
+  OverlayActions* const ofRuns;
   void fillArrangeMenu(QMenu& menu) const;
   /// What the map shows beside its things is as it was left.
   void remember(Memory& memory);

@@ -64,24 +64,24 @@ const std::map<std::string, std::string, std::less<>>& nodeWords() {
 }
 
 /// "MainFallback/SetGoals/RunOnce[2]" -> "RunOnce".
-std::string_view lastName(std::string_view path) {
+std::string_view ownName(std::string_view path) {
   const std::size_t slash = path.rfind('/');
   std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);
   const std::size_t bracket = name.rfind('[');
   return bracket != std::string_view::npos && name.back() == ']' ? name.substr(0, bracket) : name;
 }
 
-std::string_view parentOf(std::string_view path) {
+std::string_view branchAbove(std::string_view path) {
   const std::size_t slash = path.rfind('/');
   return slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);
 }
 
-bool isBelow(std::string_view path, std::string_view ancestor) {
+bool isBelowBranch(std::string_view path, std::string_view ancestor) {
   return path.size() > ancestor.size() && path[ancestor.size()] == '/' &&
          path.substr(0, ancestor.size()) == ancestor;
 }
 
-bool isCondition(std::string_view name) {
+bool isConditionName(std::string_view name) {
   const auto found = nodeWords().find(name);
   const bool isKnown = found != nodeWords().end();
   return name.substr(0, 2) == "Is" || (isKnown && name.find("Condition") != std::string_view::npos);
@@ -120,7 +120,7 @@ ActiveBranch activeBranchOf(const sim2d::TreeStatuses& tree) {
   };
   std::size_t leaf = count;
   for (std::size_t node = 0; node < count; ++node) {
-    const bool hasChild = node + 1 < count && isBelow(paths[node + 1], paths[node]);
+    const bool hasChild = node + 1 < count && isBelowBranch(paths[node + 1], paths[node]);
     if (!hasChild && hasStatus(node, NodeStatus::Running)) {
       leaf = node;
     }
@@ -128,12 +128,12 @@ ActiveBranch activeBranchOf(const sim2d::TreeStatuses& tree) {
   if (leaf == count) {
     return branch;
   }
-  branch.doing = wordsOfNode(std::string(lastName(paths[leaf])));
+  branch.doing = wordsOfNode(std::string(ownName(paths[leaf])));
   for (std::size_t node = 0; node < leaf; ++node) {
-    const std::string_view name = lastName(paths[node]);
-    const bool isOnTheWay =
-        isBelow(paths[leaf], paths[node]) || isBelow(paths[leaf], parentOf(paths[node]));
-    if (isOnTheWay && isCondition(name) && hasStatus(node, NodeStatus::Success)) {
+    const std::string_view name = ownName(paths[node]);
+    const bool isOnTheWay = isBelowBranch(paths[leaf], paths[node]) ||
+                            isBelowBranch(paths[leaf], branchAbove(paths[node]));
+    if (isOnTheWay && isConditionName(name) && hasStatus(node, NodeStatus::Success)) {
       branch.because += (branch.because.empty() ? "" : " and ") + wordsOfNode(std::string(name));
     }
   }

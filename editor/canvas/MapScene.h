@@ -21,6 +21,7 @@ class LabelLayer;
 class MapItem;
 class RouteLayer;
 class RouteModel;
+class RunOverlays;
 class SelectionLayer;
 class SpriteAtlas;
 class Tool;
@@ -119,6 +120,7 @@ class MapScene : public QGraphicsScene {
   bool isPullable() const { return isPullable_; }  // false: the run is over, or was recorded
   void setPullable(bool pullable);
   FrameLayer& frameLayer() const { return *frameLayer_; }
+  RunOverlays& overlays() const { return *overlays_; }  // of the run
   const SelectionLayer& selectionLayer() const { return *selectionLayer_; }
   RouteModel& routes() const { return *routes_; }
   ToolMarks& marks();  // to be changed: they are painted anew
@@ -195,6 +197,8 @@ class MapScene : public QGraphicsScene {
   GroupLayer* groupLayer_ = nullptr;
   RouteLayer* routeLayer_ = nullptr;
   FrameLayer* frameLayer_ = nullptr;
+  std::unique_ptr<RunOverlays> overlays_;
+  QGraphicsItem *groundOverlay_ = nullptr, *topOverlay_ = nullptr;
   SelectionLayer* selectionLayer_ = nullptr;
   LabelLayer* labelLayer_ = nullptr;
   ToolLayer* toolLayer_ = nullptr;

@@ -96,11 +96,12 @@ std::optional<ContactMark> contactMark(const StepEvent& contact, const Frame& be
   return mark;
 }
 
-std::vector<ContactMark> contactMarks(const Recording& recording, std::size_t first) {
+std::vector<ContactMark> contactMarks(const Recording& recording, std::size_t first,
+                                      std::size_t end) {
   std::vector<ContactMark> marks;
   const std::shared_ptr<const TraceHeader> header = recording.header();
-  const std::size_t end = recording.size() > 0 ? recording.events().size() : first;
-  for (std::size_t k = first; k < end; ++k) {
+  const std::size_t last = recording.size() > 0 ? recording.events().size() : first;
+  for (std::size_t k = first; k < std::min(end, last); ++k) {
     const StepEvent event = recording.events()[k];
     if (event.second.kind != EventKind::Contact) {
       continue;

@@ -26,8 +26,10 @@ struct ContactMark {
 std::optional<ContactMark> contactMark(const StepEvent& contact, const Frame& before,
                                        const Frame& now, const TraceHeader& header);
 
-/// Of the events from number `first` on, in their order. States that were dropped give none.
-std::vector<ContactMark> contactMarks(const Recording& recording, std::size_t first = 0);
+/// Of the events from number `first` to before `end`, in their order. States that were dropped give
+/// none.
+std::vector<ContactMark> contactMarks(const Recording& recording, std::size_t first = 0,
+                                      std::size_t end = static_cast<std::size_t>(-1));
 std::vector<ContactMark> contactMarks(const Trace& trace);
 
 }  // namespace sim2d
