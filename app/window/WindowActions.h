@@ -22,7 +22,7 @@ class WindowActions : public QObject {
   void setTheme(const editor::Theme& theme);
 
   QAction *newRoom, *newFromMap, *open, *openRun, *save, *saveAs, *exportTo, *close, *quit;
-  QAction* newWalledRoom;
+  QAction *newWalledRoom, *copyFigure, *copyPlot;
   QAction *undo, *redo, *cut, *copy, *paste, *duplicate, *rename, *remove, *selectAll, *deselect;
   QAction *next, *previous;  // person, or thing of the kind that is selected
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;

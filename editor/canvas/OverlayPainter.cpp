@@ -130,7 +130,9 @@ void OverlayPainter::hallZones(const Vec2& at, QColor color, bool withSocial) co
     const QPen rim(color, 0.8 * line_);
     color.setAlphaF(alpha);
     setInk(painter_, rim, color);
-    painter_.drawEllipse(frame_.at(at), reach * frame_.scale, reach * frame_.scale);
+    QPainterPath zone;
+    zone.addEllipse(frame_.at(at), reach * frame_.scale, reach * frame_.scale);
+    shape(zone);
   }
 }
 
@@ -142,7 +144,10 @@ void OverlayPainter::gaussian(const base::Pose2& person, double speed, const QCo
   rim.setAlphaF(0.55);
   setInk(painter_, QPen(rim, line_), fill);
   for (const double level : kGaussianLevels) {
-    painter_.drawPolygon(frame_.at(metrics::contourOf(space, person, level, 36)));
+    QPainterPath contour;
+    contour.addPolygon(frame_.at(metrics::contourOf(space, person, level, 36)));
+    contour.closeSubpath();
+    shape(contour);
   }
 }
 
@@ -153,6 +158,16 @@ void OverlayPainter::sight(const std::vector<Vec2>& polygon, const QColor& color
   rim.setAlphaF(0.6);
   setInk(painter_, QPen(rim, line_, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin), fill);
   painter_.drawPolygon(frame_.at(polygon));
+}
+
+void OverlayPainter::shape(const QPainterPath& path) const {
+  if (box_.isNull() || box_.contains(path.boundingRect())) {
+    painter_.drawPath(path);
+  } else {
+    QPainterPath box;
+    box.addRect(box_);
+    painter_.drawPath(path.intersected(box));
+  }
 }
 
 void OverlayPainter::arrow(const QPointF& from, const QPointF& to, const QPen& pen) const {

@@ -4,6 +4,7 @@
 
 #include <QImage>
 #include <QPainter>
+#include <QPainterPath>
 
 #include "editor/look/FigurePainter.h"
 #include "metrics/DensityField.h"
@@ -49,6 +50,9 @@ class OverlayPainter {
                  double line = 1.0)
       : painter_(painter), theme_(theme), frame_(frame), line_(line) {}
 
+  /// What lies outside is left out; for painters that cannot clip.
+  void keepWithin(const QRectF& box) { box_ = box; }
+
   void density(const metrics::DensityField& field, const QImage& image) const;
   /// Hall's zones: intimate 0.45 m, personal 1.2 m, social 3.6 m.
   void hallZones(const base::Vec2& at, QColor color, bool withSocial = true) const;
@@ -67,12 +71,14 @@ class OverlayPainter {
   void contactSign(const QPointF& centre, ContactCause cause) const;
 
  private:
+  void shape(const QPainterPath& path) const;
   void arrow(const QPointF& from, const QPointF& to, const QPen& pen) const;
 
   QPainter& painter_;
   const Theme& theme_;
   PictureFrame frame_;
   double line_;
+  QRectF box_;  // null: everywhere
 };
 
 constexpr double kGaussianLevels[] = {0.2, 0.6};
