@@ -1,5 +1,6 @@
 #include "app/window/OverlayActions.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "editor/look/Form.h"
@@ -45,6 +46,35 @@ QAction* OverlayActions::toggle(const QString& text, bool CanvasOptions::*option
           [action, &scene, option] { action->setChecked(scene.options().*option); });
   all << action;
   return action;
+}
+
+namespace {
+
+using Named = std::pair<const char*, bool CanvasOptions::*>;
+constexpr Named kOverlayNames[] = {
+    {"density", &CanvasOptions::density},   {"sight", &CanvasOptions::sight},
+    {"gaussian", &CanvasOptions::gaussian}, {"velocities", &CanvasOptions::velocities},
+    {"plans", &CanvasOptions::plans},       {"contacts", &CanvasOptions::contacts},
+    {"thoughts", &CanvasOptions::thoughts}, {"zones", &CanvasOptions::proxemics},
+    {"forces", &CanvasOptions::forces}};
+
+}  // namespace
+
+std::vector<std::string> OverlayActions::names() {
+  std::vector<std::string> all;
+  for (const auto& [name, option] : kOverlayNames) {
+    all.emplace_back(name);
+  }
+  return all;
+}
+
+void OverlayActions::show(const std::vector<std::string>& names) {
+  CanvasOptions options = workspace_.scene().options();
+  for (const auto& [name, option] : kOverlayNames) {
+    const bool isWanted = std::find(names.begin(), names.end(), name) != names.end();
+    options.*option = options.*option || isWanted;
+  }
+  workspace_.scene().setOptions(options);
 }
 
 void OverlayActions::remember(Memory& memory) {

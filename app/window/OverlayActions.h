@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <QAction>
 #include <QList>
 
@@ -18,6 +21,9 @@ class OverlayActions : public QObject {
   QAction *velocities, *gaussian, *sight, *density, *plans, *contacts, *thoughts, *speech;
   QList<QAction*> all;
   void remember(Memory& memory);  // they are as they were left
+  /// Words of the command line for them, with "zones" and "forces".
+  static std::vector<std::string> names();
+  void show(const std::vector<std::string>& names);
 
  private:
   QAction* toggle(const QString& text, bool editor::CanvasOptions::*option, int letter,

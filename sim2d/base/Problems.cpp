@@ -567,6 +567,7 @@ constexpr ProblemText kTexts[] = {
     {"option.strip",
      "--strip takes a number of instants, 1 to 24, or their times in seconds with "
      "commas, not '{words}'"},
+    {"option.unknown-body", "there is no person or robot '{found}'"},
     {"option.plot-series", "the metric '{key}' has no value over time"},
     {"option.picture-format",
      "cannot draw '{found}' files (use a name that ends in .png, .svg, .pdf, .gif, .mp4, .webm or "

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "QuietWindow.h"
+#include "RunFiles.h"
 #include "app/window/FigureCommands.h"
 #include "editor/canvas/RunOverlays.h"
 #include "editor/look/HouseStyle.h"
@@ -123,6 +124,27 @@ class OverlayActionsTest : public QObject {
     QVERIFY(data->hasImage());
     QSvgRenderer vectors(data->data(QStringLiteral("image/svg+xml")));
     QVERIFY(vectors.isValid());
+  }
+
+  void picture_withOverlays_isMadeByTheCommandLine() {
+    QTemporaryDir folder;
+    const auto shoot = [&folder](const QStringList& more) {
+      return outside::runProgram(QStringList{quiet::demoPath(), QStringLiteral("--at"),
+                                             QStringLiteral("1"), QStringLiteral("--screenshot"),
+                                             folder.filePath(QStringLiteral("x.png"))} +
+                                 more);
+    };
+    const QString name = QString::fromStdString(
+        sim2d::readScenario(quiet::demoPath().toStdString()).scenario.humans.front().name);
+    const outside::Finished made =
+        shoot({QStringLiteral("--overlay"), QStringLiteral("sight,density"),
+               QStringLiteral("--select"), name});
+    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    QVERIFY(!QImage(folder.filePath(QStringLiteral("x.png"))).isNull());
+    const outside::Finished told = shoot({QStringLiteral("--select"), QStringLiteral("Nobody")});
+    QVERIFY2(told.exitCode != 0 && told.err.contains(QStringLiteral("no person or robot 'Nobody'")),
+             qPrintable(told.err));
+    QVERIFY(shoot({QStringLiteral("--overlay"), QStringLiteral("fog")}).exitCode == 64);
   }
 
   void figureTrace_endsAtTheMoment() {
