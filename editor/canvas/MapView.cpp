@@ -184,6 +184,9 @@ QColor MapView::stateColor() const {
 
 /// Beside the map while an overlay has something to explain.
 void MapView::placeLegend() {
+  if (legend_ == nullptr) {
+    return;
+  }
   const bool isWanted = wantsLegend(scene_);
   const QMargins margins(0, 0, isWanted ? LegendStrip::kWidth : 0, 0);
   legend_->setStateColor(stateColor());
