@@ -18,7 +18,8 @@ constexpr double kLongestNotice = 30.0;       // [m]
 constexpr double kUsualNotice = 5.0;          // [m], of runs that do not tell it
 constexpr std::size_t kMostSocialZones = 30;  // more would be one fog
 constexpr std::size_t kMostDashedPlans = 100;
-constexpr double kFieldMargin = 3.0;  // [m] round people
+constexpr std::ptrdiff_t kMostContacts = 500;  // the newest ones
+constexpr double kFieldMargin = 3.0;           // [m] round people
 
 /// Of who is chosen, or of all when nobody is.
 bool isAskedFor(const ShownBody& body, bool anyChosen) {
@@ -210,10 +211,12 @@ void RunOverlays::paintTop(QPainter& painter, const QRectF& exposed) const {
     over.velocities(moving);
   }
   if (options.contacts) {
-    for (const sim2d::ContactMark& mark : contacts_) {
-      if (mark.time <= frame_->time + 1e-9) {
-        over.contact(mark, frame_->time - mark.time);
-      }
+    const auto end = std::partition_point(
+        contacts_.begin(), contacts_.end(),
+        [this](const sim2d::ContactMark& mark) { return mark.time <= frame_->time + 1e-9; });
+    const auto count = std::min<std::ptrdiff_t>(end - contacts_.begin(), kMostContacts);
+    for (auto mark = end - count; mark != end; ++mark) {
+      over.contact(*mark, frame_->time - mark->time);
     }
   }
 }

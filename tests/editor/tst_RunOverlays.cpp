@@ -55,6 +55,7 @@ class RunOverlaysTest : public QObject, private CanvasTester {
 
  private:
   void showTwo(const std::shared_ptr<sim2d::Frame>& frame = frameOfTwo()) {
+    scene_.showFrame(nullptr);
     start(small::scenario());
     recording_ = std::make_unique<sim2d::Recording>();
     recording_->setHeader(headerOfTwo());
@@ -64,6 +65,7 @@ class RunOverlaysTest : public QObject, private CanvasTester {
   void turnOn(bool CanvasOptions::*option, bool on = true) {
     CanvasOptions options;
     options.grid = options.trails = options.names = options.routes = options.groups = false;
+    options.goals = options.areas = options.obstacles = false;
     if (option != nullptr) {
       options.*option = on;
     }
@@ -212,16 +214,16 @@ class RunOverlaysTest : public QObject, private CanvasTester {
     showTwo();
     sim2d::ContactMark now;
     now.time = 0.9;
-    now.position = {6.0, 6.8};
+    now.position = {4.0, 8.0};
     now.cause = editor::ContactCause::Robot;
     sim2d::ContactMark later = now;
     later.time = 1.5;
-    later.position = {8.0, 6.8};
+    later.position = {8.0, 4.0};
     scene_.overlays().setContacts({now, later});
     turnOn(&CanvasOptions::contacts);
     const QImage image = shot();
-    QVERIFY(markedAt(image, {6.0 + 0.08, 6.8}) > 100 || markedAt(image, {6.0, 6.88}) > 100);
-    QCOMPARE(markedAt(image, {8.0 + 0.08, 6.8}), 0);
+    QVERIFY(markedAt(image, {4.0 + 0.08, 8.0}) > 100);
+    QCOMPARE(markedAt(image, {8.0 + 0.08, 4.0}), 0);
     QCOMPARE(scene_.overlays().contactsSoFar(editor::ContactCause::Robot), std::size_t{1});
     QCOMPARE(scene_.overlays().contactsSoFar(editor::ContactCause::Person), std::size_t{0});
   }
