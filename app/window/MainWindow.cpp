@@ -15,6 +15,7 @@
 
 #include "app/window/CodeQuestion.h"
 #include "app/window/DocumentGuard.h"
+#include "app/window/FigureCommands.h"
 #include "app/window/FileDialogs.h"
 #include "app/window/HistoryDialog.h"
 #include "app/window/KeyRules.h"
@@ -84,6 +85,9 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   connectFiles();
   connectView();
   connectRun();
+  const auto* figures = new FigureCommands(workspace_, *docks_, *actions_, docks_);
+  connect(figures, &FigureCommands::told, this,
+          [this](const QString& words) { statusBar()->showMessage(words, kMessageMs); });
   restoreGeometry(memory_.value(kGeometryKey).toByteArray());
   guard_ = new DocumentGuard(workspace_, *files_, *notices_, setup.recoveryFolder, this);
   connect(guard_, &DocumentGuard::scenarioThere, this, &MainWindow::showTitle);

@@ -6,6 +6,7 @@
 #include <QActionGroup>
 
 #include "editor/canvas/FrameLayer.h"
+#include "editor/panels/RunLayers.h"
 #include "editor/tools/ToolOptionsBar.h"
 
 namespace app {
@@ -30,6 +31,7 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
       feed_(document_, runner_),
       playback_(runner_, theme) {
   new editor::ToolOptionsBar(tools_, *view_);  // the view owns it
+  new editor::RunLayers(runner_, events_, *view_);
   // The tool just chosen hears its keys, wherever the choice was made.
   connect(&tools_.actions(), &QActionGroup::triggered, view_, [this] { view_->setFocus(); });
   runner_.setGate([this](bool paused) {
@@ -170,7 +172,8 @@ void Workspace::showState() {
 void Workspace::hearEvents(int first, int last) {
   for (int i = first; i <= last; ++i) {
     const editor::RunEvent& event = events_.events()[static_cast<std::size_t>(i)];
-    if (event.event.kind == sim2d::EventKind::Say) {
+    const sim2d::EventKind kind = event.event.kind;
+    if (kind == sim2d::EventKind::Say || kind == sim2d::EventKind::Heard) {
       scene_.frameLayer().hear({event.event}, event.time);
     }
   }

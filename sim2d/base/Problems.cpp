@@ -592,6 +592,11 @@ constexpr ProblemText kTexts[] = {
      "an image has no scale yet, so no picture is made of it (open it in the window, or name a map "
      "YAML that uses it)"},
     {"option.picture-not-made", "the picture cannot be encoded"},
+    {"option.strip",
+     "--strip takes a number of instants, 1 to 24, or their times in seconds with "
+     "commas, not '{words}'"},
+    {"option.unknown-body", "there is no person or robot '{found}'"},
+    {"option.plot-series", "the metric '{key}' has no value over time"},
     {"option.picture-format",
      "cannot draw '{found}' files (use a name that ends in .png, .svg, .pdf, .gif, .mp4, .webm or "
      ".html)"},
