@@ -208,6 +208,8 @@ class TreeRewriter {
   void writeStart(const NodeSpec& before, const NodeSpec& now, const SourceElement& source);
   void writeChildren(const NodeSpec& before, const NodeSpec& now, const SourceElement& source);
   void writeNew(const NodeSpec& node, bool compact, const std::string& margin);
+  Position writeMainTree(const std::string& before, const std::string& now,
+                         const SourceElement& root);
 
   std::string_view text_;
   const NodeCatalogue& catalogue_;
@@ -318,16 +320,34 @@ void TreeRewriter::write(const TreeSpec& before, const TreeSpec& now, const Sour
   result_ += part(root.end, source.end);
 }
 
+/// Returns up to where the text is written.
+Position TreeRewriter::writeMainTree(const std::string& before, const std::string& now,
+                                     const SourceElement& root) {
+  if (before == now) {
+    return 0;
+  }
+  const std::string words = " main_tree_to_execute=\"" + escapedXml(now) + "\"";
+  for (const SourceAttribute& attribute : root.attributes) {
+    if (attribute.name == "main_tree_to_execute") {
+      result_ += part(0, attribute.begin) + (now.empty() ? std::string() : words.substr(1));
+      return attribute.end;
+    }
+  }
+  const Position behindTag = root.begin + 1 + root.tag.size();
+  result_ += part(0, behindTag) + words;
+  return behindTag;
+}
+
 /// Trees that are gone leave with what stands before them; new ones stand behind the last.
 std::optional<std::string> TreeRewriter::rewrite(const TreeFile& before, const TreeFile& now) {
   const std::optional<SourceElement> root = SourceScanner(text_).root();
-  const bool isSame = before.mainTree == now.mainTree && before.includes == now.includes &&
-                      before.model == now.model && before.blocks == now.blocks;
+  const bool isSame =
+      before.includes == now.includes && before.model == now.model && before.blocks == now.blocks;
   if (!root || !isSame || root->isClosed) {
     return std::nullopt;
   }
   std::size_t number = 0;
-  Position from = 0;
+  Position from = writeMainTree(before.mainTree, now.mainTree, *root);
   const auto addNew = [&](const std::string& margin) {
     for (const TreeSpec& tree : now.trees) {
       if (before.find(tree.id) == nullptr) {

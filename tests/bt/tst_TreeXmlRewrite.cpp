@@ -128,6 +128,17 @@ class TreeXmlRewriteTest : public QObject {
     QCOMPARE(rewritten(file, two), std::string(kText));
   }
 
+  void mainTree_saidChangedAndGone_isOneAttribute() {
+    bt::TreeFile file = fileOf(kText);
+    file.mainTree = "Main";
+    const std::string said = rewritten(file);
+    QCOMPARE(said, with(kText, "<root ", "<root main_tree_to_execute=\"Main\" "));
+    file.mainTree = "Other";
+    QCOMPARE(rewritten(file, said), with(said, "\"Main\" ", "\"Other\" "));
+    file.mainTree.clear();
+    QCOMPARE(fileOf(rewritten(file, said)), file);
+  }
+
   void otherFile_orNoXml_isWrittenAnew() {
     bt::TreeFile file = fileOf(kText);
     QCOMPARE(rewritten(file, "no xml"), bt::writeTree(file, catalogue_));
