@@ -114,6 +114,7 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   auto* middle = new QWidget(this);
   editor::arranged(new QVBoxLayout(middle), {}, 0, {notices_})->addWidget(centre_, 1);
   middle->setMinimumHeight(kLeastMiddle);
+  docks_->setCentre(middle);
   connect(notices_, &NoticeBar::keyboardFree, this,
           [this] { centre_->currentWidget()->setFocus(); });
   setCentralWidget(middle);

@@ -191,6 +191,23 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
   return {};
 }
 
+base::Diagnostics showTreeOf(MainWindow& window, const std::string& person) {
+  editor::ScenarioDocument& document = window.workspace().document();
+  for (const sim2d::Human& human : document.scenario().humans) {
+    if (human.name == person) {
+      document.setSelection({human.key});
+      window.docks().treeLarge()->setChecked(true);
+      return {};
+    }
+  }
+  QStringList names;
+  for (const sim2d::Human& human : document.scenario().humans) {
+    names.push_back(QString::fromStdString(human.name));
+  }
+  return {base::error("option.unknown-name",
+                      {"--tree", person, names.join(QStringLiteral(", ")).toStdString()})};
+}
+
 base::Diagnostics save(const QPixmap& picture, const std::string& file) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
@@ -294,6 +311,9 @@ int windowCommand(const Invocation& given, const RunOptions& run, const WindowOp
     requireFine(whyNotOpened(window), ExitBadInput, base::Severity::Warning);
     return ExitFine;
   }
+  if (!options.tree.empty()) {
+    requireFine(showTreeOf(window, options.tree), ExitWrongCommandLine);
+  }
   if (!picture) {
     const int code = QApplication::exec();
     application.whenBroken({});  // the window goes first
@@ -349,6 +369,7 @@ void addWindow(CommandRegistry& commands) {
   root.add_option("--size", window->size, "Size of the window, WxH");
   root.add_option("--scale", window->scale, "Pixels per point");
   root.add_option("--theme", window->theme, "light or dark")->check(oneOf({"light", "dark"}));
+  root.add_option("--tree", window->tree, "Person whose behaviour tree is shown large");
   root.add_option("--dock", window->docks, "Docks to show, by their names in the View menu");
 }
 

@@ -21,6 +21,7 @@ struct WindowOptions {
   double scale = 1.0;              // pixels per point of the picture
   std::string theme;               // "light", "dark"; empty: the system's
   std::vector<std::string> docks;  // shown; empty: as last used
+  std::string tree;                // person whose tree takes the place of the map; empty: none
 };
 
 /// "1280x800"; nothing when it is no size of a window.

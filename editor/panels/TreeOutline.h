@@ -30,7 +30,8 @@ class TreeOutline : public QTreeWidget {
   int nodeNamed(const std::string& name) const;  // -1 = none
   int nodeAt(const QPoint& place) const;         // of the viewport; -1 = none
   const OutlineNode* current() const;            // null = none
-  void selectNode(int node);
+  int currentNode() const;                       // place in nodes(), -1 = none
+  void selectNode(int node);                     // none: the choice stays
   const std::vector<OutlineNode>& nodes() const { return nodes_; }
   base::NodeStatus statusOf(int node) const;
 
@@ -41,7 +42,6 @@ class TreeOutline : public QTreeWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  int currentNode() const;  // place in nodes(), -1 = none
   void paintRow(std::size_t node);
 
   Theme theme_;
