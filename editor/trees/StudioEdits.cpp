@@ -50,7 +50,7 @@ bool TreeStudio::apply(const QString& text, const QString& ifNot, const Edit& ed
   pushTreeFile(document_, edited(), file, text);
   const int now = canvas_->graph().nodeAtPlace(*place, before);
   canvas_->choose(now);
-  history_->choose(now);
+  showChosen();
   Q_EMIT nodeChosen(now);
   return true;
 }

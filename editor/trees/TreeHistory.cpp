@@ -68,6 +68,9 @@ TreeHistory::TreeHistory(const TreeGraph& graph, SimulationRunner& runner, const
   setAccessibleName(tr("What the nodes returned over time"));
   setMinimumHeight(3 * kRow + kAxis);
   viewport()->setMouseTracking(true);
+  more_.setSingleShot(true);
+  more_.setInterval(0);
+  connect(&more_, &QTimer::timeout, this, &TreeHistory::follow);
   connect(&runner_, &SimulationRunner::frameShown, this, &TreeHistory::follow);
   connect(&runner_, &SimulationRunner::stateChanged, this, &TreeHistory::follow);
 }
@@ -79,7 +82,8 @@ void TreeHistory::setTheme(const Theme& theme) {
 
 void TreeHistory::showPerson(int id) {
   person_ = id;
-  recording_ = nullptr;
+  recording_ = nullptr;  // read anew
+  isOther_ = false;
   bands_.assign(graph_.nodes().size(), {});
   follow();
   fitBars();
@@ -98,41 +102,63 @@ void TreeHistory::choose(int node) {
   viewport()->update();
 }
 
+/// A part of what is new at a time: a run that was recorded before may be long.
 void TreeHistory::follow() {
+  constexpr std::int64_t kStepsAtOnce = 2000;
   const RecordingPtr now = runner_.recording();
   if (now != recording_) {
     recording_ = now;
     read_ = 0;
     isOther_ = false;
+    paths_ = nullptr;
     bands_.assign(graph_.nodes().size(), {});
   }
   if (recording_ != nullptr) {
-    sim2d::TreeChanges::Paths known;
-    std::vector<int> nodes;  // of the tree that is shown, by number of the record
-    read_ = recording_->forTreeChanges(
-        person_, read_,
-        [&](std::int64_t step, const sim2d::TreeChanges::Paths& paths, int node,
-            NodeStatus status) {
-          if (paths != known) {
-            known = paths;
-            std::map<std::string_view, int> places;
-            for (std::size_t k = 0; k < graph_.names().size(); ++k) {
-              places.emplace(graph_.names()[k], static_cast<int>(k));
-            }
-            nodes.clear();
-            for (const std::string& path : *paths) {
-              const auto place = places.find(path);
-              nodes.push_back(place == places.end() ? -1 : place->second);
-            }
-          }
-          const int number = nodes[static_cast<std::size_t>(node)];
-          isOther_ = isOther_ || number < 0;
-          if (number >= 0) {
-            bands_[static_cast<std::size_t>(number)].push_back({step, status});
-          }
-        });
+    const std::int64_t end = std::min(newestStep(), read_ + kStepsAtOnce);
+    while (read_ < end && !isOther_) {
+      readStep(++read_);
+    }
+    if (end < newestStep()) {
+      more_.start();
+    }
   }
   viewport()->update();
+}
+
+void TreeHistory::readStep(std::int64_t step) {
+  const sim2d::TreeStatuses state = recording_->treeAt(person_, step);
+  if (state.paths == nullptr) {
+    return;
+  }
+  if (state.paths != paths_) {
+    paths_ = state.paths;
+    findNodes();
+  }
+  for (std::size_t k = 0; k < state.statuses.size() && k < nodesOfPaths_.size(); ++k) {
+    std::vector<Stretch>& band = bands_[static_cast<std::size_t>(nodesOfPaths_[k])];
+    const NodeStatus before = band.empty() ? NodeStatus::Idle : band.back().status;
+    if (state.statuses[k] != before) {
+      band.push_back({step, state.statuses[k]});
+    }
+  }
+}
+
+/// Which nodes of the tree that is shown those of the record are.
+void TreeHistory::findNodes() {
+  std::map<std::string_view, int> places;
+  for (std::size_t k = 0; k < graph_.names().size(); ++k) {
+    places.emplace(graph_.names()[k], static_cast<int>(k));
+  }
+  nodesOfPaths_.clear();
+  for (const std::string& path : *paths_) {
+    const auto place = places.find(path);
+    if (place == places.end()) {
+      isOther_ = true;
+      nodesOfPaths_.clear();
+      return;
+    }
+    nodesOfPaths_.push_back(place->second);
+  }
 }
 
 int TreeHistory::rowOf(int node) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <QAbstractScrollArea>
+#include <QTimer>
 
 #include "editor/run/SimulationRunner.h"
 #include "editor/trees/TreeGraph.h"
@@ -46,6 +47,8 @@ class TreeHistory : public QAbstractScrollArea {
 
  private:
   void follow();  // reads what is new
+  void readStep(std::int64_t step);
+  void findNodes();
   void fitBars();
   int rowOf(int node) const;  // -1 = not shown
   int nodeAtY(int y) const;

@@ -9,6 +9,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "bt/tree/TreeXml.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/TreeFiles.h"
 #include "editor/look/Fields.h"
@@ -37,6 +38,8 @@ TreeStudio::TreeStudio(PanelContext& context)
       canvas_(new TreeCanvas(context.theme())),
       palette_(new NodePalette(context.theme())),
       history_(new TreeHistory(canvas_->graph(), context.runner, context.theme())),
+      text_(new TreeText(context.theme())),
+      lower_(new QTabWidget(this)),
       nameField_(new QLineEdit(canvas_)) {
   nameField_->hide();
   nameField_->setAccessibleName(tr("Name of the node"));
@@ -74,7 +77,7 @@ QWidget* TreeStudio::makeHead() {
     isAnyFolded ? graph.unfoldAll() : graph.foldAll();
     canvas_->fit();
     folds_->setText(isAnyFolded ? tr("Fold") : tr("Unfold all"));
-    history_->choose(canvas_->chosen());
+    showChosen();
   });
   auto* fit = link(tr("Fit"), tr("The whole tree in the window (F)"), [this] { canvas_->fit(); });
   hint_->setForegroundRole(QPalette::PlaceholderText);
@@ -97,7 +100,12 @@ void TreeStudio::makeLayout() {
   upper->setSizes({kPaletteShare, kCanvasShare});
   auto* all = new QSplitter(Qt::Vertical, this);
   all->addWidget(upper);
-  all->addWidget(history_);
+  lower_->setDocumentMode(true);
+  lower_->addTab(history_, tr("Over time"));
+  lower_->addTab(text_, tr("XML"));
+  lower_->setTabToolTip(0, tr("What each node returned in the run"));
+  lower_->setTabToolTip(1, tr("The file of the tree, which can be edited as well"));
+  all->addWidget(lower_);
   all->setStretchFactor(0, 1);
   all->setSizes({kGraphShare, kHistoryShare});
   all->setCollapsible(0, false);
@@ -111,9 +119,11 @@ void TreeStudio::connectParts() {
   });
   connect(sharing_, &QToolButton::toggled, this, &TreeStudio::showSharing);
   connect(canvas_, &TreeCanvas::chose, this, [this](int node) {
-    history_->choose(node);
+    showChosen();
     Q_EMIT nodeChosen(node);
   });
+  connect(text_, &TreeText::edited, this, &TreeStudio::takeText);
+  connect(text_, &TreeText::lineChosen, this, [this](int line) { choose(nodeAtLine(line)); });
   connect(history_, &TreeHistory::chose, this, [this](int node) { choose(node); });
   connect(canvas_, &TreeCanvas::openWanted, this, &TreeStudio::openNode);
   connect(canvas_, &TreeCanvas::keyCommand, this, &TreeStudio::doKey);
@@ -141,6 +151,7 @@ void TreeStudio::setTheme(const Theme& theme) {
   canvas_->setTheme(theme);
   palette_->setTheme(theme);
   history_->setTheme(theme);
+  text_->setTheme(theme);
   if (isVisible()) {
     listPeople();  // their marks
   }
@@ -184,7 +195,16 @@ void TreeStudio::rebuild() {
   const PersonTree tree = human() == nullptr ? PersonTree() : personTree(document_, person_);
   canvas_->showTree(tree);
   history_->showPerson(human() == nullptr ? 0 : human()->id);
-  history_->choose(canvas_->chosen());
+  const std::string xml = human() == nullptr ? std::string() : treeText(document_, person_);
+  text_->showText(xml);
+  lines_.assign(canvas_->graph().nodes().size(), 0);
+  if (const base::Result<bt::TreeFile> file = bt::readTreeText(xml)) {
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      const bt::NodeSpec* node = nodeAt(*file, canvas_->graph().placeOf(static_cast<int>(k)));
+      lines_[k] = node == nullptr ? 0 : node->line;
+    }
+  }
+  showChosen();
   QStringList ids;
   for (const auto& [id, entry] : tree.table.entries) {
     if (id != tree.table.mainTree) {
@@ -256,9 +276,41 @@ void TreeStudio::choose(int node) {
   }
   choosing_ = true;
   canvas_->choose(node);
-  history_->choose(canvas_->chosen());
+  showChosen();
   Q_EMIT nodeChosen(canvas_->chosen());
   choosing_ = false;
+}
+
+void TreeStudio::showChosen() {
+  history_->choose(canvas_->chosen());
+  text_->showLine(lineOf(canvas_->chosen()));
+}
+
+int TreeStudio::lineOf(int node) const {
+  const auto place = static_cast<std::size_t>(node);
+  return node >= 0 && place < lines_.size() ? lines_[place] : 0;
+}
+
+int TreeStudio::nodeAtLine(int line) const {
+  int best = -1;
+  for (int node = 0; node < static_cast<int>(lines_.size()); ++node) {
+    const bool isAbove = lineOf(node) > 0 && lineOf(node) <= line;
+    if (isAbove && (best < 0 || lineOf(node) > lineOf(best))) {
+      best = node;
+    }
+  }
+  return best;
+}
+
+void TreeStudio::takeText(const std::string& xml) {
+  std::vector<TreeEdit> edits;
+  for (const EntityId each : edited()) {
+    edits.push_back({each, xml});
+  }
+  if (human() != nullptr) {
+    pushTrees(document_, std::move(edits),
+              tr("Edit the XML of %1").arg(QString::fromStdString(human()->name)));
+  }
 }
 
 void TreeStudio::say(const QString& text) {
@@ -277,7 +329,7 @@ void TreeStudio::openNode(int node) {
   if (!graph.childrenOf(node).empty() && graph.node(node).node->isSubTree()) {
     graph.setFolded(node, !graph.isFolded(node));
     canvas_->relayout();
-    history_->choose(node);
+    showChosen();
     return;
   }
   beginRename();

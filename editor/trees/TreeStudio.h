@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QTabWidget>
 #include <QTimer>
 #include <QToolButton>
 
@@ -16,12 +17,13 @@
 #include "editor/trees/NodePalette.h"
 #include "editor/trees/TreeCanvas.h"
 #include "editor/trees/TreeHistory.h"
+#include "editor/trees/TreeText.h"
 
 namespace editor {
 
 /// The behaviour tree of a person as a graph that is edited and watched: what the tree is made of
-/// at the left, the graph, and what its nodes returned over time below. Shows the person who was
-/// selected last. Every edit is one command of the document.
+/// at the left, the graph, and below it what its nodes returned over time, or its XML. Shows the
+/// person who was selected last. Every edit is one command of the document.
 class TreeStudio : public QWidget {
   Q_OBJECT
  public:
@@ -31,6 +33,8 @@ class TreeStudio : public QWidget {
   TreeCanvas& canvas() const { return *canvas_; }
   NodePalette& palette() const { return *palette_; }
   TreeHistory& history() const { return *history_; }
+  TreeText& text() const { return *text_; }
+  QTabWidget& lower() const { return *lower_; }  // history and text
   EntityId person() const { return person_; }
   /// Who is changed by an edit: all who have the very same tree of their own, unless the switch for
   /// that is off.
@@ -83,6 +87,10 @@ class TreeStudio : public QWidget {
   void rebuild();
   void listPeople();
   void showSharing();
+  void showChosen();  // in the parts beside the graph
+  void takeText(const std::string& xml);
+  int lineOf(int node) const;  // in the text; 0 = none
+  int nodeAtLine(int line) const;
   void showStatuses();
   void showBreakpoints();
   void offerGiving();
@@ -111,7 +119,10 @@ class TreeStudio : public QWidget {
   TreeCanvas* canvas_;
   NodePalette* palette_;
   TreeHistory* history_;
+  TreeText* text_;
+  QTabWidget* lower_;
   QLineEdit* nameField_;
+  std::vector<int> lines_;  // of the nodes in the text, 0 = in another file
 };
 
 }  // namespace editor

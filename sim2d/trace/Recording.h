@@ -70,22 +70,6 @@ class Recording final : public FrameSink {
   /// What the nodes returned last at that step, recorded or not; of one person, or by id.
   TreeStatuses treeAt(int person, std::int64_t step) const { return treesAt(step, person)[person]; }
   std::map<int, TreeStatuses> treesAt(std::int64_t step, std::optional<int> only = {}) const;
-  /// Calls see(step, paths, node, status) for what nodes of a person's tree began to return, in
-  /// order of steps: of the entries from `from` on. Returns where to go on when there are more.
-  template <class See>
-  std::size_t forTreeChanges(int person, std::size_t from, See see) const {
-    const std::size_t end = trees_.size();
-    for (; from < end; ++from) {
-      const std::int64_t step = trees_[from].step;
-      trees_[from].changes.forEach(
-          [&](int id, const TreeChanges::Paths& paths, int node, base::NodeStatus status) {
-            if (id == person) {
-              see(step, paths, node, status);
-            }
-          });
-    }
-    return end;
-  }
 
   // all of it; of states those that are kept
   Trace trace() const { return trace(*header()); }

@@ -224,27 +224,6 @@ void RecordingTest::treesAt_anyStep_isWhatTheChangesMake() {
       QVERIFY(recording.treeAt(person, step).statuses == statuses);
     }
   }
-  // the changes of one person, read in parts, make the same
-  std::vector<base::NodeStatus> read(kNodes, base::NodeStatus::Idle);
-  std::vector<std::vector<base::NodeStatus>> byStep(kSteps, read);
-  std::int64_t last = 0;
-  const auto see = [&](std::int64_t step, const TreeChanges::Paths& paths, int node,
-                       base::NodeStatus status) {
-    QVERIFY(paths == names);
-    for (; last < step; ++last) {
-      byStep[static_cast<std::size_t>(last)] = read;
-    }
-    read[static_cast<std::size_t>(node)] = status;
-  };
-  std::size_t at = recording.forTreeChanges(3, 1500, [](auto&&...) {});
-  QVERIFY(recording.forTreeChanges(99, 0, [&](auto&&...) { at = 0; }) == at);  // nobody
-  QCOMPARE(recording.forTreeChanges(3, 0, see), at);
-  QCOMPARE(recording.forTreeChanges(3, at, see), at);
-  for (std::int64_t step = 1; step < last; ++step) {
-    const auto row = static_cast<std::size_t>(step);
-    QVERIFY(byStep[row] == expected[row][3]);
-  }
-  QVERIFY(last > kSteps - 50);
   QVERIFY(recording.treeAt(99, 2000).paths == nullptr);
   QVERIFY(Recording().treeAt(1, 0).paths == nullptr);
 }
