@@ -63,8 +63,11 @@ class TreeHistory : public QAbstractScrollArea {
   Theme theme_;
   int person_ = 0;
   int chosen_ = -1;
-  RecordingPtr recording_;                   // that was read
-  std::size_t read_ = 0;                     // entries of it
+  RecordingPtr recording_;  // that was read
+  std::int64_t read_ = 0;   // the last step of it
+  sim2d::TreeChanges::Paths paths_;
+  std::vector<int> nodesOfPaths_;
+  QTimer more_;                              // of it is to be read
   bool isOther_ = false;                     // the run is of another tree
   std::vector<std::vector<Stretch>> bands_;  // by node
 };
