@@ -156,6 +156,9 @@ bool hasFollowingTree(const ScenarioDocument& document, EntityId person) {
 std::vector<OutlineNode> outlineOf(const PersonTree& tree) {
   std::vector<OutlineNode> nodes;
   const bt::TreeTable::Entry* main = tree.table.find(tree.table.mainTree);
+  if (main == nullptr && !tree.file.trees.empty()) {  // not said which runs: to look at and edit
+    main = tree.table.find(tree.file.trees.front().id);
+  }
   if (main != nullptr && !main->tree.root.id.empty()) {
     addNode(nodes, tree, rootOf(tree, *main, -1), 0);
   }
