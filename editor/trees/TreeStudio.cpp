@@ -40,7 +40,10 @@ TreeStudio::TreeStudio(PanelContext& context)
       history_(new TreeHistory(canvas_->graph(), context.runner, context.theme())),
       text_(new TreeText(context.theme())),
       lower_(new QTabWidget(this)),
+      inset_(new MapInset(context.view.mapScene(), context.runner, canvas_)),
       nameField_(new QLineEdit(canvas_)) {
+  canvas_->installEventFilter(this);
+  context.view.installEventFilter(this);
   nameField_->hide();
   nameField_->setAccessibleName(tr("Name of the node"));
   nameField_->installEventFilter(this);
@@ -216,6 +219,7 @@ void TreeStudio::rebuild() {
   showSharing();
   showStatuses();
   showBreakpoints();
+  placeInset();
   const bool isBroken = human() != nullptr && canvas_->graph().nodes().empty();
   if (isBroken && !tree.problems.empty()) {
     say(QString::fromStdString(tree.problems.front().message));
@@ -361,7 +365,23 @@ void TreeStudio::doKey(int key, Qt::KeyboardModifiers modifiers) {
   }
 }
 
+/// In the lower left, as long as nothing of the tree lies there and the map is not seen itself.
+void TreeStudio::placeInset() {
+  constexpr int kInsetMargin = 12;
+  const bool isWanted = isVisible() && !context_.view.isVisible() &&
+                        canvas_->width() > 2 * MapInset::kSize.width() &&
+                        canvas_->height() > 2 * MapInset::kSize.height();
+  inset_->move(kInsetMargin, canvas_->height() - MapInset::kSize.height() - kInsetMargin);
+  inset_->follow(person_);
+  inset_->setVisible(isWanted && human() != nullptr);
+}
+
 bool TreeStudio::eventFilter(QObject* watched, QEvent* event) {
+  const bool isPlace = event->type() == QEvent::Resize || event->type() == QEvent::Show ||
+                       event->type() == QEvent::Hide;
+  if (isPlace && (watched == canvas_ || watched == &context_.view)) {
+    placeInset();
+  }
   if (watched != nameField_ || nameField_->isHidden()) {
     return QWidget::eventFilter(watched, event);
   }

@@ -14,6 +14,7 @@
 #include <QToolButton>
 
 #include "editor/panels/PanelRegistry.h"
+#include "editor/trees/MapInset.h"
 #include "editor/trees/NodePalette.h"
 #include "editor/trees/TreeCanvas.h"
 #include "editor/trees/TreeHistory.h"
@@ -40,6 +41,7 @@ class TreeStudio : public QWidget {
   /// that is off.
   std::vector<EntityId> edited() const;
   QToolButton& sharing() const { return *sharing_; }
+  MapInset& inset() const { return *inset_; }  // while the map is not seen
   QString hint() const { return hint_->text(); }
   QLineEdit& nameField() const { return *nameField_; }
 
@@ -102,6 +104,7 @@ class TreeStudio : public QWidget {
   bool takePicked();
   void endRename(bool take);
   void say(const QString& text);
+  void placeInset();
   const sim2d::Human* human() const { return context_.document.human(person_); }
   QString label(int node) const;
 
@@ -121,6 +124,7 @@ class TreeStudio : public QWidget {
   TreeHistory* history_;
   TreeText* text_;
   QTabWidget* lower_;
+  MapInset* inset_;
   QLineEdit* nameField_;
   std::vector<int> lines_;  // of the nodes in the text, 0 = in another file
 };

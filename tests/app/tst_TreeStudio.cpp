@@ -3,6 +3,7 @@
 #include <QClipboard>
 #include <QDockWidget>
 #include <QMimeData>
+#include <QTextBlock>
 #include <QUndoStack>
 #include <QtTest>
 
@@ -429,6 +430,36 @@ class TreeStudioTest : public QObject {
     QCOMPARE(document().selection(), std::vector<EntityId>{person("Chloe")});
     QCOMPARE(canvas().chosen(), node);
     QCOMPARE(*bt::findText(graph().node(node).node->ports, "goal_id"), std::to_string(goal.id));
+  }
+
+  void xml_typed_isTakenWhenItCanBeRead() {
+    open("Chloe");
+    studio().lower().setCurrentWidget(&studio().text());
+    QPlainTextEdit& text = studio().text().text();
+    QTRY_VERIFY(text.isVisible());
+    const QString before = text.toPlainText();
+    QVERIFY(before.contains(QStringLiteral("<IsRobotVisible ")));
+    click(called("Is robot visible"));
+    QVERIFY(text.textCursor().block().text().contains(QStringLiteral("<IsRobotVisible ")));
+    text.setFocus();
+    QTextCursor cursor = text.document()->find(QStringLiteral("</Fallback>"));
+    cursor.setPosition(cursor.selectionStart());
+    text.setTextCursor(cursor);
+    QTest::keyClicks(&text, QStringLiteral("<AlwaysFailure>"));
+    QTRY_VERIFY(!studio().text().problem().isEmpty());  // not closed: said, nothing is changed
+    QCOMPARE(undoSteps(), 0);
+    QTest::keyClick(&text, Qt::Key_Backspace);
+    QTest::keyClicks(&text, QStringLiteral("/>"));
+    QTRY_COMPARE(undoSteps(), 1);
+    QVERIFY(studio().text().problem().isEmpty());
+    QVERIFY(called("Always failure") > 0);
+    document().undoStack().undo();
+    QCOMPARE(text.toPlainText(), before);
+    QCOMPARE(called("Always failure"), -1);
+    // and what is edited in the graph is in the text
+    click(called("Is robot visible"));
+    QTest::keyClick(&canvas(), Qt::Key_Delete);
+    QVERIFY(!text.toPlainText().contains(QStringLiteral("<IsRobotVisible ")));
   }
 
   void direction_isSwitchedAndAllStaysInView() {
