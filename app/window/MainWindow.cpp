@@ -373,6 +373,7 @@ void MainWindow::showFile(const QString& file, int line) {
 }
 
 void MainWindow::remember() {
+  docks_->treeLarge()->setChecked(false);  // the next start begins with the map
   memory_.setValue(kGeometryKey, saveGeometry());
   if (!isOnStartPage()) {
     memory_.setValue(kWindowStateKey, saveState(kLayoutVersion));

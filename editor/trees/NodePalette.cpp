@@ -119,6 +119,11 @@ NodePalette::NodePalette(const Theme& theme)
   explain();
 }
 
+void NodePalette::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  help_->setVisible(height() > 3 * kHelpHeight);
+}
+
 QString NodePalette::xmlOf(const QTreeWidgetItem* row) {
   return row->data(0, kXmlRole).toString();
 }

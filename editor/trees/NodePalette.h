@@ -27,6 +27,9 @@ class NodePalette : public QWidget {
  Q_SIGNALS:
   void wanted(const QString& xml);  // by a double click, or Enter
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void addRows();
   QTreeWidgetItem* addGroup(const QString& title);
@@ -40,7 +43,7 @@ class NodePalette : public QWidget {
   QAction* searchMark_;
   QTreeWidget* list_;
   NothingFound* nothing_;
-  QLabel* help_;
+  QLabel* help_;  // where there is room for it
   QTreeWidgetItem* trees_ = nullptr;
 };
 

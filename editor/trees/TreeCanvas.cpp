@@ -17,13 +17,15 @@ namespace editor {
 namespace {
 
 constexpr double kLeastZoom = 0.2, kMostZoom = 2.0;
+constexpr double kReadableZoom = 0.6;        // smaller only when asked for
 constexpr double kTreeWheelFactor = 1.0015;  // per unit of the wheel
 constexpr double kDots = 20.0;               // of the ground [px]
 constexpr double kEdgeRoom = 40.0;           // of the tree that stays in the window [px]
 
 }  // namespace
 
-TreeCanvas::TreeCanvas(const Theme& theme) : theme_(theme), graph_(theme) {
+TreeCanvas::TreeCanvas(const Theme& theme)
+    : theme_(theme), graph_(theme), fitLeast_(kReadableZoom) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAcceptDrops(true);
@@ -49,8 +51,16 @@ void TreeCanvas::showTree(const PersonTree& tree) {
 }
 
 void TreeCanvas::relayout() {
-  fitsItself_ ? fit() : keepInView();
+  fitsItself_ ? fitTo(fitLeast_) : keepInView();
   update();
+  Q_EMIT moved();
+}
+
+bool TreeCanvas::isFree(const QRect& place) const {
+  const QRectF there(toGraph(place.topLeft()), QSizeF(place.size()) / zoom_);
+  return std::none_of(graph_.shown().begin(), graph_.shown().end(), [&](int node) {
+    return graph_.box(node).adjusted(-8, -8, 8, 12).intersects(there);
+  });
 }
 
 void TreeCanvas::showStatuses(std::vector<base::NodeStatus> statuses) {
@@ -89,22 +99,30 @@ void TreeCanvas::setDirection(TreeDirection direction) {
 }
 
 void TreeCanvas::fit() {
+  fitTo(kLeastZoom);
+}
+
+void TreeCanvas::fitTo(double leastZoom) {
   const QRectF all = graph_.bounds();
   const double wide = width() / std::max(all.width(), 1.0);
   const double high = height() / std::max(all.height(), 1.0);
-  zoom_ = std::clamp(std::min({wide, high, 1.0}), kLeastZoom, kMostZoom);
+  zoom_ = std::clamp(std::min({wide, high, 1.0}), leastZoom, kMostZoom);
   const bool isDown = graph_.direction() == TreeDirection::Down;
   const QPointF middle(0.5 * (width() - zoom_ * all.width()),
                        0.5 * (height() - zoom_ * all.height()));
   origin_ = isDown ? QPointF(middle.x(), std::min(middle.y(), 16.0))
                    : QPointF(std::min(middle.x(), 16.0), middle.y());
-  if (zoom_ > kLeastZoom || (wide >= zoom_ && high >= zoom_)) {
-    origin_ = {std::round(origin_.x()), std::round(origin_.y())};
-  } else if (!graph_.nodes().empty()) {  // larger than the window: the root is seen
-    origin_ = QPointF(0.5 * width(), 16.0) - zoom_ * QPointF(graph_.box(0).center().x(), 0.0);
+  origin_ = {std::round(origin_.x()), std::round(origin_.y())};
+  if (!graph_.nodes().empty() && (wide < zoom_ || high < zoom_)) {  // too large: the root is seen
+    const QPointF root = zoom_ * graph_.box(0).center();
+    origin_ = isDown
+                  ? QPointF(wide < zoom_ ? std::round(0.5 * width() - root.x()) : origin_.x(), 8)
+                  : QPointF(8, high < zoom_ ? std::round(0.5 * height() - root.y()) : origin_.y());
   }
+  fitLeast_ = leastZoom;
   fitsItself_ = true;
   update();
+  Q_EMIT moved();
 }
 
 void TreeCanvas::zoomBy(double factor, const QPointF& about) {
@@ -114,6 +132,7 @@ void TreeCanvas::zoomBy(double factor, const QPointF& about) {
   fitsItself_ = false;
   keepInView();
   update();
+  Q_EMIT moved();
 }
 
 /// Some of it is always seen.
@@ -137,6 +156,7 @@ void TreeCanvas::bringIntoView(int node) {
   if (!by.isNull() && room.width() > box.width() && room.height() > box.height()) {
     origin_ += by;
     fitsItself_ = false;
+    Q_EMIT moved();
   }
 }
 
@@ -147,7 +167,7 @@ void TreeCanvas::resizeEvent(QResizeEvent* event) {
 
 void TreeCanvas::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
-  painter.fillRect(rect(), theme_.color(Role::CanvasOutside));
+  painter.fillRect(rect(), theme_.color(Role::Window));
   painter.setPen(theme_.color(Role::Line));
   const double step = kDots * std::max(1.0, std::round(1.0 / zoom_));
   for (double x = std::fmod(origin_.x(), step); x < width(); x += step) {
@@ -201,18 +221,18 @@ void TreeCanvas::mousePressEvent(QMouseEvent* event) {
 }
 
 void TreeCanvas::mouseMoveEvent(QMouseEvent* event) {
-  const QPoint moved = event->pos() - pressedAt_;
-  if (gesture_ == Gesture::Pressed &&
-      moved.manhattanLength() >= QApplication::startDragDistance()) {
+  const QPoint by = event->pos() - pressedAt_;
+  if (gesture_ == Gesture::Pressed && by.manhattanLength() >= QApplication::startDragDistance()) {
     const bool canMove = pressedNode_ > 0 && graph_.has(pressedNode_) &&
                          graph_.isEditable(pressedNode_) && !graph_.placeOf(pressedNode_).isRoot();
     gesture_ = pressedNode_ < 0 || !canMove ? Gesture::Panning : Gesture::Moving;
     setCursor(Qt::ClosedHandCursor);
   }
   if (gesture_ == Gesture::Panning) {
-    origin_ = originBefore_ + moved;
+    origin_ = originBefore_ + by;
     fitsItself_ = false;
     keepInView();
+    Q_EMIT moved();
   } else if (gesture_ == Gesture::Moving) {
     view_.dragged = pressedNode_;
     view_.drop =
@@ -311,6 +331,9 @@ void TreeCanvas::keyPressEvent(QKeyEvent* event) {
     return;
   }
   if (!isCommand(*event)) {
+    if (event->key() == Qt::Key_Escape) {
+      Q_EMIT escaped();
+    }
     QWidget::keyPressEvent(event);
     return;
   }

@@ -27,10 +27,11 @@ class TreeCanvas : public QWidget {
   void choose(int node);
   int chosen() const { return view_.chosen; }
   void setDirection(TreeDirection direction);
-  void fit();  // all of it, at most at 100 %
+  void fit();  // all of it, at most at 100 %; it stays so until the user zooms or moves it
   double zoom() const { return zoom_; }
   void zoomBy(double factor, const QPointF& about);
-  void relayout();  // folds have changed
+  void relayout();                        // folds have changed
+  bool isFree(const QRect& place) const;  // nothing of the tree lies there
   QPointF toGraph(const QPointF& at) const { return (at - origin_) / zoom_; }
   QPointF fromGraph(const QPointF& at) const { return at * zoom_ + origin_; }
   QPoint centreOf(int node) const { return fromGraph(graph_.box(node).center()).toPoint(); }
@@ -41,6 +42,8 @@ class TreeCanvas : public QWidget {
   void menuWanted(int node, const QPoint& global);
   void moveWanted(int node, const editor::DropPlace& to);
   void dropWanted(const QString& xml, const editor::DropPlace& to);
+  void escaped();
+  void moved();  // other things lie in other places of the widget now
   void keyCommand(int key, Qt::KeyboardModifiers modifiers);  // of those in `isCommand`
 
  protected:
@@ -67,6 +70,7 @@ class TreeCanvas : public QWidget {
   void hover(const QPoint& at);
   void endGesture();
   void keepInView();
+  void fitTo(double leastZoom);
   void bringIntoView(int node);
   void chooseByUser(int node);
   QString tipOf(int node) const;
@@ -77,6 +81,7 @@ class TreeCanvas : public QWidget {
   double zoom_ = 1.0;
   QPointF origin_;          // of the graph, in the widget [px]
   bool fitsItself_ = true;  // until the user zooms or moves it
+  double fitLeast_;         // zoom then
   Gesture gesture_ = Gesture::None;
   QPoint pressedAt_;
   QPointF originBefore_;

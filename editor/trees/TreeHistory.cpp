@@ -312,6 +312,7 @@ void TreeHistory::paintBand(QPainter& painter, const QRect& band,
     const int from = xOf(its[k].from);
     const int to = k + 1 < its.size() ? xOf(its[k + 1].from) : xOf(newestStep());
     const QRect part(from, band.top(), std::max(1, to - from), band.height());
+    painter.fillRect(part, theme_.color(Role::Panel));
     painter.fillRect(part, theme_.color(roleOfStatus(status), 0.3));
     painter.fillRect(QRect(part.left(), part.top(), std::min(2, part.width()), part.height()),
                      theme_.color(roleOfStatus(status)));

@@ -243,7 +243,7 @@ void TreePainter::paintMarks(QPainter& painter, int node) const {
   const QRectF box = graph_.box(node);
   const auto clear = [&](const QPointF& at) {
     painter.setPen(Qt::NoPen);
-    painter.setBrush(theme_.color(Role::CanvasOutside));
+    painter.setBrush(theme_.color(Role::Window));
     painter.drawEllipse(at, 8.0, 8.0);
     painter.setBrush(theme_.color(Role::Panel));
     painter.drawEllipse(at, 7.0, 7.0);

@@ -24,7 +24,7 @@ namespace {
 constexpr int kHeadHeight = 36;
 constexpr int kHintMs = 6000;
 constexpr int kPaletteShare = 220, kCanvasShare = 640;  // of the width at first [px]
-constexpr int kGraphShare = 360, kHistoryShare = 130;   // of the height
+constexpr int kGraphShare = 400, kHistoryShare = 190;   // of the height
 
 }  // namespace
 
@@ -74,12 +74,8 @@ QWidget* TreeStudio::makeHead() {
     turn_->setText(isDown ? tr("Top down") : tr("Left to right"));
   });
   folds_ = link(tr("Unfold all"), tr("Show every node, or the branches alone"), [this] {
-    TreeGraph& graph = canvas_->graph();
-    const bool isAnyFolded = std::any_of(graph.shown().begin(), graph.shown().end(),
-                                         [&graph](int node) { return graph.isFolded(node); });
-    isAnyFolded ? graph.unfoldAll() : graph.foldAll();
+    isAnyFolded() ? canvas_->graph().unfoldAll() : canvas_->graph().foldAll();
     canvas_->fit();
-    folds_->setText(isAnyFolded ? tr("Fold") : tr("Unfold all"));
     showChosen();
   });
   auto* fit = link(tr("Fit"), tr("The whole tree in the window (F)"), [this] { canvas_->fit(); });
@@ -93,6 +89,12 @@ QWidget* TreeStudio::makeHead() {
     row->addWidget(each);
   }
   return head;
+}
+
+bool TreeStudio::isAnyFolded() const {
+  const TreeGraph& graph = canvas_->graph();
+  return std::any_of(graph.shown().begin(), graph.shown().end(),
+                     [&graph](int node) { return graph.isFolded(node); });
 }
 
 void TreeStudio::makeLayout() {
@@ -130,6 +132,15 @@ void TreeStudio::connectParts() {
   connect(history_, &TreeHistory::chose, this, [this](int node) { choose(node); });
   connect(canvas_, &TreeCanvas::openWanted, this, &TreeStudio::openNode);
   connect(canvas_, &TreeCanvas::keyCommand, this, &TreeStudio::doKey);
+  connect(canvas_, &TreeCanvas::moved, this, [this] {
+    placeInset();
+    folds_->setText(isAnyFolded() ? tr("Unfold all") : tr("Fold"));
+  });
+  connect(canvas_, &TreeCanvas::escaped, this, [this] {
+    if (!std::exchange(pickedPort_, {}).empty()) {
+      say(tr("Nothing was picked"));
+    }
+  });
   connect(canvas_, &TreeCanvas::moveWanted, this, &TreeStudio::move);
   connect(canvas_, &TreeCanvas::dropWanted, this, &TreeStudio::addAt);
   connect(canvas_, &TreeCanvas::menuWanted, this, [this](int node, const QPoint& at) {
@@ -365,15 +376,29 @@ void TreeStudio::doKey(int key, Qt::KeyboardModifiers modifiers) {
   }
 }
 
-/// In the lower left, as long as nothing of the tree lies there and the map is not seen itself.
+/// In a corner where nothing of the tree lies, while the map is not seen itself.
 void TreeStudio::placeInset() {
   constexpr int kInsetMargin = 12;
-  const bool isWanted = isVisible() && !context_.view.isVisible() &&
-                        canvas_->width() > 2 * MapInset::kSize.width() &&
-                        canvas_->height() > 2 * MapInset::kSize.height();
-  inset_->move(kInsetMargin, canvas_->height() - MapInset::kSize.height() - kInsetMargin);
   inset_->follow(person_);
-  inset_->setVisible(isWanted && human() != nullptr);
+  const QRect room =
+      canvas_->rect().adjusted(kInsetMargin, kInsetMargin, -kInsetMargin, -kInsetMargin);
+  const bool isWanted = isVisible() && !context_.view.isVisible() && human() != nullptr &&
+                        room.width() > 2 * inset_->width() &&
+                        room.height() > 3 * inset_->height() / 2;
+  for (const Qt::Corner corner :
+       {Qt::BottomLeftCorner, Qt::BottomRightCorner, Qt::TopLeftCorner, Qt::TopRightCorner}) {
+    QRect place = inset_->rect();
+    const bool isLeft = corner == Qt::BottomLeftCorner || corner == Qt::TopLeftCorner;
+    const bool isTop = corner == Qt::TopLeftCorner || corner == Qt::TopRightCorner;
+    place.moveTo(isLeft ? room.left() : room.right() - place.width(),
+                 isTop ? room.top() : room.bottom() - place.height());
+    if (isWanted && canvas_->isFree(place)) {
+      inset_->move(place.topLeft());
+      inset_->show();
+      return;
+    }
+  }
+  inset_->hide();
 }
 
 bool TreeStudio::eventFilter(QObject* watched, QEvent* event) {

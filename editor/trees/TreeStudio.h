@@ -105,6 +105,7 @@ class TreeStudio : public QWidget {
   void endRename(bool take);
   void say(const QString& text);
   void placeInset();
+  bool isAnyFolded() const;
   const sim2d::Human* human() const { return context_.document.human(person_); }
   QString label(int node) const;
 

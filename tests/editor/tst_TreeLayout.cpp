@@ -63,7 +63,8 @@ class TreeLayoutTest : public QObject {
     while (static_cast<int>(nodes.size()) < count) {
       const std::size_t level = draw() % open.size();
       open.resize(level + 1);
-      nodes.push_back({open.back(), 60.0 + draw() % 140, 30.0 + draw() % 20});
+      nodes.push_back({open.back(), 60.0 + static_cast<int>(draw() % 140),
+                       30.0 + static_cast<int>(draw() % 20)});
       open.push_back(static_cast<int>(nodes.size()) - 1);
     }
     return nodes;
