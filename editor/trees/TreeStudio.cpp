@@ -23,8 +23,9 @@ namespace {
 
 constexpr int kHeadHeight = 36;
 constexpr int kHintMs = 6000;
+constexpr int kLowerHigh = 190, kLowerLow = 112;  // below the graph, until it is moved [px]
+constexpr int kHighStudio = 560;
 constexpr int kPaletteShare = 220, kCanvasShare = 640;  // of the width at first [px]
-constexpr int kGraphShare = 400, kHistoryShare = 190;   // of the height
 
 }  // namespace
 
@@ -40,6 +41,7 @@ TreeStudio::TreeStudio(PanelContext& context)
       history_(new TreeHistory(canvas_->graph(), context.runner, context.theme())),
       text_(new TreeText(context.theme())),
       lower_(new QTabWidget(this)),
+      halves_(new QSplitter(Qt::Vertical, this)),
       inset_(new MapInset(context.view.mapScene(), context.runner, canvas_)),
       nameField_(new QLineEdit(canvas_)) {
   canvas_->installEventFilter(this);
@@ -103,19 +105,18 @@ void TreeStudio::makeLayout() {
   upper->addWidget(canvas_);
   upper->setStretchFactor(1, 1);
   upper->setSizes({kPaletteShare, kCanvasShare});
-  auto* all = new QSplitter(Qt::Vertical, this);
-  all->addWidget(upper);
+  halves_->addWidget(upper);
   lower_->setDocumentMode(true);
   lower_->addTab(history_, tr("Over time"));
   lower_->addTab(text_, tr("XML"));
   lower_->setTabToolTip(0, tr("What each node returned in the run"));
   lower_->setTabToolTip(1, tr("The file of the tree, which can be edited as well"));
-  all->addWidget(lower_);
-  all->setStretchFactor(0, 1);
-  all->setSizes({kGraphShare, kHistoryShare});
-  all->setCollapsible(0, false);
+  halves_->addWidget(lower_);
+  halves_->setStretchFactor(0, 1);
+  halves_->setCollapsible(0, false);
+  connect(halves_, &QSplitter::splitterMoved, this, [this] { isDivided_ = true; });
   auto* layout = arranged(new QVBoxLayout(this), {}, 0, {makeHead(), dividerLine(this), empty_});
-  layout->addWidget(all, 1);
+  layout->addWidget(halves_, 1);
 }
 
 void TreeStudio::connectParts() {
@@ -177,6 +178,15 @@ void TreeStudio::showEvent(QShowEvent* event) {
     rebuild();
   }
   showStatuses();
+}
+
+/// As long as nobody has chosen otherwise, a low studio leaves the room to the graph.
+void TreeStudio::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (!isDivided_) {
+    const int lower = height() < kHighStudio ? kLowerLow : kLowerHigh;
+    halves_->setSizes({std::max(0, height() - kHeadHeight - lower), lower});
+  }
 }
 
 /// The person who was selected last stays while goals or nothing are selected.

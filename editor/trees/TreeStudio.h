@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QSplitter>
 #include <QTabWidget>
 #include <QTimer>
 #include <QToolButton>
@@ -75,6 +76,7 @@ class TreeStudio : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
@@ -125,6 +127,8 @@ class TreeStudio : public QWidget {
   TreeHistory* history_;
   TreeText* text_;
   QTabWidget* lower_;
+  QSplitter* halves_;
+  bool isDivided_ = false;  // by the user
   MapInset* inset_;
   QLineEdit* nameField_;
   std::vector<int> lines_;  // of the nodes in the text, 0 = in another file
