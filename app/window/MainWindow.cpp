@@ -118,6 +118,7 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   auto* middle = new QWidget(this);
   editor::arranged(new QVBoxLayout(middle), {}, 0, {notices_})->addWidget(centre_, 1);
   middle->setMinimumHeight(kLeastMiddle);
+  docks_->setCentre(middle);
   connect(notices_, &NoticeBar::keyboardFree, this,
           [this] { centre_->currentWidget()->setFocus(); });
   setCentralWidget(middle);
@@ -376,6 +377,7 @@ void MainWindow::showFile(const QString& file, int line) {
 }
 
 void MainWindow::remember() {
+  docks_->treeLarge()->setChecked(false);  // the next start begins with the map
   memory_.setValue(kGeometryKey, saveGeometry());
   if (!isOnStartPage()) {
     memory_.setValue(kWindowStateKey, saveState(kLayoutVersion));

@@ -158,7 +158,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   addGroups(view, {{actions.zoomIn, actions.zoomOut, actions.zoomFit}, actions.overlays});
   view.addMenu(QObject::tr("&Layers"))->addActions(actions.layers);
   view.addMenu(QObject::tr("&Over a run"))->addActions(actions.ofRuns->all);
-  addGroups(view, {docks.toggles() << docks.mapOnly() << actions.resetLayout,
+  addGroups(view, {docks.toggles() << docks.mapOnly() << docks.treeLarge() << actions.resetLayout,
                    {actions.switchTheme, actions.systemTheme, actions.fullScreen}});
 
   addGroups(*bar.addMenu(QObject::tr("&Scenario")),

@@ -191,6 +191,23 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
   return {};
 }
 
+base::Diagnostics showTreeOf(MainWindow& window, const std::string& person) {
+  editor::ScenarioDocument& document = window.workspace().document();
+  for (const sim2d::Human& human : document.scenario().humans) {
+    if (human.name == person) {
+      document.setSelection({human.key});
+      window.docks().treeLarge()->setChecked(true);
+      return {};
+    }
+  }
+  QStringList names;
+  for (const sim2d::Human& human : document.scenario().humans) {
+    names.push_back(QString::fromStdString(human.name));
+  }
+  return {base::error("option.unknown-name",
+                      {"--tree", person, names.join(QStringLiteral(", ")).toStdString()})};
+}
+
 base::Diagnostics save(const QPixmap& picture, const std::string& file) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
@@ -315,6 +332,9 @@ int windowCommand(const Invocation& given, const RunOptions& run, const WindowOp
     requireFine(whyNotOpened(window), ExitBadInput, base::Severity::Warning);
     return ExitFine;
   }
+  if (!options.tree.empty()) {
+    requireFine(showTreeOf(window, options.tree), ExitWrongCommandLine);
+  }
   if (!picture) {
     const int code = QApplication::exec();
     application.whenBroken({});  // the window goes first
@@ -376,6 +396,7 @@ void addWindow(CommandRegistry& commands) {
       ->delimiter(',')
       ->check(oneOf(OverlayActions::names()));
   root.add_option("--select", window->select, "Who is selected in a picture, by name");
+  root.add_option("--tree", window->tree, "Person whose behaviour tree is shown large");
   root.add_option("--dock", window->docks, "Docks to show, by their names in the View menu");
 }
 

@@ -23,6 +23,7 @@ struct WindowOptions {
   std::vector<std::string> docks;     // shown; empty: as last used
   std::vector<std::string> overlays;  // switched on beside those of last time
   std::string select;                 // a person or robot by name
+  std::string tree;                   // person whose tree takes the place of the map; empty: none
 };
 
 /// "1280x800"; nothing when it is no size of a window.

@@ -38,7 +38,9 @@ class PanelContext : public QObject {
   /// Told behind the title of the panel, and beside its switch with the mark of the worst of them.
   void counted(QWidget* panel, int count, base::Severity worst = base::Severity::Info);
   void fileWanted(const QString& file, int line);  // is to be shown
-  void goalsWanted();                              // for the people who are selected
+  /// Of the tree of the person who is selected, as outlineOf() numbers it; -1 = none.
+  void nodeChosen(int node, const QObject* by);
+  void goalsWanted();  // for the people who are selected
 };
 
 /// Where a panel is found.
