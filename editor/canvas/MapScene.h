@@ -16,6 +16,7 @@ namespace editor {
 
 class EntityItem;
 class FrameLayer;
+class FullLayer;
 class GroupLayer;
 class LabelLayer;
 class MapItem;
@@ -53,6 +54,7 @@ struct CanvasOptions {
   bool groups = true;                            // who walks together
   bool snapToPoints = true, snapToWalls = true;  // what is drawn or moved
   bool snapToGrid = false;
+  double trailSeconds = 6.0;  // of the trails of a run
 };
 
 /// Which part of the canvas is being painted: what is previewed (dragged) or walks in a run, with
@@ -117,6 +119,8 @@ class MapScene : public QGraphicsScene {
   bool isPullable() const { return isPullable_; }  // false: the run is over, or was recorded
   void setPullable(bool pullable);
   FrameLayer& frameLayer() const { return *frameLayer_; }
+  /// What others draw of a run, beneath its figures. The scene owns it.
+  void addRunLayer(std::unique_ptr<FullLayer> layer);
   const SelectionLayer& selectionLayer() const { return *selectionLayer_; }
   RouteModel& routes() const { return *routes_; }
   ToolMarks& marks();  // to be changed: they are painted anew
@@ -194,6 +198,7 @@ class MapScene : public QGraphicsScene {
   RouteLayer* routeLayer_ = nullptr;
   FrameLayer* frameLayer_ = nullptr;
   SelectionLayer* selectionLayer_ = nullptr;
+  std::vector<FullLayer*> runLayers_;  // of others
   LabelLayer* labelLayer_ = nullptr;
   ToolLayer* toolLayer_ = nullptr;
   RouteModel* routes_ = nullptr;

@@ -92,6 +92,7 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
   std::vector<QGraphicsItem*> wanted;
   if (part == CanvasPart::Moving) {
     wanted = {groupLayer_, frameLayer_, labelLayer_, selectionLayer_, toolLayer_};
+    wanted.insert(wanted.end(), runLayers_.begin(), runLayers_.end());
     if (preview_.size() <= kMostMovingRoutes) {
       wanted.push_back(routeLayer_);
     }
@@ -105,7 +106,8 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
   } else {
     for (QGraphicsItem* each : items(Qt::AscendingOrder)) {
       const auto* entityItem = dynamic_cast<EntityItem*>(each);
-      const bool isMark = each == selectionLayer_ || each == toolLayer_ || each == frameLayer_;
+      const bool isMark = each == selectionLayer_ || each == toolLayer_ || each == frameLayer_ ||
+                          std::count(runLayers_.begin(), runLayers_.end(), each) > 0;
       const bool isPartOf = entityItem == nullptr || isPainted(entityItem->id());
       if (isMark ? part == CanvasPart::All : isPartOf) {
         wanted.push_back(each);
