@@ -156,6 +156,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   QMenu& view = *bar.addMenu(QObject::tr("&View"));
   addGroups(view, {{actions.zoomIn, actions.zoomOut, actions.zoomFit}, actions.overlays});
   view.addMenu(QObject::tr("&Layers"))->addActions(actions.layers);
+  view.addMenu(QObject::tr("Tra&il length"))->addActions(workspace.scrub().trailLengths());
   addGroups(view, {docks.toggles() << docks.mapOnly() << actions.resetLayout,
                    {actions.switchTheme, actions.systemTheme, actions.fullScreen}});
 
@@ -167,6 +168,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   addGroups(*bar.addMenu(QObject::tr("&Run")),
             {{playback.playPause, playback.step, playback.stepBack, playback.newest, playback.goOn,
               playback.reset, workspace.drive().toggle()},
+             workspace.scrub().all(),
              {actions.history}});
   addBehaviorMenu(bar, workspace);
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});
