@@ -105,12 +105,16 @@ void Docks::addTimeline() {
   auto* timeline = new editor::TimelineBar(workspace_.document(), workspace_.events(),
                                            workspace_.runner(), workspace_.theme());
   connect(&context_, &editor::PanelContext::themeChanged, timeline, &editor::TimelineBar::setTheme);
+  connect(&context_, &editor::PanelContext::comparedChanged, timeline,
+          &editor::TimelineBar::setCompared);
   timelineBar_ = new QToolBar(tr("Timeline"), &window_);
   timelineBar_->setObjectName(QStringLiteral("timeline"));
   timelineBar_->setMovable(false);
   timelineBar_->toggleViewAction()->setEnabled(false);  // always seen
   editor::describe(*timelineBar_->toggleViewAction(), tr("Always seen"));
   timelineBar_->addWidget(timeline);
+  timelineBar_->setIconSize(QSize(20, 20));
+  timelineBar_->addActions(workspace_.scrub().all());
   window_.addToolBar(Qt::BottomToolBarArea, timelineBar_);
 }
 

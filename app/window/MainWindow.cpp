@@ -61,6 +61,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
       keys_(new KeyRules(*this, workspace_)),
       notices_(new NoticeBar(setup.theme, this)),
       centre_(new QStackedWidget(this)),
+      canvas_(new QSplitter(Qt::Horizontal, this)),
       docks_(new Docks(*this, workspace_, setup.panels)),
       files_(new FileCommands(workspace_, docks_->panel<editor::IssuesPanel>(), memory_, *this)),
       status_(new StatusLine(*statusBar(), workspace_)),
@@ -112,7 +113,10 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   menuBar()->setCornerWidget(saved_);
   startPage_ = new StartPage(workspace_, *actions_, memory_, setup.demos, this);
   centre_->addWidget(startPage_);
-  centre_->addWidget(&workspace_.view());
+  canvas_->addWidget(&workspace_.view());
+  canvas_->setChildrenCollapsible(false);
+  canvas_->setFocusProxy(&workspace_.view());
+  centre_->addWidget(canvas_);
   workspace_.view().setAcceptDrops(false);  // files fall through to the window
   setAcceptDrops(true);
   auto* middle = new QWidget(this);
@@ -223,6 +227,7 @@ void MainWindow::connectView() {
   connect(actions_->rename, &QAction::triggered, this, [this] {
     docks_->panel<editor::ScenarioPanel>().rename(workspace_.document().selection().front());
   });
+  connect(&docks_->context(), &editor::PanelContext::besideWanted, this, &MainWindow::showBeside);
   connect(&docks_->context(), &editor::PanelContext::fileWanted, this, &MainWindow::showFile);
   const auto assign = [this] {
     editor::openGoalAssignment(workspace_.document(), workspace_.theme(), this);
@@ -270,7 +275,7 @@ void MainWindow::showBreak(const sim2d::TreeBreak& at) {
 }
 
 void MainWindow::followState() {
-  const bool isRecorded = workspace_.runner().isRecorded();
+  const bool isRecorded = workspace_.isOfRecord();
   for (QAction* action : {actions_->save, actions_->saveAs, actions_->exportTo}) {
     action->setEnabled(!isOnStartPage() && !isRecorded);
   }
@@ -283,8 +288,17 @@ void MainWindow::followState() {
   showTitle();
 }
 
+void MainWindow::showBeside(QWidget* view) {
+  if (view != nullptr) {
+    canvas_->addWidget(view);
+    canvas_->setSizes({canvas_->width() / 2, canvas_->width() / 2});
+    view->show();
+  }
+  editor::later(*canvas_, [this] { workspace_.view().fitAll(false); });  // once it has its size
+}
+
 void MainWindow::showStart(bool start) {
-  centre_->setCurrentWidget(start ? static_cast<QWidget*>(startPage_) : &workspace_.view());
+  centre_->setCurrentWidget(start ? static_cast<QWidget*>(startPage_) : canvas_);
   docks_->setShown(!start);
   toolBar_->setVisible(!start);
   status_->setIdle(start);
@@ -306,7 +320,7 @@ void MainWindow::showTitle() {
     saved_->clear();
     return;
   }
-  if (workspace_.runner().isRecorded()) {
+  if (workspace_.isOfRecord()) {
     setWindowTitle(tr("%1 (recorded run) – HuNavSim Desktop").arg(workspace_.recordedName()));
     setWindowModified(false);
     saved_->setText(tr("Recorded run"));

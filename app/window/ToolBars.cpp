@@ -158,6 +158,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   addGroups(view, {{actions.zoomIn, actions.zoomOut, actions.zoomFit}, actions.overlays});
   view.addMenu(QObject::tr("&Layers"))->addActions(actions.layers);
   view.addMenu(QObject::tr("&Over a run"))->addActions(actions.ofRuns->all);
+  view.addMenu(QObject::tr("Tra&il length"))->addActions(workspace.scrub().trailLengths());
   addGroups(view, {docks.toggles() << docks.mapOnly() << docks.treeLarge() << actions.resetLayout,
                    {actions.switchTheme, actions.systemTheme, actions.fullScreen}});
 
@@ -169,6 +170,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   addGroups(*bar.addMenu(QObject::tr("&Run")),
             {{playback.playPause, playback.step, playback.stepBack, playback.newest, playback.goOn,
               playback.reset, workspace.drive().toggle()},
+             workspace.scrub().all(),
              {actions.history}});
   addBehaviorMenu(bar, workspace);
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});

@@ -29,7 +29,8 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
       tools_(document_, scene_, tools),
       events_(document_, runner_),
       feed_(document_, runner_),
-      playback_(runner_, theme) {
+      playback_(runner_, theme),
+      scrub_(runner_, events_, scene_) {
   new editor::ToolOptionsBar(tools_, *view_);  // the view owns it
   new editor::RunLayers(runner_, events_, *view_);
   // The tool just chosen hears its keys, wherever the choice was made.
@@ -97,9 +98,10 @@ void Workspace::forgetUnsavedCode() {
   }
 }
 
-void Workspace::openRecorded(editor::RecordingPtr recording, const QString& name) {
+void Workspace::openRecorded(editor::RecordingPtr recording, const QString& name,
+                             std::function<editor::RunRequest()> again) {
   recordedName_ = name;
-  runner_.openRecorded(std::move(recording));
+  runner_.openRecorded(std::move(recording), std::move(again));
 }
 
 void Workspace::followRecorded() {
@@ -113,7 +115,7 @@ void Workspace::followRecorded() {
 
 /// Forms and lists stay in use, to look at people and trees; what they change is taken back.
 void Workspace::refuseEdits() {
-  if (runner_.isRecorded() && document_.undoStack().canUndo()) {
+  if (isOfRecord() && document_.undoStack().canUndo()) {
     document_.undoStack().undo();
     Q_EMIT editRefused();
   }
@@ -153,6 +155,7 @@ void Workspace::setTheme(const editor::Theme& theme) {
   theme_ = theme;
   scene_.setTheme(theme);
   playback_.setTheme(theme);
+  scrub_.setTheme(theme);
   Q_EMIT themeChanged();
 }
 

@@ -92,6 +92,7 @@ void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
   if (recording != nullptr && recording->size() > 0) {
     meet(*recording->header(), *frame);
   }
+  trails_.setSeconds(options().trailSeconds);
   trails_.goOn(frame_.get(), *frame, recording);
   frame_ = std::move(frame);
   bodies_.clear();
@@ -445,7 +446,7 @@ std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
 }
 
 void FrameLayer::paintTrails(QPainter& painter) const {
-  const double seconds = trailSeconds(bodies_.size());
+  const double seconds = trailSeconds(bodies_.size(), options().trailSeconds);
   for (const auto& [id, trail] : trails_.all()) {
     if (!trail.points.empty()) {
       const Body* there = body(id);

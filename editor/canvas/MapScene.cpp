@@ -138,6 +138,13 @@ MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* pare
   rebuildAll();
 }
 
+void MapScene::addRunLayer(std::unique_ptr<FullLayer> layer) {
+  constexpr double kBeneath = 0.5;
+  layer->setZValue(FrameDepth - kBeneath);
+  runLayers_.push_back(layer.get());
+  addItem(layer.release());
+}
+
 MapScene::~MapScene() {
   // Items look at the scene; they go before its members do.
   QGraphicsScene::clear();

@@ -16,6 +16,7 @@ namespace editor {
 
 class EntityItem;
 class FrameLayer;
+class FullLayer;
 class GroupLayer;
 class LabelLayer;
 class MapItem;
@@ -56,6 +57,7 @@ struct CanvasOptions {
   bool groups = true;                            // who walks together
   bool snapToPoints = true, snapToWalls = true;  // what is drawn or moved
   bool snapToGrid = false;
+  double trailSeconds = 6.0;  // of the trails of a run
 };
 
 /// Which part of the canvas is being painted: what is previewed (dragged) or walks in a run, with
@@ -121,6 +123,8 @@ class MapScene : public QGraphicsScene {
   void setPullable(bool pullable);
   FrameLayer& frameLayer() const { return *frameLayer_; }
   RunOverlays& overlays() const { return *overlays_; }  // of the run
+  /// What others draw of a run, beneath its figures. The scene owns it.
+  void addRunLayer(std::unique_ptr<FullLayer> layer);
   const SelectionLayer& selectionLayer() const { return *selectionLayer_; }
   RouteModel& routes() const { return *routes_; }
   ToolMarks& marks();  // to be changed: they are painted anew
@@ -200,6 +204,7 @@ class MapScene : public QGraphicsScene {
   std::unique_ptr<RunOverlays> overlays_;
   QGraphicsItem *groundOverlay_ = nullptr, *topOverlay_ = nullptr;
   SelectionLayer* selectionLayer_ = nullptr;
+  std::vector<FullLayer*> runLayers_;  // of others
   LabelLayer* labelLayer_ = nullptr;
   ToolLayer* toolLayer_ = nullptr;
   RouteModel* routes_ = nullptr;

@@ -94,6 +94,7 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
   if (part == CanvasPart::Moving) {
     wanted = {groupLayer_, frameLayer_,     labelLayer_, groundOverlay_,
               topOverlay_, selectionLayer_, toolLayer_};
+    wanted.insert(wanted.end(), runLayers_.begin(), runLayers_.end());
     if (preview_.size() <= kMostMovingRoutes) {
       wanted.push_back(routeLayer_);
     }
@@ -108,7 +109,8 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
     for (QGraphicsItem* each : items(Qt::AscendingOrder)) {
       const auto* entityItem = dynamic_cast<EntityItem*>(each);
       const bool isMark = each == selectionLayer_ || each == toolLayer_ || each == frameLayer_ ||
-                          each == groundOverlay_ || each == topOverlay_;
+                          each == groundOverlay_ || each == topOverlay_ ||
+                          std::count(runLayers_.begin(), runLayers_.end(), each) > 0;
       const bool isPartOf = entityItem == nullptr || isPainted(entityItem->id());
       if (isMark ? part == CanvasPart::All : isPartOf) {
         wanted.push_back(each);

@@ -14,6 +14,13 @@
 
 namespace editor {
 
+/// A run that is compared with the one that is shown, as the timeline draws it.
+struct TimelineRun {
+  std::size_t style = 0;         // as of ghostStyle
+  double end = 0.0;              // [s]
+  std::vector<double> contacts;  // [s]
+};
+
 /// What panels show and steer, and what they tell each other and the window. GUI thread.
 class PanelContext : public QObject {
   Q_OBJECT
@@ -40,7 +47,9 @@ class PanelContext : public QObject {
   void fileWanted(const QString& file, int line);  // is to be shown
   /// Of the tree of the person who is selected, as outlineOf() numbers it; -1 = none.
   void nodeChosen(int node, const QObject* by);
-  void goalsWanted();  // for the people who are selected
+  void comparedChanged(const std::vector<editor::TimelineRun>& runs);
+  void besideWanted(QWidget* view);  // to stand beside the canvas; null: nothing
+  void goalsWanted();                // for the people who are selected
 };
 
 /// Where a panel is found.

@@ -389,6 +389,9 @@ constexpr ProblemText kTexts[] = {
     {"trace.unfinished", "a run was not written to its end here: trace.json is missing"},
     {"trace.no-run", "is no folder of a run: trace.json is missing"},
     {"trace.no-states", "the record has no states"},
+    {"trace.other-program",
+     "was written by version {was}, this is {now}: it is shown as recorded, but made again it may "
+     "be another run"},
     {"trace.bad-manifest", "is no manifest of a run (damaged?)"},
     {"trace.scenario-gone",
      "the scenario of this run is not there any more, or has changed: people, robots and walls are "
@@ -657,8 +660,22 @@ constexpr ProblemText kTexts[] = {
     {"again.goes-elsewhere",
      "made again, the run is another one from {time} s on (it was made by version {then}, this is "
      "{now})"},
+    {"again.branch-elsewhere",
+     "made again, the run is another one at {time} s: the branch does not begin where the other run "
+     "was"},
     {"again.ends-before", "with these options the run ends at {time} s, before {wanted} s"},
     {"again.itself", "a run that it goes on from would be lost: write elsewhere"},
+
+    // Futures of a run.
+    {"futures.foreign-code",
+     "a robot is driven by a program of others, which cannot be copied: there are no futures"},
+    {"futures.no-process", "the system gives no more processes"},
+    {"futures.goes-elsewhere",
+     "made again, the run is another one at {time} s: there are no futures of it"},
+    {"futures.bad-question", "this is no question of this program for futures"},
+    {"futures.count", "the number of futures must be 1 to {most}, not {found}"},
+    {"futures.horizon", "futures are 0.1 to {most} s long, not {found}"},
+    {"futures.spread", "the spread of velocities must be 0 to 1 m/s, not {found}"},
 
     // Breakpoints.
     {"breakpoint.assigns", "a condition only looks: \"{found}\" would change an entry"},
