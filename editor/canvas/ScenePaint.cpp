@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
 
+#include "app/run/ProgramRegistries.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/RunOverlays.h"
 #include "sim2d/scenario/Defaults.h"
@@ -25,7 +26,7 @@ sim2d::ResolvedHuman resolvedPerson(const sim2d::Scenario& scenario, const sim2d
 
 /// That of the person's model, which counts instead of the scenario's.
 std::optional<double> ownRadius(const sim2d::ResolvedHuman& person) {
-  static const sim2d::Registries registries = sim2d::programRegistries();
+  static const sim2d::Registries registries = app::programRegistries();
   return sim2d::ownBodyRadius(registries, person);
 }
 

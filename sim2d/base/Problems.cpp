@@ -301,6 +301,47 @@ constexpr ProblemText kTexts[] = {
     {"nav2.no-mask", "{layer}: has no mask, it does nothing"},
     {"nav2.data-type", "{layer}.{source}: data_type '{found}' counts as LaserScan"},
 
+    // nav2_params.yaml and navigator trees.
+    {"nav2.no-parameters", "no parameters of ROS 2 in it (a node with ros__parameters)"},
+    {"nav2.outside-node", "'{found}' stands below no ros__parameters: ROS 2 does not read it"},
+    {"nav2.unknown-key", "unknown key '{key}': nothing in Nav2 reads it{nearest}"},
+    {"nav2.unknown-node", "'{node}' is no node of Nav2{nearest}"},
+    {"nav2.idle-keys", "{node}: {count} without effect: {keys} ({why})"},
+    {"nav2.other-distro", "{key} is {why}: {distro} does not read it"},
+    {"nav2.distro-guessed", "taken for a file of {distro}{reasons?: %}"},
+    {"nav2.plugin-twice", "{list} names '{name}' twice"},
+    {"nav2.no-plugin", "{node}: '{name}' has no plugin: {name}.plugin must name its class"},
+    {"nav2.unsupported-plugin", "'{found}' is not supported: {why}"},
+    {"nav2.bad-value", "{what}"},
+    {"nav2.placeholder",
+     "{name} is switched off: its 'enabled' is a word that Nav2's launch files replace"},
+    {"nav2.set-unknown", "'{path}' is no parameter of Nav2{nearest}"},
+    {"nav2.set-ambiguous", "'{path}' is a parameter of {nodes}: put one of them in front"},
+    {"nav2.no-file", "there is no such file, and none of this name is shipped (shipped: {known})"},
+    {"nav2.needs-lidar", "robot '{robot}': planner nav2 needs a lidar"},
+    {"nav2.drive", "robot '{robot}': {what}"},
+    {"nav2.tree", "robot '{robot}': {what}"},
+    {"nav2.two-shapes", "both footprint and robot_radius are given: footprint counts"},
+    {"nav2.scaling-differs",
+     "{controller}.inflation_cost_scaling_factor is {found}, the inflation layer of local_costmap "
+     "has cost_scaling_factor {wanted}: distances to obstacles come out wrong"},
+    {"nav2.period-too-long",
+     "{controller}: a period of {period} s (controller_frequency) is longer than model_dt {dt} s: "
+     "Nav2 does not start"},
+    {"nav2.period-shorter",
+     "{controller}: a period of {period} s (controller_frequency) is shorter than model_dt {dt} s: "
+     "the sequence of controls is not shifted"},
+    {"nav2.faster-than", "{controller}: {speed} m/s is above {limit} m/s of {whose}"},
+    {"nav2.map-too-small",
+     "local_costmap reaches {half} m from the robot, {controller} looks {range} m ahead ({what})"},
+    {"nav2.goal-radius",
+     "robot '{robot}': goal_radius {radius} m is below the goal checker's xy_goal_tolerance "
+     "{tolerance} m: Nav2 may stop before the goal counts as reached"},
+    {"nav2.frequency-rounded",
+     "{key}: {wanted} Hz is more than one call in a step of {dt} s: {got} Hz"},
+    {"option.nav2-without-planner",
+     "--nav2-params, --nav2-tree and --nav2-distro count with --planner nav2 only"},
+
     // Files.
     {"file.cannot-write", "cannot write the file: {reason}"},
     {"file.cannot-read", "cannot read the file: {reason}"},

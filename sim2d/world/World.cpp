@@ -293,6 +293,7 @@ void RunningWorld::publish() {
   robots_.takeScans(frame_.scans);
   if (state_.step > 0) {
     behavior_->takeTreeChanges(frame_.treeChanges);
+    robots_.takeTreeChanges(frame_.treeChanges);
   }
 }
 

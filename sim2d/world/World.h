@@ -91,8 +91,10 @@ class World {
   /// All robots have arrived (false without a moving robot), and since when [s].
   virtual std::optional<double> arrivedAt() const = 0;
   virtual std::vector<RobotOnWay> robotsOnWay() const = 0;  // -1, -2 …
-  virtual TraceHeader header() const = 0;                   // as of now
-  virtual const Obstacles& obstacles() const = 0;           // now; parts as in the header
+  /// What their planners want a manifest to tell, as JSON; empty: nothing.
+  virtual std::vector<std::string> robotReports() const { return {}; }  // -1, -2 …
+  virtual TraceHeader header() const = 0;                               // as of now
+  virtual const Obstacles& obstacles() const = 0;  // now; parts as in the header
   virtual const WorldView& view() const = 0;
   virtual HumanBehavior& behavior() = 0;
 };

@@ -68,6 +68,13 @@ class RunningWorld : public World {
   const std::string& failure() const override { return failure_; }
   const base::Diagnostics& refused() const override { return refused_; }
   void goOnAs(World& world, std::uint64_t seed) override;
+  std::vector<std::string> robotReports() const override {
+    std::vector<std::string> reports;
+    for (const std::shared_ptr<Planner>& planner : robots_.planners()) {
+      reports.push_back(planner->reportJson());
+    }
+    return reports;
+  }
   void measure(StepTimes* times) override { times_ = times; }
   void tellSenses(bool wanted) override {
     robots_.tellSenses(wanted);
