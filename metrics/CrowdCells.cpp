@@ -148,48 +148,46 @@ void CellAreas::cut(const Vec2& other) {
 
 /// Walls, and their images beyond the seam, as far as others may take a share. From what is free
 /// none is seen from behind: its outline is closed.
-std::vector<sim2d::Segment> CellAreas::wallsAround(const Vec2& point,
-                                                   const RunContext& context) const {
-  std::vector<sim2d::Segment> walls;
+void CellAreas::findWallsAround(const Vec2& point, const RunContext& context) {
+  walls_.clear();
   if (context.walls == nullptr) {
-    return walls;
+    return;
   }
   const double reach = 2.0 * radius_;
   const double turn = context.seam.length;
   const bool seesFrontsOnly =
       !context.seam.isThere() && context.walls->clearance(point, kOffWalls) >= kOffWalls;
-  std::vector<sim2d::Segment> found;
   for (const double shift : {0.0, turn, -turn}) {
     const Vec2 centre = point - Vec2(shift, 0.0);
-    found.clear();
-    context.walls->segmentsNear(centre, reach, found);
-    for (const sim2d::Segment& segment : found) {
+    found_.clear();
+    context.walls->segmentsNear(centre, reach, found_);
+    for (const sim2d::Segment& segment : found_) {
       if (seesFrontsOnly && base::cross(segment.a - centre, segment.b - centre) >= 0.0) {
         continue;  // solid on the left
       }
       const std::optional<sim2d::Segment> wall = within(context.seam, segment);
       if (wall && sim2d::distanceToSegment(*wall, centre) < reach) {
-        walls.push_back({wall->a - centre, wall->b - centre});
+        walls_.push_back({wall->a - centre, wall->b - centre});
       }
     }
     if (!context.seam.isThere()) {
       break;
     }
   }
-  return walls;
 }
 
 double CellAreas::areaOf(const Vec2& point, const std::vector<Vec2>& others,
                          const RunContext& context) {
-  panorama_.look(wallsAround(point, context));
-  std::vector<Vec2> seen;
+  findWallsAround(point, context);
+  panorama_.look(walls_);
+  seen_.clear();
   for (const Vec2& other : others) {
     if (other != point && !panorama_.hides(other - point)) {  // two in one place share it
-      seen.push_back(other - point);
+      seen_.push_back(other - point);
     }
   }
   takeVisible();
-  for (const Vec2& other : seen) {
+  for (const Vec2& other : seen_) {
     cut(other);
   }
   return areaInCircle(cell_, radius_);

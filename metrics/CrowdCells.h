@@ -24,13 +24,15 @@ class CellAreas {
   double areaOf(const Vec2& point, const std::vector<Vec2>& others, const RunContext& context);
 
  private:
-  std::vector<sim2d::Segment> wallsAround(const Vec2& point, const RunContext& context) const;
+  void findWallsAround(const Vec2& point, const RunContext& context);
   void takeVisible();
   void cut(const Vec2& other);
 
   double radius_;
   std::vector<Vec2> cell_, part_;  // corners around the point, which is the origin
   Panorama panorama_;              // of the walls, from the point
+  std::vector<Vec2> seen_;         // others
+  std::vector<sim2d::Segment> walls_, found_;
 };
 
 /// Area that a circle around the origin shares with the polygon, whose corners turn to the left.

@@ -43,10 +43,10 @@ const Turn& sooner(const Turn& one, const Turn& other) {
 /// Goes through views in their order.
 class Walk {
  public:
-  explicit Walk(const std::vector<View>& views) : views_(views) {}
+  Walk(const View* next, const View* end) : next_(next), end_(end) {}
 
-  bool isOver() const { return next_ == views_.size(); }
-  const View& view() const { return views_[next_]; }
+  bool isOver() const { return next_ == end_; }
+  const View& view() const { return *next_; }
   /// Where the view begins, seen from `at` on; never when there is none.
   Turn from(const Turn& at) const {
     return isOver() ? Turn{HUGE_VAL, Vec2::UnitX()} : later(view().from, at);
@@ -54,8 +54,8 @@ class Walk {
   void pass(const Turn& at) { next_ += !isOver() && view().to.angle <= at.angle ? 1 : 0; }
 
  private:
-  const std::vector<View>& views_;
-  std::size_t next_ = 0;
+  const View* next_;
+  const View* end_;
 };
 
 /// Goes on with the view before where that is of the same wall.
@@ -78,15 +78,18 @@ double along(const Vec2& direction, const sim2d::Segment& segment) {
                        : std::numeric_limits<double>::infinity();
 }
 
-void Panorama::look(std::vector<sim2d::Segment> walls) {
-  walls_ = std::move(walls);
-  views_ = viewsOf(0, walls_.size());
+void Panorama::look(const std::vector<sim2d::Segment>& walls) {
+  walls_ = walls;
+  views_.clear();
+  addViewsOf(0, walls_.size());
 }
 
 void Panorama::add(const std::vector<sim2d::Segment>& walls) {
   const std::size_t before = walls_.size();
   walls_.insert(walls_.end(), walls.begin(), walls.end());
-  views_ = nearest(views_, viewsOf(before, walls_.size()));
+  const std::size_t seen = views_.size();
+  addViewsOf(before, walls_.size());
+  mergeFrom(0, seen);
 }
 
 bool Panorama::hides(const Vec2& place) const {
@@ -108,67 +111,78 @@ bool Panorama::hides(const Vec2& place) const {
          (isBehind && !views_.empty() && (isBetween(views_.front()) || isBetween(views_.back())));
 }
 
-Panorama::Views Panorama::viewsOf(std::size_t first, std::size_t end) const {
+/// Those of some walls behind the others.
+void Panorama::addViewsOf(std::size_t first, std::size_t end) {
   if (end - first < 2) {
-    return first < end ? viewsOfOne(first) : Views();
+    if (first < end) {
+      addViewsOfOne(first);
+    }
+    return;
   }
+  const std::size_t start = views_.size();
   const std::size_t middle = first + (end - first) / 2;
-  return nearest(viewsOf(first, middle), viewsOf(middle, end));
+  addViewsOf(first, middle);
+  const std::size_t second = views_.size();
+  addViewsOf(middle, end);
+  mergeFrom(start, second);
 }
 
 /// None of a wall that is seen edge-on.
-Panorama::Views Panorama::viewsOfOne(std::size_t wall) const {
+void Panorama::addViewsOfOne(std::size_t wall) {
   const sim2d::Segment& its = walls_[wall];
   const double side = base::cross(its.a, its.b);
   if (side == 0.0) {
-    return {};
+    return;
   }
   const Turn from = turnTo(side > 0.0 ? its.a : its.b);
   const Turn to = turnTo(side > 0.0 ? its.b : its.a);
-  Views views;
   if (from.angle < to.angle) {
-    append(from, to, wall, views);
-  } else {
-    append({-base::kPi, -Vec2::UnitX()}, to, wall, views);
-    append(from, {base::kPi, -Vec2::UnitX()}, wall, views);
+    views_.push_back({from, to, wall});
+    return;
   }
-  return views;
+  const auto addPart = [&](const Turn& begin, const Turn& end) {
+    if (begin.angle < end.angle) {
+      views_.push_back({begin, end, wall});
+    }
+  };
+  addPart({-base::kPi, -Vec2::UnitX()}, to);
+  addPart(from, {base::kPi, -Vec2::UnitX()});
 }
 
-Panorama::Views Panorama::nearest(const Views& a, const Views& b) const {
-  Views views;
-  views.reserve(a.size() + b.size());
+/// What is nearest of the views from `first` on and of those from `middle` on, in their place.
+void Panorama::mergeFrom(std::size_t first, std::size_t middle) {
+  merged_.clear();
   Turn at{-HUGE_VAL, Vec2::UnitX()};
-  Walk one(a);
-  Walk other(b);
+  Walk one(views_.data() + first, views_.data() + middle);
+  Walk other(views_.data() + middle, views_.data() + views_.size());
   while (!one.isOver() || !other.isOver()) {
     const Turn fromOne = one.from(at);
     const Turn fromOther = other.from(at);
     if (fromOne.angle == fromOther.angle) {
       at = sooner(other.view().to, one.view().to);
-      appendNearer(one.view(), other.view(), fromOne, at, views);
+      appendNearer(one.view(), other.view(), fromOne, at);
     } else {
-      const View& first = (fromOne.angle < fromOther.angle ? one : other).view();
-      at = sooner(first.to, later(fromOne, fromOther));
-      append(sooner(fromOne, fromOther), at, first.wall, views);
+      const View& view = (fromOne.angle < fromOther.angle ? one : other).view();
+      at = sooner(view.to, later(fromOne, fromOther));
+      append(sooner(fromOne, fromOther), at, view.wall, merged_);
     }
     one.pass(at);
     other.pass(at);
   }
-  return views;
+  views_.resize(first);
+  views_.insert(views_.end(), merged_.begin(), merged_.end());
 }
 
 /// Of two walls that cross each other each is the nearer one on its side.
-void Panorama::appendNearer(const View& a, const View& b, const Turn& from, const Turn& to,
-                            Views& views) const {
+void Panorama::appendNearer(const View& a, const View& b, const Turn& from, const Turn& to) {
   Turn middle = to;
   if (const std::optional<Vec2> place = crossing(walls_[a.wall], walls_[b.wall])) {
     const Turn there = turnTo(*place);
     middle = there.angle > from.angle && there.angle < to.angle ? there : to;
   }
-  append(from, middle, nearer(a.wall, b.wall, from, middle), views);
+  append(from, middle, nearer(a.wall, b.wall, from, middle), merged_);
   if (middle.angle < to.angle) {
-    append(middle, to, nearer(a.wall, b.wall, middle, to), views);
+    append(middle, to, nearer(a.wall, b.wall, middle, to), merged_);
   }
 }
 

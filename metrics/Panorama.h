@@ -22,7 +22,7 @@ class Panorama {
   };
 
   /// Forgets the walls before.
-  void look(std::vector<sim2d::Segment> walls);
+  void look(const std::vector<sim2d::Segment>& walls);
   /// Others as well.
   void add(const std::vector<sim2d::Segment>& walls);
   /// By their turns, from -pi to pi; where there is none, no wall stands.
@@ -33,15 +33,15 @@ class Panorama {
 
  private:
   using Views = std::vector<View>;
-  Views viewsOf(std::size_t first, std::size_t end) const;
-  Views viewsOfOne(std::size_t wall) const;
-  Views nearest(const Views& a, const Views& b) const;
-  void appendNearer(const View& a, const View& b, const Turn& from, const Turn& to,
-                    Views& views) const;
+  void addViewsOf(std::size_t first, std::size_t end);
+  void addViewsOfOne(std::size_t wall);
+  void mergeFrom(std::size_t first, std::size_t middle);
+  void appendNearer(const View& a, const View& b, const Turn& from, const Turn& to);
   std::size_t nearer(std::size_t a, std::size_t b, const Turn& from, const Turn& to) const;
 
   std::vector<sim2d::Segment> walls_;
-  Views views_;
+  Views views_;   // while walls are looked at: of those merged so far, one after the other
+  Views merged_;  // buffer
 };
 
 /// Where the ray from the origin meets the line through the segment, as a multiple of the

@@ -103,8 +103,9 @@ base::Result<ResultRow> ExperimentRunner::run(std::size_t index) {
   RunWriter writer(hasFiles ? (*output)->staging() : std::string(), world, world.header(),
                    verdict.metrics.selection, verdict.metrics.parameters, bundle.routes);
   Session session(sim2d::stopRuleOf(*bundle.scenario));
-  FinishedRun run = simulate(session, world, verdict.scenarioMetrics, writer,
-                             [](const sim2d::Frame&) { return false; });
+  FinishedRun run = simulate(
+      session, world, verdict.scenarioMetrics, writer, [](const sim2d::Frame&) { return false; },
+      hasFiles ? PlanningClock::On : PlanningClock::Off);
   const ResultRow row = rowOf(run);
   const bool isKept =
       experiment_.record == Record::All || (experiment_.record == Record::Failed && !row.ok);

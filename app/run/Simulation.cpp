@@ -12,11 +12,12 @@ void wantNoMore(bool hasFiles, bool showsBehaviors, metrics::Selection& selectio
 }
 
 FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& setup,
-                     RunWriter& writer, const std::function<bool(const sim2d::Frame&)>& wantsStop) {
+                     RunWriter& writer, const std::function<bool(const sim2d::Frame&)>& wantsStop,
+                     PlanningClock clock) {
   sim2d::StepTimes times;
   metrics::PlanningTime planning;
   double planned = 0.0;  // [s] up to the step before
-  if (!world.frame().robots.id.empty()) {
+  if (clock == PlanningClock::On && !world.frame().robots.id.empty()) {
     world.measure(&times);
   }
   sim2d::RunResult result = session.run(world, &writer, [&](const sim2d::Frame& frame) {

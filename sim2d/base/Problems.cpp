@@ -36,6 +36,7 @@ constexpr ProblemText kTexts[] = {
     {"nav2.mppi-period",
      "the controller is asked every {found} s, its model_dt is {wanted} s: Nav2's MPPI starts only "
      "when it is asked as often or more often"},
+    {"nav2.mppi-no-critics", "critics is empty, as in Nav2's code: nothing draws MPPI anywhere"},
     {"nav2.mppi-no-shift",
      "the controller is asked every {found} s, its model_dt is {wanted} s: Nav2's MPPI does not "
      "shift its sequence then (make them equal)"},
@@ -292,9 +293,11 @@ constexpr ProblemText kTexts[] = {
      "{layer}: inflation_radius {radius} is less than the robot's inscribed radius {inscribed}: "
      "cells in which it collides count as free"},
     {"nav2.lidar-not-taken",
-     "{layer}.{source}: drops every point of a lidar at {height} m: its heights are {low} to {high} "
+     "{layer}.{source}: drops every point of a lidar at {height} m: its heights are {low} to "
+     "{high} "
      "m"},
     {"nav2.no-source", "{layer}: no observation source, it sees nothing"},
+    {"nav2.no-map", "{layer}: there is no map, it says nothing"},
     {"nav2.no-mask", "{layer}: has no mask, it does nothing"},
     {"nav2.data-type", "{layer}.{source}: data_type '{found}' counts as LaserScan"},
 
@@ -427,6 +430,9 @@ constexpr ProblemText kTexts[] = {
     {"trace.unfinished", "a run was not written to its end here: trace.json is missing"},
     {"trace.no-run", "is no folder of a run: trace.json is missing"},
     {"trace.no-states", "the record has no states"},
+    {"trace.other-program",
+     "was written by version {was}, this is {now}: it is shown as recorded, but made again it may "
+     "be another run"},
     {"trace.bad-manifest", "is no manifest of a run (damaged?)"},
     {"trace.scenario-gone",
      "the scenario of this run is not there any more, or has changed: people, robots and walls are "
@@ -630,6 +636,11 @@ constexpr ProblemText kTexts[] = {
      "an image has no scale yet, so no picture is made of it (open it in the window, or name a map "
      "YAML that uses it)"},
     {"option.picture-not-made", "the picture cannot be encoded"},
+    {"option.strip",
+     "--strip takes a number of instants, 1 to 24, or their times in seconds with "
+     "commas, not '{words}'"},
+    {"option.unknown-body", "there is no person or robot '{found}'"},
+    {"option.plot-series", "the metric '{key}' has no value over time"},
     {"option.picture-format",
      "cannot draw '{found}' files (use a name that ends in .png, .svg, .pdf, .gif, .mp4, .webm or "
      ".html)"},
@@ -690,8 +701,22 @@ constexpr ProblemText kTexts[] = {
     {"again.goes-elsewhere",
      "made again, the run is another one from {time} s on (it was made by version {then}, this is "
      "{now})"},
+    {"again.branch-elsewhere",
+     "made again, the run is another one at {time} s: the branch does not begin where the other run "
+     "was"},
     {"again.ends-before", "with these options the run ends at {time} s, before {wanted} s"},
     {"again.itself", "a run that it goes on from would be lost: write elsewhere"},
+
+    // Futures of a run.
+    {"futures.foreign-code",
+     "a robot is driven by a program of others, which cannot be copied: there are no futures"},
+    {"futures.no-process", "the system gives no more processes"},
+    {"futures.goes-elsewhere",
+     "made again, the run is another one at {time} s: there are no futures of it"},
+    {"futures.bad-question", "this is no question of this program for futures"},
+    {"futures.count", "the number of futures must be 1 to {most}, not {found}"},
+    {"futures.horizon", "futures are 0.1 to {most} s long, not {found}"},
+    {"futures.spread", "the spread of velocities must be 0 to 1 m/s, not {found}"},
 
     // Breakpoints.
     {"breakpoint.assigns", "a condition only looks: \"{found}\" would change an entry"},

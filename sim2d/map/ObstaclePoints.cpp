@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "sim2d/map/ObstacleMemory.h"
 #include "sim2d/map/Obstacles.h"
 #include "sim2d/map/TautWay.h"
 
@@ -35,49 +36,6 @@ bool isNearer(const Obstacles::Point& a, const Obstacles::Point& b) {
                                           : a.position.y() < b.position.y();
 }
 
-/// What was asked, bit by bit.
-struct Question {
-  std::uint64_t version = 0;  // of nothing that was built
-  std::array<std::uint64_t, 3> bits{};
-
-  Question() = default;
-  Question(std::uint64_t itsVersion, const Vec2& position, double range) : version(itsVersion) {
-    const std::array<double, 3> numbers = {position.x(), position.y(), range};
-    std::memcpy(bits.data(), numbers.data(), sizeof(bits));
-  }
-  bool operator==(const Question& other) const {
-    return version == other.version && bits == other.bits;
-  }
-};
-
-/// The last answers that are not too long, few enough to stay near at hand.
-class LastAnswers {
- public:
-  struct Slot {
-    Question question;
-    std::size_t count = 0;
-    std::array<Obstacles::Point, 32> points;
-  };
-
-  Slot& slotOf(const Question& question) {
-    std::uint64_t mixed = question.version;
-    for (const std::uint64_t word : question.bits) {
-      mixed = (mixed ^ word) * 0x9E3779B97F4A7C15U;
-      mixed ^= mixed >> 32U;
-    }
-    return slots_[mixed % kSlots];
-  }
-
- private:
-  static constexpr std::size_t kSlots = 256;
-  std::vector<Slot> slots_ = std::vector<Slot>(kSlots);
-};
-
-LastAnswers& lastAnswers() {
-  thread_local LastAnswers answers;
-  return answers;
-}
-
 }  // namespace
 
 struct Obstacles::PointQuery {
@@ -87,9 +45,16 @@ struct Obstacles::PointQuery {
     int edge, other;
   };
 
+  const Obstacles& obstacles;
   const Vec2& position;
   double range = 0.0;  // [m]
   std::vector<Candidate>& candidates;
+
+  void addCandidates() const;
+  const NearEdges* nearEdges() const;
+  void findNearEdges(NearEdges& square) const;
+  bool mayHaveFoot(int edge, const Vec2& middle) const;
+  bool mayBeCorner(int edge, const Vec2& middle) const;
 };
 
 void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
@@ -119,13 +84,8 @@ void Obstacles::findBoundaryPoints(const Vec2& position, std::vector<Point>& poi
   }
   thread_local std::vector<PointQuery::Candidate> candidates;
   candidates.clear();
-  const PointQuery query{position, range, candidates};
-  cells_.visitNear(position, range, [&](int edge) {
-    if (isOn(edge)) {
-      addFoot(edge, query);
-      addCorner(edge, query);
-    }
-  });
+  const PointQuery query{*this, position, range, candidates};
+  query.addCandidates();
   std::sort(candidates.begin(), candidates.end(),
             [](const auto& a, const auto& b) { return isNearer(a.point, b.point); });
   const std::size_t first = points.size();
@@ -140,6 +100,77 @@ void Obstacles::findBoundaryPoints(const Vec2& position, std::vector<Point>& poi
       points.push_back(each.point);
     }
   }
+}
+
+void Obstacles::PointQuery::addCandidates() const {
+  const NearEdges* const near = nearEdges();
+  if (near == nullptr) {
+    obstacles.cells_.visitNear(position, range, [&](int edge) {
+      if (obstacles.isOn(edge)) {
+        obstacles.addFoot(edge, *this);
+        obstacles.addCorner(edge, *this);
+      }
+    });
+    return;
+  }
+  for (std::size_t k = 0; k < near->count; ++k) {
+    const auto edge = static_cast<int>(near->edges[k] >> 2U);
+    if (obstacles.isOn(edge) && (near->edges[k] & NearEdges::kFoot) != 0) {
+      obstacles.addFoot(edge, *this);
+    }
+    if (obstacles.isOn(edge) && (near->edges[k] & NearEdges::kCorner) != 0) {
+      obstacles.addCorner(edge, *this);
+    }
+  }
+}
+
+/// Of the square of the position; null where they are too many. Valid until the next call.
+const NearEdges* Obstacles::PointQuery::nearEdges() const {
+  const bool isUsual = position.cwiseAbs().maxCoeff() < base::kFarthest && range < base::kFarthest;
+  if (obstacles.version_ == 0 || !isUsual) {
+    return nullptr;
+  }
+  const NearEdges asked(obstacles.version_, range, position);
+  NearEdges& kept = asked.slot();
+  if (!kept.isOf(asked)) {
+    kept = asked;
+    findNearEdges(kept);
+  }
+  return kept.count <= NearEdges::kMost ? &kept : nullptr;
+}
+
+void Obstacles::PointQuery::findNearEdges(NearEdges& square) const {
+  const Vec2 middle = square.middle();
+  square.count = 0;
+  obstacles.cells_.visitNear(middle, range + kHalfDiagonal, [&](int edge) {
+    const unsigned has = (mayHaveFoot(edge, middle) ? NearEdges::kFoot : 0U) |
+                         (mayBeCorner(edge, middle) ? NearEdges::kCorner : 0U);
+    if (has != 0 && square.count < NearEdges::kMost) {
+      square.edges[square.count] = static_cast<unsigned>(edge) * 4U + has;
+    }
+    square.count += has != 0 ? 1 : 0;
+  });
+}
+
+/// Whether `addFoot` may find one for a position in the square around the middle.
+bool Obstacles::PointQuery::mayHaveFoot(int edge, const Vec2& middle) const {
+  constexpr double kWithin = kHalfDiagonal + 2.0 * kSlack;
+  const Edge& info = obstacles.edges_[static_cast<std::size_t>(edge)];
+  const Vec2 offset = middle - obstacles.segments_[static_cast<std::size_t>(edge)].a;
+  const double height = base::cross(offset, info.along);
+  const double foot = offset.dot(info.along);
+  return foot > -kWithin && foot < info.length + kWithin && height > -kWithin &&
+         height < range + kWithin;
+}
+
+bool Obstacles::PointQuery::mayBeCorner(int edge, const Vec2& middle) const {
+  constexpr double kWithin = kHalfDiagonal + 2.0 * kSlack;
+  const Edge& info = obstacles.edges_[static_cast<std::size_t>(edge)];
+  const Vec2& in = obstacles.edges_[static_cast<std::size_t>(info.previous)].along;
+  const Vec2 offset = middle - obstacles.segments_[static_cast<std::size_t>(edge)].a;
+  return offset.dot(info.along) < kWithin && offset.dot(in) > -kWithin &&
+         (base::cross(info.along, offset) < kWithin || base::cross(in, offset) < kWithin) &&
+         offset.norm() < range + kWithin;
 }
 
 /// The foot of the perpendicular on an edge is a local minimum; edges face to their right.

@@ -81,7 +81,7 @@ class World {
   /// the first. `seed`: of what is drawn from here on; people stay as their own seed drew them.
   virtual void goOnAs(World& other, std::uint64_t seed) = 0;
 
-  /// From the next step on frames have the senses of robots, or no more.
+  /// From the next step on frames have the senses of robots and the ways of people, or no more.
   virtual void tellSenses(bool wanted) = 0;
 
   virtual const Frame& frame() const = 0;  // after the last step; valid until the next

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +9,8 @@
 
 #include <QtTest>
 
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/Nav2Block.h"
 #include "sim2d/nav/nav2/costmap/CostmapCells.h"
 #include "sim2d/nav/nav2/costmap/StaticLayer.h"
 #include "tests/nav/CostmapScenes.h"
@@ -62,6 +65,7 @@ class LayeredCostmapTest : public QObject {
   void moveOrigin_shift_isTruncatedToCells();
   void update_rolling_keepsWhatStaysInside();
   void windowOf_bounds_areCellsWithBothEnds();
+  void fillPolygon_triangle_fillsItsColumns();
   void update_outsideTheWindow_keepsOldCosts();
   void update_times_areCountedInWholes_data();
   void update_times_areCountedInWholes();
@@ -72,6 +76,7 @@ class LayeredCostmapTest : public QObject {
   void clearAround_square_isForgottenWithTheNextUpdate();
   void clearExcept_square_isAllThatStays();
   void clearAround_names_restrictOrFail();
+  void clearEntirely_names_forgetThoseLayers();
   void update_order_isThatOfTheList();
   void update_keepout_raisesCostsOnTheCombinedCopy();
   void update_keepoutOverride_letsTheRobotOut();
@@ -81,6 +86,7 @@ class LayeredCostmapTest : public QObject {
   void problemsOf_settings_areAllTold();
   void layerOfType_names_goBothWays();
   void keys_tables_haveDifferentNames();
+  void keys_defaults_areThoseOfNav2sCode();
   void twoCostmaps_shareNothing();
   void move_costmap_goesOn();
 };
@@ -306,6 +312,26 @@ void LayeredCostmapTest::windowOf_bounds_areCellsWithBothEnds() {
   QVERIFY((nearestCell(costmap, {4.0, 3.0}) == Cell{9, 7}));  // on the upper border
 }
 
+void LayeredCostmapTest::fillPolygon_triangle_fillsItsColumns() {
+  for (const bool isReversed : {false, true}) {
+    Polygon triangle = {{1.5, 1.5}, {5.5, 1.5}, {1.5, 5.5}};
+    if (isReversed) {
+      std::reverse(triangle.begin(), triangle.end());
+    }
+    Costmap costmap(8, 8, 1.0, {0.0, 0.0});
+    fillPolygon(costmap, triangle, 9);
+    QCOMPARE(count(costmap, 9), 15);  // columns of 5, 4, 3, 2, 1
+    for (int column = 1; column <= 5; ++column) {
+      QCOMPARE(int{costmap.at({column, 6 - column})}, 9);
+      QCOMPARE(int{costmap.at({column, 7 - column})}, 0);
+    }
+  }
+  Costmap costmap(8, 8, 1.0, {0.0, 0.0});
+  fillPolygon(costmap, {{1.5, 1.5}, {8.5, 1.5}, {1.5, 5.5}}, 9);  // a corner off the map
+  fillPolygon(costmap, {{1.5, 1.5}, {5.5, 1.5}}, 9);
+  QCOMPARE(count(costmap, 0), 64);
+}
+
 /// Steps 3 and 4 of the cycle: what no layer touches is not even reset.
 void LayeredCostmapTest::update_outsideTheWindow_keepsOldCosts() {
   CostmapSetup setup = plainSetup(10);
@@ -487,6 +513,23 @@ void LayeredCostmapTest::clearAround_names_restrictOrFail() {
   QCOMPARE(count(*costmap.layer("static_layer")->grid(), kLethal), 20);
 }
 
+void LayeredCostmapTest::clearEntirely_names_forgetThoseLayers() {
+  CostmapSetup setup = tenByTenSetup();
+  ObservationSource source = farSource();
+  source.observationPersistence = 0.0;
+  setup.settings.plugins[1].parameters = obstacleLayer(source);
+  setup.settings.plugins.push_back({"other_layer", obstacleLayer(source)});
+  LayeredCostmap costmap(setup);
+  look(costmap, {0.5, 0.5}, {0.5, 0.5}, 0.0);  // the cell that the empty square lies in
+  look(costmap, {0.5, 3.5}, {1.5, 3.5}, 0.1);
+  QVERIFY(!costmap.clearEntirely({"static_layer"}));
+  QVERIFY(costmap.clearEntirely({"other_layer"}));
+  QCOMPARE(count(*costmap.layer("other_layer")->grid(), kNoInformation), 100);
+  QCOMPARE(count(*costmap.layer("obstacle_layer")->grid(), kLethal), 2);
+  QCOMPARE(count(costmap.costmap(), kLethal), 22);
+  QVERIFY(!costmap.isCurrent());
+}
+
 /// What comes after the inflation is not inflated.
 void LayeredCostmapTest::update_order_isThatOfTheList() {
   CostmapSetup setup = plainSetup(9);
@@ -605,7 +648,7 @@ void LayeredCostmapTest::problemsOf_settings_areAllTold() {
   for (const base::Diagnostic& problem : problems) {
     codes.insert(std::string(problem.code));
   }
-  QVERIFY(codes == std::set<std::string>({"nav2.no-source"}));
+  QVERIFY(codes == std::set<std::string>({"nav2.no-map", "nav2.no-source"}));
   setup.settings.parameters.resolution = 0.0;
   setup.settings.parameters.updateFrequency = 0.0;
   setup.settings.parameters.footprint = "[[1, 2]]";
@@ -672,6 +715,57 @@ void LayeredCostmapTest::keys_tables_haveDifferentNames() {
     }
   }
   QCOMPARE(voxels.combinationMethod, 2);
+}
+
+/// As declared in costmap_2d_ros.cpp, obstacle_layer.cpp, voxel_layer.cpp and inflation_layer.cpp.
+void LayeredCostmapTest::keys_defaults_areThoseOfNav2sCode() {
+  const auto textOf = [](const auto& keys, const auto& defaults) {
+    Nav2Keys rows;
+    addRows(rows, keys, defaults);
+    std::string text;
+    for (const Nav2Keys::Row& row : rows.rows) {
+      text += row.name + " ";
+      if (const auto* const real = std::get_if<double>(&row.fallback)) {
+        text += base::formatDouble(*real) + " m; ";
+      } else if (const auto* const whole = std::get_if<int>(&row.fallback)) {
+        text += std::to_string(*whole) + "; ";
+      } else if (const auto* const flag = std::get_if<bool>(&row.fallback)) {
+        text += *flag ? "true; " : "false; ";
+      } else if (const auto* const word = std::get_if<std::string>(&row.fallback)) {
+        text += "'" + *word + "'; ";
+      } else {
+        text += base::join(std::get<std::vector<std::string>>(row.fallback), ",") + "; ";
+      }
+    }
+    return text;
+  };
+  QCOMPARE(textOf(costmapKeys(), CostmapParameters()),
+           std::string("update_frequency 5 m; publish_frequency 1 m; width 5; height 5; "
+                       "resolution 0.1 m; origin_x 0 m; origin_y 0 m; rolling_window false; "
+                       "track_unknown_space false; robot_radius 0.1 m; footprint '[]'; "
+                       "footprint_padding 0.01 m; plugins static_layer,obstacle_layer,"
+                       "inflation_layer; filters ; unknown_cost_value 255; "
+                       "lethal_cost_threshold 100; trinary_costmap true; "
+                       "inscribed_obstacle_cost_value 99; use_maximum false; "));
+  QCOMPARE(textOf(observationSourceKeys(), ObservationSource()),
+           std::string("topic ''; data_type 'LaserScan'; observation_persistence 0 m; "
+                       "expected_update_rate 0 m; min_obstacle_height 0 m; max_obstacle_height 0 "
+                       "m; inf_is_valid false; marking true; clearing false; obstacle_max_range "
+                       "2.5 m; obstacle_min_range 0 m; raytrace_max_range 3 m; "
+                       "raytrace_min_range 0 m; "));
+  QCOMPARE(textOf(voxelLayerKeys(), VoxelLayerParameters()),
+           std::string("enabled true; footprint_clearing_enabled true; min_obstacle_height 0 m; "
+                       "max_obstacle_height 2 m; combination_method 1; observation_sources ''; "
+                       "origin_z 0 m; z_resolution 0.2 m; z_voxels 10; mark_threshold 0; "));
+  QCOMPARE(textOf(inflationLayerKeys(), InflationLayerParameters()),
+           std::string("enabled true; inflation_radius 0.55 m; cost_scaling_factor 10 m; "
+                       "inflate_unknown false; inflate_around_unknown false; "
+                       "custom_inscribed_radius -1 m; "));
+  QCOMPARE(textOf(staticLayerKeys(), StaticLayerParameters()),
+           std::string("enabled true; footprint_clearing_enabled false; "
+                       "restore_cleared_footprint true; "));
+  QCOMPARE(textOf(keepoutFilterKeys(), KeepoutFilterParameters()),
+           std::string("enabled true; override_lethal_cost false; lethal_override_cost 252; "));
 }
 
 void LayeredCostmapTest::twoCostmaps_shareNothing() {

@@ -1,3 +1,5 @@
+#include <cmath>
+#include <cstdint>
 #include <set>
 #include <string>
 #include <variant>
@@ -29,6 +31,7 @@ class Nav2GlobalPlannersTest : public QObject {
   void plugin_defaults_areNavs();
   void plugin_everyDistro_makesOneThatPlans_data();
   void plugin_everyDistro_makesOneThatPlans();
+  void plan_tinyMaps_answersHoldTogether();
   void keys_everyComponent_areUniqueAndTold();
   void keys_ofADistro_areFilled();
   void complaints_badValues_nameTheKey();
@@ -169,6 +172,47 @@ void Nav2GlobalPlannersTest::plugin_everyDistro_makesOneThatPlans() {
     QVERIFY(costs::lengthOf(result.path) > straight - 0.15);
     QVERIFY(costs::lengthOf(result.path) < 1.2 * straight);
   }
+}
+
+void Nav2GlobalPlannersTest::plan_tinyMaps_answersHoldTogether() {
+  costs::Numbers numbers(3);
+  int found = 0, failed = 0;
+  for (const Distro distro : {Distro::Humble, Distro::Jazzy, Distro::Main}) {
+    for (const std::string& name : globalPlannerPluginNames()) {
+      const auto planner = makeGlobalPlanner(*globalPlannerPlugin(name, distro).parameters, distro);
+      for (int i = 0; i < 300; ++i) {
+        const int width = 1 + i % 7, height = 1 + (i / 7) % 6;
+        Costmap costmap(width, height, 0.3, {-1.0, 2.0});
+        for (std::uint8_t& cost : costmap.costs()) {
+          const double kind = numbers.next();
+          cost = static_cast<std::uint8_t>(kind < 0.6   ? 0
+                                           : kind < 0.8 ? 256.0 * numbers.next()
+                                                        : 254);
+        }
+        const auto random = [&] {
+          return pose(-1.0 + 0.3 * numbers.between(-0.1, width + 0.1),
+                      2.0 + 0.3 * numbers.between(-0.1, height + 0.1), numbers.between(-4.0, 4.0));
+        };
+        const Pose2 start = random(), goal = random();
+        const PlanResult result = planner->plan({costmap, start, goal});
+        QCOMPARE(result.error == PlanError::None, !result.path.empty());
+        ++(result.path.empty() ? failed : found);
+        for (const Pose2& each : result.path) {
+          QVERIFY(each.position.allFinite() && std::isfinite(each.heading));
+          const Vec2 cells = (each.position - costmap.origin()) / costmap.resolution();
+          QVERIFY(cells.x() > -0.51 && cells.y() > -0.51);  // NavFn rounds
+          QVERIFY(cells.x() < width + 0.01 && cells.y() < height + 0.01);
+        }
+        if (!costmap.worldToCell(start.position)) {
+          QVERIFY(result.error == PlanError::StartOutsideMap);
+        } else if (!costmap.worldToCell(goal.position)) {
+          QVERIFY(result.error == PlanError::GoalOutsideMap ||
+                  result.error == PlanError::StartOutsideMap);  // rounded off the map
+        }
+      }
+    }
+  }
+  QVERIFY(found > 300 && failed > 300);
 }
 
 void Nav2GlobalPlannersTest::keys_everyComponent_areUniqueAndTold() {

@@ -7,6 +7,7 @@
 
 #include <QtTest>
 
+#include "sim2d/base/Rng.h"
 #include "sim2d/nav/nav2/mppi/MppiOptimizer.h"
 #include "tests/nav/MppiReference.h"
 #include "tests/nav/Nav2MppiReference.h"
@@ -35,6 +36,8 @@ class Nav2MppiTest : public QObject {
   void command_allCollide_givesUpAtOnce();
   void command_validator_retries();
   void command_validator_looksAsFarAsTold();
+  void command_wildParameters_isFiniteOrNone();
+  void command_costsBeyondFloats_isNone();
   void setSpeedLimit_half_limitsTheCommand();
   void reset_afterCalls_beginsAnew();
   void drive_toTheGoal_arrives_data();
@@ -392,6 +395,101 @@ void Nav2MppiTest::command_validator_looksAsFarAsTold() {
   mppi.settings.validatesFootprint = false;
   scene.costmap = Costmap(3, 60, 0.05, Vec2(-0.1, -1.5));  // what is off the map passes
   QVERIFY(isCommanded(mppi, scene));
+}
+
+namespace {
+
+/// Anything that `readMppi` lets through, by number.
+MppiConfiguration wildMppi(std::uint32_t number, HandScene& scene) {
+  const base::AgentRng rng(number, 0);
+  std::uint32_t draw = 0;
+  const auto pick = [&](const std::vector<double>& values) {
+    const double u = rng.uniform01(base::Draw::Test, draw++);
+    return values[static_cast<std::size_t>(u * static_cast<double>(values.size()))];
+  };
+  const auto count = [&](const std::vector<double>& values) {
+    return static_cast<int>(pick(values));
+  };
+  MppiConfiguration mppi = nav2test::stockMppi(static_cast<Distro>(count({0, 1, 2})));
+  mppi.motion = static_cast<MppiMotion>(count({0, 1, 2}));
+  visitCritics(mppi.critics, [&](const char* name, auto& critic, const auto&) {
+    critic.power = count({0, 1, 1, 2, 3});
+    critic.weight = pick({0.0, 1.0, 5.0, 1000.0});
+    if (count({0, 1, 1}) != 0) {
+      mppi.settings.critics.emplace_back(name);
+    }
+  });
+  MppiSettings& settings = mppi.settings;
+  settings.batchSize = count({1, 2, 15, 16, 17, 40});
+  settings.timeSteps = count({2, 3, 20, 21, 56, 200});
+  settings.iterationCount = count({1, 3});
+  settings.retryAttemptLimit = count({0, 1, 3});
+  settings.temperature = pick({1e-9, 0.3, 1e6});
+  settings.vxStd = pick({0.0, 1e-6, 0.2, 100.0});
+  settings.wzStd = pick({0.0, 0.4, 100.0});
+  settings.vyStd = pick({0.0, 0.2, 100.0});
+  settings.vxMin = pick({-0.35, 0.0, 0.4});
+  settings.axMax = pick({0.0, 3.0, 1e6});
+  settings.vxDelay = pick({0.0, 0.05, 0.12, 1e6});
+  settings.sgfOrder = count({1, 2});
+  settings.collisionLookahead = pick({0.0, 2.0, 1e6});
+  settings.validatesFootprint = count({0, 1}) != 0;
+  settings.isOpenLoop = count({0, 1}) != 0;
+  settings.regeneratesNoises = count({0, 1}) != 0;
+  mppi.critics.cost.considersFootprint = count({0, 1}) != 0;
+  mppi.critics.obstacles.considersFootprint = count({0, 1}) != 0;
+  mppi.critics.cost.pointStep = count({1, 2, 200});
+  mppi.critics.pathAlign.pointStep = count({1, 4, 200});
+  mppi.critics.pathAlign.offsetFromFurthest = count({0, 1, 20});
+  mppi.critics.pathFollow.offsetFromFurthest = count({0, 6, 50000});
+  mppi.critics.pathAngle.offsetFromFurthest = count({0, 4, 50000});
+  mppi.critics.pathAngle.mode = count({0, 1, 2});
+  scene.path.resize(static_cast<std::size_t>(count({1, 2, 3, 33})));
+  scene.shape.tracksUnknown = count({0, 1}) != 0;
+  scene.shape.inflationRadius = pick({0.0, 0.7});
+  scene.robot.position.x() = pick({0.0, 0.0, 1.4, 1e6});
+  scene.speed = {pick({0.0, -0.3, 0.5}), pick({0.0, 1.9}), pick({0.0, 0.3})};
+  if (count({0, 0, 0, 1}) != 0) {
+    scene.costmap = Costmap(0, 0, 0.05, Vec2(0.0, 0.0));
+  }
+  return mppi;
+}
+
+}  // namespace
+
+void Nav2MppiTest::command_wildParameters_isFiniteOrNone() {
+  int commanded = 0;
+  for (std::uint32_t number = 0; number < 200; ++number) {
+    HandScene scene = nav2test::curve();
+    const MppiConfiguration mppi = wildMppi(number, scene);
+    MppiOptimizer optimizer(mppi, {number % 2 == 0 ? 0.05 : 0.02, number, 0});
+    for (int call = 0; call < 3; ++call) {
+      const auto command = optimizer.command(scene.view());
+      if (command) {
+        ++commanded;
+        QVERIFY2(std::isfinite(command->linear) && std::isfinite(command->angular) &&
+                     std::isfinite(command->lateral),
+                 qPrintable(QString::number(number)));
+        QVERIFY(mppi.motion == MppiMotion::Omni || command->lateral == 0.0);
+      }
+    }
+  }
+  qInfo("%d commands of 600 calls", commanded);
+  QVERIFY(commanded > 200);
+}
+
+/// Some 10 to the power of 100 is no float.
+void Nav2MppiTest::command_costsBeyondFloats_isNone() {
+  MppiConfiguration mppi = smallMppi(Distro::Jazzy, MppiMotion::DiffDrive);
+  mppi.settings.critics = {"GoalCritic"};
+  mppi.critics.goal.power = 100;
+  mppi.critics.goal.threshold = 100.0;
+  HandScene scene = nav2test::curve();
+  scene.goal.position.x() = 5.0;
+  MppiOptimizer optimizer(mppi, {});
+  QVERIFY(!optimizer.command(scene.view()).has_value());
+  mppi.critics.goal.power = 1;
+  QVERIFY(MppiOptimizer(mppi, {}).command(scene.view()).has_value());
 }
 
 void Nav2MppiTest::setSpeedLimit_half_limitsTheCommand() {

@@ -32,6 +32,7 @@ class Nav2SmacHybridTest : public QObject {
   void plan_clutter_keepsTurningRadiusAndClear_data();
   void plan_clutter_keepsTurningRadiusAndClear();
   void plan_smoothed_keepsEndsAndIsClear();
+  void plan_smoothed_leavesAndArrivesAlongItsHeadings();
   void plan_footprint_fitsWhereItsEdgesDo();
   void plan_goalModes_chooseTheHeading();
   void plan_closedGoal_nearOrToldOccupied();
@@ -331,6 +332,26 @@ void Nav2SmacHybridTest::plan_smoothed_keepsEndsAndIsClear() {
   QVERIFY(found > 6);
 }
 
+void Nav2SmacHybridTest::plan_smoothed_leavesAndArrivesAlongItsHeadings() {
+  // The chord of an arc of length s lies s / (2 R) off the heading at its end; sweeps alone would
+  // pull the path straight.
+  const Costmap costmap(120, 120, kCell, {-6.0, -6.0});
+  SmacHybridParameters parameters = car();
+  parameters.smoothPath = true;
+  for (const double heading : {0.5, 1.0, -0.75, 1.5}) {
+    const Pose2 start = pose(-4.0, 0.0, heading * base::kPi),
+                goal = pose(4.0, 1.0, -heading * base::kPi);
+    const Path path = planned(costmap, start, goal, parameters).path;
+    QVERIFY(path.size() > 20);
+    const auto offHeading = [](const Pose2& end, const Vec2& way) {
+      return std::fabs(base::angleDiff(std::atan2(way.y(), way.x()), end.heading)) -
+             way.norm() / (2.0 * 0.5);
+    };
+    QVERIFY(offHeading(path.front(), path[1].position - path[0].position) < 0.02);
+    QVERIFY(offHeading(path.back(), path.back().position - path[path.size() - 2].position) < 0.02);
+  }
+}
+
 void Nav2SmacHybridTest::plan_footprint_fitsWhereItsEdgesDo() {
   // A gap of 0.9 m in a wall, inflated by 0.3 m: a body of 0.6 m x 0.6 m fits, one of 1.2 m x 0.6 m
   // fits lengthwise, one 1.0 m wide does not.
@@ -477,6 +498,8 @@ void Nav2SmacHybridTest::plan_unknown_asAllowed() {
 }
 
 void Nav2SmacHybridTest::plan_outside_saysWhich() {
+  const Costmap open(60, 60, kCell, Vec2::Zero());
+  QVERIFY(planned(open, pose(1, 3, std::nan("")), pose(5, 3)).error == PlanError::Unknown);
   const Costmap costmap(10, 10, 1.0, Vec2::Zero());
   QVERIFY(planned(costmap, pose(-1, 1), pose(5, 5)).error == PlanError::StartOutsideMap);
   QVERIFY(planned(costmap, pose(1, 1), pose(5, 10)).error == PlanError::GoalOutsideMap);

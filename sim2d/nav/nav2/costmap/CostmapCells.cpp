@@ -15,7 +15,7 @@ namespace {
 struct Overlap {  // of cells before and after along one axis
   int from = 0, to = 0, count = 0;
 };
-Overlap overlapOf(int shift, int size) {
+Overlap rolledOverlap(int shift, int size) {
   const int low = std::clamp(shift, 0, size);
   const int high = std::clamp(shift + size, 0, size);
   return {low, low - shift, high - low};
@@ -36,7 +36,7 @@ int nearestIndex(double place, double origin, double resolution, int size) {
   return std::min(static_cast<int>((place - origin) / resolution), size - 1);
 }
 
-std::uint8_t merged(std::uint8_t layer, std::uint8_t old, Merge way) {
+std::uint8_t mergedCost(std::uint8_t layer, std::uint8_t old, Merge way) {
   switch (way) {
     case Merge::Overwrite:
       return layer == kNoInformation ? old : layer;
@@ -64,8 +64,8 @@ void moveOrigin(Costmap& costmap, const Vec2& origin, std::uint8_t fresh) {
   if (columns == 0 && rows == 0) {
     return;
   }
-  const Overlap across = overlapOf(columns, costmap.width());
-  const Overlap up = overlapOf(rows, costmap.height());
+  const Overlap across = rolledOverlap(columns, costmap.width());
+  const Overlap up = rolledOverlap(rows, costmap.height());
   std::vector<std::uint8_t> moved(costmap.costs().size(), fresh);
   if (across.count > 0) {
     for (int row = 0; row < up.count; ++row) {
@@ -104,7 +104,7 @@ void mergeWindow(const Costmap& from, const CellWindow& window, Merge way, Costm
     const auto* const source = from.costs().data() + from.indexOf({0, row});
     auto* const target = into.costs().data() + into.indexOf({0, row});
     for (int column = window.left; column < window.right; ++column) {
-      target[column] = merged(source[column], target[column], way);
+      target[column] = mergedCost(source[column], target[column], way);
     }
   }
 }

@@ -83,8 +83,8 @@ void SpeedFilter::updateBounds(const Observation& observation, const Costmap& /*
     return;
   }
   SpeedLimit limit{0.0, mask_.isPercentage};
-  const int value = mask_.grid.valueAt(cell);
-  if (value != 0) {
+  const double value = mask_.grid.valueAt(cell);
+  if (value != 0.0) {
     const double speed = mask_.base + mask_.multiplier * value;
     const bool isPossible = speed >= 0.0 && (!mask_.isPercentage || speed <= 100.0);
     limit.value = isPossible ? speed : 0.0;

@@ -219,6 +219,7 @@ const std::vector<IdleKey>& idleCostmapKeys() {
       {"map_topic", "the map is the scenario's"},
       {"map_vis_z", "for displays of ROS"},
       {"use_sim_time", "time is simulated here"},
+      {"introspection_mode", "no services of ROS here"},
       {"subscribe_to_stamped_footprint", "the footprint does not change here"},
   };
   return kKeys;
@@ -232,7 +233,7 @@ const std::vector<IdleKey>& idleLayerKeys() {
       {"map_topic", "the map is the scenario's"},
       {"transform_tolerance", "no TF here"},
       {"tf_filter_tolerance", "no TF here"},
-      {"unknown_threshold", "no voxels here: an obstacle layer with shorter rays"},
+      {"unknown_threshold", "no voxels here: it counts as 15"},
       {"publish_voxel_map", "for displays of ROS"},
       {"num_threads", "costs do not depend on it"},
       {"filter_info_topic", "masks are given by name"},

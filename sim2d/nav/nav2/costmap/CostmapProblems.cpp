@@ -17,8 +17,8 @@ constexpr base::Range kFrequencyRange{0.0, 1000.0, true};  // [Hz]
 constexpr base::Range kReachRange{0.0, 10.0};              // [m]
 constexpr base::Range kAmplitudeRange{0.0, 254.0};
 
-void checkRange(double value, const base::Range& range, const std::string& where,
-                base::Diagnostics& problems) {
+void checkCostmapRange(double value, const base::Range& range, const std::string& where,
+                       base::Diagnostics& problems) {
   if (!range.contains(value)) {
     problems.push_back(base::within(where, base::outOfRange(base::formatDouble(value), range)));
   }
@@ -52,20 +52,24 @@ void checkPlugin(const CostmapPlugin& plugin, const CostmapSetup& setup, double 
     }
   }
   if (const auto* const inflation = std::get_if<InflationLayerParameters>(&plugin.parameters)) {
-    checkRange(inflation->inflationRadius, kReachRange, plugin.name + ".inflation_radius",
-               problems);
+    checkCostmapRange(inflation->inflationRadius, kReachRange, plugin.name + ".inflation_radius",
+                      problems);
     if (inflation->enabled && inflation->inflationRadius < inscribed) {
       problems.push_back(base::warning("nav2.inflation-cut",
                                        {plugin.name, inflation->inflationRadius, inscribed}));
     }
   }
+  if (std::holds_alternative<StaticLayerParameters>(plugin.parameters) && setup.map.isEmpty()) {
+    problems.push_back(base::warning("nav2.no-map", {plugin.name}));
+  }
   if (const auto* const social = std::get_if<SocialLayerParameters>(&plugin.parameters)) {
-    checkRange(social->amplitude, kAmplitudeRange, plugin.name + ".amplitude", problems);
-    checkRange(social->sigmaPerSpeed, kReachRange, plugin.name + ".sigma_per_speed", problems);
-    checkRange(social->sigmaMin, {1e-3, 100.0}, plugin.name + ".sigma_min", problems);
-    checkRange(social->sideRatio, {1e-3, 100.0}, plugin.name + ".side_ratio", problems);
-    checkRange(social->rearRatio, {1e-3, 100.0}, plugin.name + ".rear_ratio", problems);
-    checkRange(social->cutoff, {1.0, 254.0}, plugin.name + ".cutoff", problems);
+    checkCostmapRange(social->amplitude, kAmplitudeRange, plugin.name + ".amplitude", problems);
+    checkCostmapRange(social->sigmaPerSpeed, kReachRange, plugin.name + ".sigma_per_speed",
+                      problems);
+    checkCostmapRange(social->sigmaMin, {1e-3, 100.0}, plugin.name + ".sigma_min", problems);
+    checkCostmapRange(social->sideRatio, {1e-3, 100.0}, plugin.name + ".side_ratio", problems);
+    checkCostmapRange(social->rearRatio, {1e-3, 100.0}, plugin.name + ".rear_ratio", problems);
+    checkCostmapRange(social->cutoff, {1.0, 254.0}, plugin.name + ".cutoff", problems);
   }
 }
 
@@ -74,16 +78,16 @@ void checkPlugin(const CostmapPlugin& plugin, const CostmapSetup& setup, double 
 base::Diagnostics problemsOf(const CostmapSetup& setup) {
   base::Diagnostics problems;
   const CostmapParameters& parameters = setup.settings.parameters;
-  checkRange(parameters.updateFrequency, kFrequencyRange, "update_frequency", problems);
-  checkRange(parameters.publishFrequency, {}, "publish_frequency", problems);
+  checkCostmapRange(parameters.updateFrequency, kFrequencyRange, "update_frequency", problems);
+  checkCostmapRange(parameters.publishFrequency, {}, "publish_frequency", problems);
   const double longer = std::max(parameters.width, parameters.height);
   const double shorter = std::min(parameters.width, parameters.height);
-  checkRange(parameters.resolution, {std::max(kLeastSide, longer / kMostCells), shorter},
-             "resolution", problems);
-  checkRange(parameters.width, kLengthRange, "width", problems);
-  checkRange(parameters.height, kLengthRange, "height", problems);
-  checkRange(parameters.robotRadius, kReachRange, "robot_radius", problems);
-  checkRange(parameters.footprintPadding, {-100.0, 100.0}, "footprint_padding", problems);
+  checkCostmapRange(parameters.resolution, {std::max(kLeastSide, longer / kMostCells), shorter},
+                    "resolution", problems);
+  checkCostmapRange(parameters.width, kLengthRange, "width", problems);
+  checkCostmapRange(parameters.height, kLengthRange, "height", problems);
+  checkCostmapRange(parameters.robotRadius, kReachRange, "robot_radius", problems);
+  checkCostmapRange(parameters.footprintPadding, {-100.0, 100.0}, "footprint_padding", problems);
   Polygon corners;
   if (!parameters.footprint.empty() && parameters.footprint != "[]") {
     const base::Result<Polygon> read = readPolygon(parameters.footprint);

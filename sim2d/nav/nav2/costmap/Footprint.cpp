@@ -59,7 +59,7 @@ double segmentDistance(const Vec2& from, const Vec2& to) {  // from the origin
   return (from + share * way).norm();
 }
 
-double signOf(double value) {
+double paddingSign(double value) {
   return value > 0.0 ? 1.0 : value < 0.0 ? -1.0 : 0.0;
 }
 
@@ -80,7 +80,7 @@ Polygon circlePolygon(double radius) {
 Polygon padded(const Polygon& polygon, double padding) {
   Polygon wide = polygon;
   for (Vec2& corner : wide) {
-    corner += padding * Vec2(signOf(corner.x()), signOf(corner.y()));
+    corner += padding * Vec2(paddingSign(corner.x()), paddingSign(corner.y()));
   }
   return wide;
 }

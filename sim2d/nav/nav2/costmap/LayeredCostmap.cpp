@@ -109,10 +109,6 @@ LayeredCostmap::LayeredCostmap(const CostmapSetup& setup)
   }
 }
 
-LayeredCostmap::LayeredCostmap(LayeredCostmap&&) noexcept = default;
-LayeredCostmap& LayeredCostmap::operator=(LayeredCostmap&&) noexcept = default;
-LayeredCostmap::~LayeredCostmap() = default;
-
 bool LayeredCostmap::update(const Observation& observation) {
   time_ = observation.time;
   for (const auto& layer : plugins_) {
@@ -208,13 +204,17 @@ const CostmapLayer* LayeredCostmap::layer(const std::string& name) const {
   return nullptr;
 }
 
-void LayeredCostmap::clearEntirely() {
+bool LayeredCostmap::clearEntirely(const std::vector<std::string>& plugins) {
+  if (!plugins.empty()) {
+    return clearSquare(combined_.origin(), 0.0, true, plugins);  // outside of nothing
+  }
   fillWindow(combined_, wholeWindow(combined_), context_->freshCost());
   for (const auto* const layers : {&plugins_, &filters_}) {
     for (const auto& layer : *layers) {
       layer->reset(time_);
     }
   }
+  return true;
 }
 
 bool LayeredCostmap::clearAround(const Vec2& place, double side,

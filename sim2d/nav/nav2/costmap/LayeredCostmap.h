@@ -37,9 +37,6 @@ base::Diagnostics problemsOf(const CostmapSetup& setup);
 class LayeredCostmap {
  public:
   explicit LayeredCostmap(const CostmapSetup& setup);  // without errors
-  LayeredCostmap(LayeredCostmap&&) noexcept;
-  LayeredCostmap& operator=(LayeredCostmap&&) noexcept;
-  ~LayeredCostmap();
 
   /// Each step: takes in a new scan; the n-th update is due at n / update_frequency and made at the
   /// first step not before that. Returns whether one was made.
@@ -66,8 +63,9 @@ class LayeredCostmap {
   const SpeedLimit& speedLimit() const { return speedLimit_; }
   const CostmapLayer* layer(const std::string& name) const;  // null: none has that name
 
-  /// Service clear_entirely: all is as at the start, the costs at once.
-  void clearEntirely();
+  /// Service clear_entirely: all is as at the start, the costs at once. With `plugins` (main) those
+  /// layers alone forget all, as below.
+  bool clearEntirely(const std::vector<std::string>& plugins = {});
   /// Services clear_around and clear_except: obstacle layers forget what lies in the square of that
   /// side [m] round the robot's place, or all else. The costs follow with the next update.
   /// `plugins` (main): these alone, none = all; an unknown name or one that cannot be cleared:
@@ -76,7 +74,6 @@ class LayeredCostmap {
   bool clearExcept(const Vec2& place, double side, const std::vector<std::string>& plugins = {});
 
  private:
-  void addLayers(const CostmapSetup& setup);
   bool clearSquare(const Vec2& place, double side, bool isInverted,
                    const std::vector<std::string>& plugins);
   void updateMap(const Observation& observation);

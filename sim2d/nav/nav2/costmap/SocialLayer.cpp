@@ -15,6 +15,18 @@ double aheadSigma(const SocialLayerParameters& parameters, double speed) {
   return std::max(parameters.sigmaPerSpeed * speed, parameters.sigmaMin);
 }
 
+/// How many deviations a place is away, squared; in the person's frame [m].
+double squaredDeviations(const SocialLayerParameters& parameters, const Vec2& place, double ahead) {
+  const double along = place.x() / (place.x() >= 0.0 ? ahead : parameters.rearRatio * ahead);
+  const double aside = place.y() / (parameters.sideRatio * ahead);
+  return along * along + aside * aside;
+}
+
+/// Where the cost falls to the cutoff.
+double cutoffDeviations(const SocialLayerParameters& parameters) {
+  return std::sqrt(2.0 * base::log(parameters.amplitude / parameters.cutoff));
+}
+
 }  // namespace
 
 SocialLayer::SocialLayer(std::string name, const CostmapContext& context,
@@ -23,10 +35,8 @@ SocialLayer::SocialLayer(std::string name, const CostmapContext& context,
 
 double SocialLayer::costAt(const SocialLayerParameters& parameters, const Vec2& place,
                            double speed) {
-  const double ahead = aheadSigma(parameters, speed);
-  const double along = place.x() / (place.x() >= 0.0 ? ahead : parameters.rearRatio * ahead);
-  const double aside = place.y() / (parameters.sideRatio * ahead);
-  return parameters.amplitude * base::exp(-0.5 * (along * along + aside * aside));
+  return parameters.amplitude *
+         base::exp(-0.5 * squaredDeviations(parameters, place, aheadSigma(parameters, speed)));
 }
 
 void SocialLayer::updateBounds(const Observation& observation, const Costmap& /*master*/,
@@ -71,6 +81,8 @@ void SocialLayer::reset(double /*time*/) {
 void SocialLayer::raise(const Zone& zone, Costmap& master, const CellWindow& window) const {
   const CellWindow inside = windowOf(master, zone.bounds);
   const Vec2 ahead = zone.person.direction();
+  const double sigma = aheadSigma(parameters_, zone.speed);
+  const double most = cutoffDeviations(parameters_) * cutoffDeviations(parameters_);
   for (int row = std::max(window.bottom, inside.bottom); row < std::min(window.top, inside.top);
        ++row) {
     for (int column = std::max(window.left, inside.left);
@@ -78,9 +90,14 @@ void SocialLayer::raise(const Zone& zone, Costmap& master, const CellWindow& win
       const Cell cell{column, row};
       const Vec2 offset = master.cellToWorld(cell) - zone.person.position;
       const Vec2 place(ahead.dot(offset), base::cross(ahead, offset));
-      const double cost = std::min<double>(costAt(parameters_, place, zone.speed), kLethal);
+      const double square = squaredDeviations(parameters_, place, sigma);
+      if (square > most) {
+        continue;
+      }
+      const double cost =
+          std::min<double>(parameters_.amplitude * base::exp(-0.5 * square), kLethal);
       const std::uint8_t old = master.at(cell);
-      if (cost >= std::max(parameters_.cutoff, 1.0) && (old == kNoInformation || cost > old)) {
+      if (cost >= 1.0 && (old == kNoInformation || cost > old)) {
         master.set(cell, static_cast<std::uint8_t>(cost));
       }
     }

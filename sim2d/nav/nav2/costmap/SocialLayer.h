@@ -8,7 +8,7 @@
 
 namespace sim2d::nav2 {
 
-/// Costs round people whom the detector tells, ours (Kirby 2010, section 4.2: two halves of
+/// Costs round people whom the detector tells, ours (Kirby 2010, appendix A: halves of two
 /// Gaussians). In a person's frame, x ahead, y to the left:
 /// amplitude exp(-x² / (2 s²) - y² / (2 (sideRatio s_h)²)), s_h = max(sigmaPerSpeed v, sigmaMin),
 /// s = s_h ahead and rearRatio s_h behind. Costs are raised to it, unknown cells too.

@@ -13,7 +13,7 @@ namespace sim2d::nav2 {
 namespace {
 
 /// The cells along the axes that hold a turned map.
-Costmap coverOf(const OccupancyGrid& map) {
+Costmap turnedMapCover(const OccupancyGrid& map) {
   CostmapBounds bounds;
   for (const double column : {0.0, static_cast<double>(map.width())}) {
     for (const double row : {0.0, static_cast<double>(map.height())}) {
@@ -59,7 +59,7 @@ Costmap costmapOf(const OccupancyGrid& map, const CostmapParameters& parameters,
     }
     return costs;
   }
-  Costmap costs = coverOf(map);
+  Costmap costs = turnedMapCover(map);
   for (int row = 0; row < costs.height(); ++row) {
     for (int column = 0; column < costs.width(); ++column) {
       const Cell cell = map.worldToCell(costs.cellToWorld({column, row}));

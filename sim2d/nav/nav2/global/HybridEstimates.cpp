@@ -1,7 +1,6 @@
 #include "sim2d/nav/nav2/global/HybridEstimates.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 #include "sim2d/nav/nav2/global/SmacGrid.h"
@@ -69,9 +68,8 @@ void ObstacleDistance::settleNext() {
 
 CurveDistance::CurveDistance(CarMotion motion, double turningRadius, int bins, int side)
     : motion_(motion), radius_(turningRadius), bins_(bins), half_(side / 2) {
-  const auto across = static_cast<std::size_t>(2 * half_ + 1);
-  lengths_.assign(across * static_cast<std::size_t>(half_ + 1) * static_cast<std::size_t>(bins),
-                  -1.0F);
+  const auto rows = static_cast<std::size_t>(half_) + 1;
+  blockOf_.assign((2 * rows - 1) * rows, -1);
 }
 
 double CurveDistance::from(const Vec2& inGoal, int bin) {
@@ -80,11 +78,16 @@ double CurveDistance::from(const Vec2& inGoal, int bin) {
     return 0.0;
   }
   const int mirrored = y < 0.0 ? (bins_ - bin) % bins_ : bin;  // across the goal's axis
-  const auto column = static_cast<std::size_t>(static_cast<int>(x) + half_);
-  const auto row = static_cast<std::size_t>(std::abs(static_cast<int>(y)));
-  float& length = lengths_[(column * static_cast<std::size_t>(half_ + 1) + row) *
-                               static_cast<std::size_t>(bins_) +
-                           static_cast<std::size_t>(mirrored)];
+  const auto column = static_cast<std::size_t>(x + half_);
+  const auto row = static_cast<std::size_t>(std::fabs(y));
+  const auto bins = static_cast<std::size_t>(bins_);
+  std::int32_t& block = blockOf_[column * (static_cast<std::size_t>(half_) + 1) + row];
+  if (block < 0) {
+    block = static_cast<std::int32_t>(lengths_.size() / bins);
+    lengths_.resize(lengths_.size() + bins, -1.0F);
+  }
+  float& length =
+      lengths_[static_cast<std::size_t>(block) * bins + static_cast<std::size_t>(mirrored)];
   if (length < 0.0F) {
     const Pose2 from{{x, std::fabs(y)}, mirrored * 2.0 * base::kPi / bins_};
     length = static_cast<float>(shortestCurve(motion_, from, {}, radius_).length());

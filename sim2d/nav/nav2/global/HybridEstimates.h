@@ -53,7 +53,8 @@ class CurveDistance {
   CarMotion motion_;
   double radius_;
   int bins_, half_;
-  std::vector<float> lengths_;  // of places with y >= 0; negative: not yet known
+  std::vector<std::int32_t> blockOf_;  // per place with y >= 0: where its bins lie; -1: nowhere yet
+  std::vector<float> lengths_;         // negative: not yet known
 };
 
 }  // namespace sim2d::nav2

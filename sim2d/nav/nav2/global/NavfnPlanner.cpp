@@ -68,14 +68,18 @@ std::optional<Pose2> NavfnPlanner::nearestReached(const Costmap& costmap, const 
   const double reach = parameters_.tolerance, step = costmap.resolution();
   double least = std::numeric_limits<double>::max();
   std::optional<Pose2> nearest;
-  for (double y = goal.position.y() - reach; y <= goal.position.y() + reach; y += step) {
-    for (double x = goal.position.x() - reach; x <= goal.position.x() + reach; x += step) {
-      const double distance = (Vec2(x, y) - goal.position).squaredNorm();
-      if (distance < least && potentialAt(costmap, {x, y}) < NavfnWave::kUnreached) {
+  Vec2 place = goal.position - Vec2::Constant(reach);  // sums of steps, as in Nav2
+  while (place.y() <= goal.position.y() + reach) {
+    place.x() = goal.position.x() - reach;
+    while (place.x() <= goal.position.x() + reach) {
+      const double distance = (place - goal.position).squaredNorm();
+      if (distance < least && potentialAt(costmap, place) < NavfnWave::kUnreached) {
         least = distance;
-        nearest = Pose2{{x, y}, goal.heading};
+        nearest = Pose2{place, goal.heading};
       }
+      place.x() += step;
     }
+    place.y() += step;
   }
   return nearest;
 }

@@ -167,7 +167,8 @@ void NavfnWave::update(int index, bool useAstar) {
 
 /// A*: what the way from there to the target costs at least.
 float NavfnWave::estimate(int index) const {
-  const double dx = index % width_ - target_.column, dy = index / width_ - target_.row;
+  const int column = index % width_, row = index / width_;
+  const double dx = column - target_.column, dy = row - target_.row;
   return static_cast<float>(std::sqrt(dx * dx + dy * dy) * kNeutral);
 }
 
@@ -185,8 +186,8 @@ std::vector<Vec2> NavfnWave::descend(Cell target, int mostSteps) const {
     if (at.cell < width_ || at.cell > size() - width_) {
       return {};
     }
-    path.emplace_back(static_cast<float>(at.cell % width_) + at.dx,
-                      static_cast<float>(at.cell / width_) + at.dy);
+    const int column = at.cell % width_, row = at.cell / width_;
+    path.emplace_back(static_cast<float>(column) + at.dx, static_cast<float>(row) + at.dy);
     const std::size_t count = path.size();
     const bool isSwinging = count > 2 && path[count - 1] == path[count - 3];
     if (!(isSwinging || isRough(at.cell) ? fallToLowest(at) : step(at))) {

@@ -7,8 +7,8 @@
 namespace sim2d::nav2 {
 namespace {
 
-constexpr double kFarTolerance = 1000.0;  // [m]
-constexpr double kMostWeight = 1e6;       // of a cost
+constexpr double kFarTolerance = 100.0;  // [m]
+constexpr double kMostWeight = 1e6;      // of a cost
 constexpr double kMostCount = 2147483647.0;
 
 void addSmacComplaints(const SmacParameters& given, Complaints& complaints) {
@@ -81,18 +81,18 @@ std::vector<std::string> plannerComplaints(const SmacHybridParameters& parameter
       .oneOf("goal_heading_mode", parameters.goalHeadingMode,
              {"DEFAULT", "BIDIRECTIONAL", "ALL_DIRECTION"})
       .range("minimum_turning_radius", parameters.minimumTurningRadius, 0.0, kFarTolerance)
-      .range("angle_quantization_bins", parameters.angleQuantizationBins, 4.0, 3600.0)
+      .range("angle_quantization_bins", parameters.angleQuantizationBins, 4.0, 720.0)
       .range("reverse_penalty", parameters.reversePenalty, 0.0, kMostWeight)
       .range("change_penalty", parameters.changePenalty, 0.0, kMostWeight)
       .range("non_straight_penalty", parameters.nonStraightPenalty, 0.0, kMostWeight)
       .range("cost_penalty", parameters.costPenalty, 0.0, kMostWeight)
       .range("retrospective_penalty", parameters.retrospectivePenalty, 0.0, 1.0)
-      .range("lookup_table_size", parameters.lookupTableSize, 0.0, kFarTolerance)
+      .range("lookup_table_size", parameters.lookupTableSize, 0.0, kMostWeight)
       .range("analytic_expansion_ratio", parameters.analyticExpansionRatio, 1e-3, kMostWeight)
       .range("analytic_expansion_max_length", parameters.analyticExpansionMaxLength, 0.0,
              kMostWeight)
       .range("analytic_expansion_max_cost", parameters.analyticExpansionMaxCost, 0.0, 255.0)
-      .range("coarse_search_resolution", parameters.coarseSearchResolution, 1.0, 3600.0);
+      .range("coarse_search_resolution", parameters.coarseSearchResolution, 1.0, 720.0);
   addSmacComplaints(parameters, complaints);
   return complaints.take();
 }

@@ -94,10 +94,9 @@ void SavitzkyGolaySmoother::filter(Path& segment) const {
             last = static_cast<int>(before.size()) - 1;
   for (int i = 1; i < last; ++i) {
     Vec2 sum = Vec2::Zero();
-    for (int k = -half; k <= half; ++k) {
-      const int at = std::clamp(i + k, 0, last);
-      sum += weights_[static_cast<std::size_t>(k + half)] *
-             before[static_cast<std::size_t>(at)].position;
+    int at = i - half;
+    for (const double weight : weights_) {
+      sum += weight * before[static_cast<std::size_t>(std::clamp(at++, 0, last))].position;
     }
     segment[static_cast<std::size_t>(i)].position = sum;
   }

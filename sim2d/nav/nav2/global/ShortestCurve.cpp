@@ -249,47 +249,36 @@ Word twoQuarters(const Relative& g) {  // 8.11
 
 struct Family {
   const char* turns;
-  const char* mirrored;          // left and right swapped
-  const char* reversed;          // driven from the goal to the start; null: that is the same family
-  const char* reversedMirrored;  // both
-  std::size_t count;
+  const char* mirrored;  // left and right swapped
+  std::ptrdiff_t count;
+  bool isReversed;  // driven from the goal to the start
   Word (*solve)(const Relative&);
 };
 
 constexpr Family kFamilies[] = {
-    {"LSL", "RSR", nullptr, nullptr, 3, leftStraightLeft},
-    {"LSR", "RSL", nullptr, nullptr, 3, leftStraightRight},
-    {"LRL", "RLR", "LRL", "RLR", 3, leftRightLeft},
-    {"LRLR", "RLRL", nullptr, nullptr, 4, forwardTwoBackTwo},
-    {"LRLR", "RLRL", nullptr, nullptr, 4, backInTheMiddle},
-    {"LRSL", "RLSR", "LSRL", "RSLR", 4, quarterThenLeft},
-    {"LRSR", "RLSL", "RSRL", "LSLR", 4, quarterThenRight},
-    {"LRSLR", "RLSRL", nullptr, nullptr, 5, twoQuarters},
+    {"LSL", "RSR", 3, false, leftStraightLeft},    {"LSR", "RSL", 3, false, leftStraightRight},
+    {"LRL", "RLR", 3, false, leftRightLeft},       {"LRL", "RLR", 3, true, leftRightLeft},
+    {"LRLR", "RLRL", 4, false, forwardTwoBackTwo}, {"LRLR", "RLRL", 4, false, backInTheMiddle},
+    {"LRSL", "RLSR", 4, false, quarterThenLeft},   {"LSRL", "RSLR", 4, true, quarterThenLeft},
+    {"LRSR", "RLSL", 4, false, quarterThenRight},  {"RSRL", "LSLR", 4, true, quarterThenRight},
+    {"LRSLR", "RLSRL", 5, false, twoQuarters},
 };
 
-Lengths negatedIf(bool isNegated, Lengths lengths) {
-  for (double& length : lengths) {
-    length = isNegated ? -length : length;
-  }
-  return lengths;
-}
-
-/// The word itself, driven backward, and both mirrored.
-void offerForms(const Family& family, const Relative& goal, bool isReversed, Shortest& shortest) {
-  for (const bool isMirrored : {false, true}) {
-    for (const bool isBackward : {false, true}) {
-      const double x = isBackward ? -goal.x : goal.x, y = isMirrored ? -goal.y : goal.y;
-      const Word word = family.solve({x, y, isBackward != isMirrored ? -goal.phi : goal.phi});
+/// The word itself, mirrored, driven backward (x and phi negative) and both.
+void offerForms(const Family& family, const Relative& goal, Shortest& shortest) {
+  for (const double side : {1.0, -1.0}) {
+    for (const double way : {1.0, -1.0}) {
+      Word word = family.solve({way * goal.x, side * goal.y, way * side * goal.phi});
       if (!word) {
         continue;
       }
-      Lengths lengths = negatedIf(isBackward, *word);
-      if (isReversed) {
-        std::reverse(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(family.count));
+      for (double& length : *word) {
+        length *= way;
       }
-      const char* turns = isReversed ? (isMirrored ? family.reversedMirrored : family.reversed)
-                                     : (isMirrored ? family.mirrored : family.turns);
-      shortest.offer(turns, lengths);
+      if (family.isReversed) {
+        std::reverse(word->begin(), word->begin() + family.count);
+      }
+      shortest.offer(side > 0.0 ? family.turns : family.mirrored, *word);
     }
   }
 }
@@ -299,10 +288,7 @@ void offerReedsShepp(const Relative& goal, Shortest& shortest) {
   const Relative reversed{goal.x * cosine + goal.y * sine, goal.x * sine - goal.y * cosine,
                           goal.phi};
   for (const Family& family : kFamilies) {
-    offerForms(family, goal, false, shortest);
-    if (family.reversed != nullptr) {
-      offerForms(family, reversed, true, shortest);
-    }
+    offerForms(family, family.isReversed ? reversed : goal, shortest);
   }
 }
 

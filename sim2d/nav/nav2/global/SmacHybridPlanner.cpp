@@ -35,6 +35,9 @@ PlanResult SmacHybridPlanner::plan(const PlanRequest& request) {
   if (!costmap.worldToCell(request.goal.position)) {
     return hybridFailure(PlanError::GoalOutsideMap);
   }
+  if (!std::isfinite(request.start.heading) || !std::isfinite(request.goal.heading)) {
+    return hybridFailure(PlanError::Unknown);
+  }
   PlanResult result = planIn(costmap, request);
   for (Pose2& pose : result.path) {
     pose.position = costmap.origin() + costmap.resolution() * pose.position;
@@ -69,6 +72,7 @@ std::vector<Pose2> SmacHybridPlanner::goalsAt(const HybridMotion& motion, const 
     }
   }
   std::vector<Pose2> goals;
+  goals.reserve(bins.size());
   for (const int each : bins) {
     goals.push_back({goal.position, base::wrapToPi(each * motion.binSize())});
   }
@@ -76,10 +80,9 @@ std::vector<Pose2> SmacHybridPlanner::goalsAt(const HybridMotion& motion, const 
 }
 
 CurveDistance& SmacHybridPlanner::curvesFor(const HybridMotion& motion, const Costmap& costmap) {
-  const int farthest = std::max(costmap.width(), costmap.height());
-  const double wanted = std::fmin(parameters_.lookupTableSize / costmap.resolution(),
-                                  2.0 * farthest * 1.5);  // farther apart nothing is on the map
-  const int side = static_cast<int>(wanted) | 1;
+  constexpr double kMostSide = 2000.0;  // [cells]
+  const double wanted = std::fmin(parameters_.lookupTableSize / costmap.resolution(), kMostSide);
+  const int side = static_cast<int>(wanted) | 1;  // odd
   if (!curves_ || curveRadius_ != motion.turningRadius() || curveSide_ != side) {
     curves_.emplace(motion.car(), motion.turningRadius(), motion.bins(), side);
     curveRadius_ = motion.turningRadius();

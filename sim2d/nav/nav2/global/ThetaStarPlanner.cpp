@@ -16,14 +16,23 @@ constexpr double kUnknownOnLine = 253.0;  // c' of a cell of 255 there
 constexpr Cell kThetaMoves[] = {{0, 1},  {0, -1}, {1, 0}, {-1, 0},
                                 {1, -1}, {-1, 1}, {1, 1}, {-1, -1}};
 
-double weighed(int cost) {  // c'
-  return 26.0 + 0.9 * cost;
-}
-
 }  // namespace
 
 ThetaStarPlanner::ThetaStarPlanner(const ThetaStarParameters& parameters)
-    : parameters_(parameters) {}
+    : parameters_(parameters) {
+  const auto traversal = [&](double weighedCost) {
+    const double share = weighedCost / kMostSafe;
+    return parameters.traversalCost * share * share;
+  };
+  for (std::size_t cost = 0; cost < entered_.size(); ++cost) {
+    const bool isUnknown = cost == kNoInformation;
+    const double weighed = 26.0 + 0.9 * static_cast<double>(cost);  // c'
+    entered_[cost] = traversal(weighed);
+    seen_[cost] = traversal(isUnknown ? kUnknownOnLine : weighed);
+    isSafe_[cost] = isUnknown ? parameters.allowUnknown : static_cast<double>(cost) <= kMostSafe;
+    isClear_[cost] = isUnknown ? parameters.allowUnknown : weighed <= kMostSafe;
+  }
+}
 
 PlanResult ThetaStarPlanner::plan(const PlanRequest& request) {
   const auto start = request.costmap.worldToCell(request.start.position);
@@ -60,13 +69,7 @@ int ThetaStarPlanner::cost(Cell cell) const {
 }
 
 bool ThetaStarPlanner::isSafe(Cell cell) const {
-  const int found = cost(cell);
-  return found == kNoInformation ? parameters_.allowUnknown : found <= kMostSafe;
-}
-
-double ThetaStarPlanner::traversalCost(double weighedCost) const {
-  const double share = weighedCost / kMostSafe;
-  return parameters_.traversalCost * share * share;
+  return isSafe_[static_cast<std::size_t>(cost(cell))];
 }
 
 double ThetaStarPlanner::lengthCost(Cell from, Cell to) const {
@@ -81,13 +84,9 @@ double ThetaStarPlanner::estimate(Cell cell) const {
 
 /// False where the line must not go; else adds what the cell costs.
 bool ThetaStarPlanner::addSeen(Cell cell, double& sum) const {
-  const int found = cost(cell);
-  if (found == kNoInformation) {
-    sum += traversalCost(kUnknownOnLine);
-    return parameters_.allowUnknown;
-  }
-  sum += traversalCost(weighed(found));
-  return weighed(found) <= kMostSafe;
+  const auto found = static_cast<std::size_t>(cost(cell));
+  sum += seen_[found];
+  return isClear_[found];
 }
 
 /// Cost of the cells between, the first with them and the last not; none without a line of sight.
@@ -125,7 +124,7 @@ bool ThetaStarPlanner::search(Cell start, PlanResult& result, const base::StopFl
   nodes_.assign(costmap_.costs().size(), unseen);
   open_.clear();
   const auto first = costmap_.indexOf(start), last = costmap_.indexOf(goal_);
-  const double g = traversalCost(weighed(cost(start)));
+  const double g = entered_[static_cast<std::size_t>(cost(start))];
   nodes_[first] = {g, g + estimate(start), static_cast<int>(first)};
   open_.push(nodes_[first].f, first);
   while (!open_.isEmpty()) {
@@ -169,7 +168,8 @@ void ThetaStarPlanner::expand(int index) {
     if (!costmap_.contains(next) || !isSafe(next)) {
       continue;
     }
-    const double found = g + lengthCost(cell, next) + traversalCost(weighed(cost(next)));
+    const double found =
+        g + lengthCost(cell, next) + entered_[static_cast<std::size_t>(cost(next))];
     const double whole = found + estimate(next);
     Node& node = nodes_[costmap_.indexOf(next)];
     if (node.f > whole) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -26,7 +27,6 @@ class ThetaStarPlanner : public GlobalPlanner {
 
   int cost(Cell cell) const;
   bool isSafe(Cell cell) const;
-  double traversalCost(double weighedCost) const;  // of c'
   double lengthCost(Cell from, Cell to) const;
   double estimate(Cell cell) const;
   std::optional<double> lineCost(Cell from, Cell to) const;
@@ -38,6 +38,8 @@ class ThetaStarPlanner : public GlobalPlanner {
   Path pathBack(const PlanRequest& request) const;
 
   ThetaStarParameters parameters_;
+  std::array<double, 256> entered_{}, seen_{};  // what a cell of each cost adds to a step, a line
+  std::array<bool, 256> isSafe_{}, isClear_{};  // to step into, to look through
   Costmap costmap_;
   Cell goal_;
   std::vector<Node> nodes_;

@@ -13,7 +13,7 @@ namespace sim2d::nav2 {
 namespace {
 
 constexpr int kShownTrajectories = 40;
-constexpr int kShownStride = 4;  // steps between poses of a shown trajectory
+constexpr int kPoseStride = 4;  // steps between poses of a shown trajectory
 
 PathHandling mppiHandling(const MppiConfiguration& mppi) {
   PathHandling handling;
@@ -27,7 +27,18 @@ PathHandling mppiHandling(const MppiConfiguration& mppi) {
   return handling;
 }
 
-base::Result<std::unique_ptr<Controller>> makeMppi(const ControllerSetup& setup) {
+bool isListed(const MppiConfiguration& mppi, const std::string& critic) {
+  const auto& critics = mppi.settings.critics;
+  return std::find(critics.begin(), critics.end(), critic) != critics.end();
+}
+
+bool asksFootprint(const MppiConfiguration& mppi) {
+  const MppiCriticSettings& critics = mppi.critics;
+  return (critics.cost.considersFootprint && isListed(mppi, "CostCritic")) ||
+         (critics.obstacles.considersFootprint && isListed(mppi, "ObstaclesCritic"));
+}
+
+base::Result<std::unique_ptr<Controller>> makeMppiController(const ControllerSetup& setup) {
   auto mppi = readMppi(setup.block, setup.distro);
   if (!mppi) {
     return mppi.diagnostics();
@@ -87,6 +98,11 @@ void MppiController::resetWhenLate(double time) {
 Control MppiController::computeVelocityCommands(const ControlInput& input) {
   resetWhenLate(input.time);
   view_ = {};
+  if (input.shape.isRadius && asksFootprint(mppi_)) {  // Nav2 does not start
+    return {ControlCode::InvalidController,
+            "Considering footprint in collision checking but no robot footprint provided in the "
+            "costmap."};
+  }
   LocalPlan local = localPlan(input);
   if (local.problem != nullptr) {
     return {ControlCode::InvalidPath, local.problem};
@@ -141,7 +157,7 @@ WeighedTrajectory MppiController::shownTrajectory(int sample) const {
   WeighedTrajectory shown;
   for (int step = 0; step < columns.steps(); ++step) {
     const std::size_t place = columns.placeOf(step, sample);
-    if (step % kShownStride == 0 || step + 1 == columns.steps()) {
+    if (step % kPoseStride == 0 || step + 1 == columns.steps()) {
       shown.poses.push_back(
           {Vec2(static_cast<double>(columns.x[place]), static_cast<double>(columns.y[place])),
            base::wrapToPi(static_cast<double>(columns.yaw[place]))});
@@ -185,7 +201,7 @@ void addMppi(ControllerRegistry& registry) {
   type.plugin = "nav2_mppi_controller::MPPIController";
   type.help = "Model predictive path integral control: many drawn trajectories, their mean by cost";
   type.keys = mppiKeysOf;
-  type.make = makeMppi;
+  type.make = makeMppiController;
   registry.add(std::move(type));
 }
 

@@ -126,7 +126,8 @@ bool MppiOptimizer::findOptimal(const MppiScene& scene) {
   auto next = MppiRetries::Next::Retry;
   while (next == MppiRetries::Next::Retry) {
     optimize(scene);
-    if (critics_.hasFailed()) {
+    const bool isWeighed = std::isfinite(weights_.front());  // else no float holds the costs
+    if (critics_.hasFailed() || !isWeighed) {
       reset();
       return false;
     }

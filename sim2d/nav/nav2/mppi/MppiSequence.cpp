@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kLeastFiltered = 21;
 
-float within(float value, float low, float high) {
+float limited(float value, float low, float high) {
   return std::min(high, std::max(low, value));
 }
 
@@ -62,13 +62,14 @@ MppiLimits limitedTo(const MppiLimits& limits, double limit, bool isPercentage) 
 
 float reachable(float wanted, float now, float least, float most, float dt) {
   const bool isAhead = now > 0.0F;
-  return within(wanted, now + dt * (isAhead ? least : -most), now + dt * (isAhead ? most : -least));
+  return limited(wanted, now + dt * (isAhead ? least : -most),
+                 now + dt * (isAhead ? most : -least));
 }
 
 void limitTurns(MppiSequence& sequence, float radius) {
   for (std::size_t i = 0; i < sequence[0].size(); ++i) {
     const float most = std::abs(sequence[0][i]) / radius;
-    sequence[1][i] = within(sequence[1][i], -most, most);
+    sequence[1][i] = limited(sequence[1][i], -most, most);
   }
 }
 
@@ -77,7 +78,7 @@ void limitEachOther(MppiSequence& sequence, const MppiLimits& limits, float dt,
   for (std::size_t axis = 0; axis < sequence.size(); ++axis) {
     std::vector<float>& controls = sequence[axis];
     for (std::size_t i = 0; i < controls.size(); ++i) {
-      controls[i] = within(controls[i], limits.low[axis], limits.high[axis]);
+      controls[i] = limited(controls[i], limits.low[axis], limits.high[axis]);
       if (limitsAccelerations && i > 0) {
         controls[i] =
             reachable(controls[i], controls[i - 1], limits.least[axis], limits.most[axis], dt);
@@ -91,7 +92,7 @@ void limitFromSpeed(MppiSequence& sequence, const MppiLimits& limits, const Mppi
   for (std::size_t axis = 0; axis < sequence.size(); ++axis) {
     std::vector<float>& controls = sequence[axis];
     for (float& control : controls) {
-      control = within(control, limits.low[axis], limits.high[axis]);
+      control = limited(control, limits.low[axis], limits.high[axis]);
     }
     controls[0] =
         reachable(controls[0], speed[axis], limits.least[axis], limits.most[axis], firstDt);

@@ -84,9 +84,9 @@ void checkOptimizer(const MppiSettings& settings, MppiValueCheck& check) {
   check.notNegative("az_max", settings.azMax);
   check.within("ax_min", settings.axMin, -1e6, 0.0, "0 or less");
   check.within("ay_min", settings.ayMin, -1e6, 0.0, "0 or less");
-  check.notNegative("vx_std", settings.vxStd);
-  check.notNegative("vy_std", settings.vyStd);
-  check.notNegative("wz_std", settings.wzStd);
+  check.within("vx_std", settings.vxStd, 0.0, 100.0, "0 to 100");
+  check.within("vy_std", settings.vyStd, 0.0, 100.0, "0 to 100");
+  check.within("wz_std", settings.wzStd, 0.0, 100.0, "0 to 100");
   check.notNegative("model_delay_vx", settings.vxDelay);
   check.notNegative("model_delay_vy", settings.vyDelay);
   check.notNegative("model_delay_wz", settings.wzDelay);
@@ -248,6 +248,9 @@ base::Result<MppiConfiguration> readMppi(const Nav2Block& block, Distro distro) 
   checkOptimizer(mppi.settings, check);
   checkCritics(mppi.critics, check);
   checkCriticNames(mppi.settings.critics, problems);
+  if (mppi.settings.critics.empty()) {
+    problems.push_back(base::warning("nav2.mppi-no-critics"));
+  }
   if (base::hasErrors(problems)) {
     return problems;
   }

@@ -13,17 +13,17 @@ namespace {
 constexpr double kBehaviorClock = 1e-9;  // [s], rounding of times
 constexpr double kTurnReached = 1e-6;    // [rad]
 
-BehaviorStep running(const BodyTwist& twist) {
+BehaviorStep behaviorRuns(const BodyTwist& twist) {
   BehaviorStep step;
   step.twist = twist;
   return step;
 }
-BehaviorStep succeeded() {
+BehaviorStep behaviorSucceeded() {
   BehaviorStep step;
   step.status = BehaviorStatus::Succeeded;
   return step;
 }
-BehaviorStep failed(BehaviorError error, std::string words) {
+BehaviorStep behaviorFailed(BehaviorError error, std::string words) {
   BehaviorStep step;
   step.status = BehaviorStatus::Failed;
   step.error = error;
@@ -31,7 +31,7 @@ BehaviorStep failed(BehaviorError error, std::string words) {
   return step;
 }
 
-bool isOver(double time, double start, double allowance) {
+bool isAllowanceOver(double time, double start, double allowance) {
   return allowance > 0.0 && time - start > allowance + kBehaviorClock;
 }
 
@@ -87,6 +87,7 @@ const std::vector<IdleKey>& idleBehaviorKeys() {
       {"cmd_vel_teleop", "no topics here"},
       {"enable_stamped_cmd_vel", "no topics here"},
       {"use_sim_time", "time is simulated here"},
+      {"introspection_mode", "no services of ROS here"},
   };
   return kKeys;
 }
@@ -116,9 +117,9 @@ Spin::Spin(const BehaviorParameters& parameters, const Goal& goal, double time, 
     : parameters_(parameters), goal_(goal), start_(time), heading_(pose.heading) {}
 
 BehaviorStep Spin::cycle(const BehaviorInput& input) {
-  if (isOver(input.time, start_, goal_.timeAllowance)) {
-    return failed(BehaviorError::Timeout,
-                  "Exceeded time allowance before reaching the Spin goal - Exiting Spin");
+  if (isAllowanceOver(input.time, start_, goal_.timeAllowance)) {
+    return behaviorFailed(BehaviorError::Timeout,
+                          "Exceeded time allowance before reaching the Spin goal - Exiting Spin");
   }
   double turn = input.pose.heading - heading_;
   if (std::fabs(turn) > base::kPi) {
@@ -128,7 +129,7 @@ BehaviorStep Spin::cycle(const BehaviorInput& input) {
   heading_ = input.pose.heading;
   const double left = std::fabs(goal_.angle) - std::fabs(turned_);
   if (left < kTurnReached) {
-    return succeeded();
+    return behaviorSucceeded();
   }
   const double fastest = std::sqrt(2.0 * parameters_.rotationalAccLim * left);
   const double speed =
@@ -136,9 +137,9 @@ BehaviorStep Spin::cycle(const BehaviorInput& input) {
   BodyTwist twist;
   twist.angular = std::copysign(speed, goal_.angle);
   if (input.isCollisionChecked && !isFree(input, twist.angular)) {
-    return failed(BehaviorError::CollisionAhead, "Collision Ahead - Exiting Spin");
+    return behaviorFailed(BehaviorError::CollisionAhead, "Collision Ahead - Exiting Spin");
   }
-  return running(twist);
+  return behaviorRuns(twist);
 }
 
 /// Nav2 looks no farther ahead than it has turned so far.
@@ -165,25 +166,27 @@ DriveStraight::DriveStraight(const BehaviorParameters& parameters, const DrivePa
 
 BehaviorStep DriveStraight::cycle(const BehaviorInput& input) {
   if ((goal_.distance > 0.0) != (goal_.speed > 0.0)) {
-    return failed(BehaviorError::InvalidInput, "Speed and command sign did not match");
+    return behaviorFailed(BehaviorError::InvalidInput, "Speed and command sign did not match");
   }
-  if (isOver(input.time, start_, goal_.timeAllowance)) {
-    return failed(BehaviorError::Timeout,
-                  "Exceeded time allowance before reaching the DriveOnHeading goal - Exiting "
-                  "DriveOnHeading");
+  if (isAllowanceOver(input.time, start_, goal_.timeAllowance)) {
+    return behaviorFailed(
+        BehaviorError::Timeout,
+        "Exceeded time allowance before reaching the DriveOnHeading goal - Exiting "
+        "DriveOnHeading");
   }
   driven_ = (input.pose.position - from_).norm();
   const double left = std::fabs(goal_.distance) - driven_;
   if (left <= 0.0) {
-    return succeeded();
+    return behaviorSucceeded();
   }
   BodyTwist twist;
   twist.linear = speedFor(left);
   if (input.isCollisionChecked && !isFree(input, twist.linear, left)) {
-    return failed(BehaviorError::CollisionAhead, "Collision Ahead - Exiting DriveOnHeading");
+    return behaviorFailed(BehaviorError::CollisionAhead,
+                          "Collision Ahead - Exiting DriveOnHeading");
   }
   speed_ = twist.linear;
-  return running(twist);
+  return behaviorRuns(twist);
 }
 
 double DriveStraight::speedFor(double left) const {
@@ -212,16 +215,17 @@ bool DriveStraight::isFree(const BehaviorInput& input, double speed, double left
 }
 
 BehaviorStep Wait::cycle(const BehaviorInput& input) const {
-  BehaviorStep step = input.time < end_ - kBehaviorClock ? running({}) : succeeded();
+  BehaviorStep step = input.time < end_ - kBehaviorClock ? behaviorRuns({}) : behaviorSucceeded();
   step.hasTwist = step.status != BehaviorStatus::Running;
   return step;
 }
 
 BehaviorStep AssistedTeleop::cycle(const BehaviorInput& input, const BodyTwist& wish) const {
-  if (isOver(input.time, start_, timeAllowance_)) {
-    return failed(BehaviorError::Timeout,
-                  "Exceeded time allowance before reaching the AssistedTeleop goal - Exiting "
-                  "AssistedTeleop");
+  if (isAllowanceOver(input.time, start_, timeAllowance_)) {
+    return behaviorFailed(
+        BehaviorError::Timeout,
+        "Exceeded time allowance before reaching the AssistedTeleop goal - Exiting "
+        "AssistedTeleop");
   }
   const double step = parameters_.simulationTimeStep;
   Pose2 pose = input.pose;
@@ -231,10 +235,10 @@ BehaviorStep AssistedTeleop::cycle(const BehaviorInput& input, const BodyTwist& 
     pose.heading += step * wish.angular;
     if (isBehaviorBlocked(input, pose)) {
       const double factor = i == 1 ? 0.0 : i * step / parameters_.projectionTime;
-      return running({factor * wish.linear, factor * wish.angular, factor * wish.lateral});
+      return behaviorRuns({factor * wish.linear, factor * wish.angular, factor * wish.lateral});
     }
   }
-  return running(wish);
+  return behaviorRuns(wish);
 }
 
 }  // namespace sim2d::nav2

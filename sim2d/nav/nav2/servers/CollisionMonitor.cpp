@@ -11,7 +11,7 @@
 namespace sim2d::nav2 {
 namespace {
 
-BodyTwist times(const BodyTwist& twist, double factor) {
+BodyTwist slowedBy(const BodyTwist& twist, double factor) {
   return {factor * twist.linear, factor * twist.angular, factor * twist.lateral};
 }
 
@@ -30,16 +30,16 @@ constexpr std::array<const char*, 5> kActionTypes = {"none", "stop", "slowdown",
                                                      "approach"};
 
 template <std::size_t N>
-bool isOneOf(const std::string& word, const std::array<const char*, N>& words) {
+bool isShapeWord(const std::string& word, const std::array<const char*, N>& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-MonitorAction actionOf(const MonitorPolygon& keys) {
+MonitorAction monitorActionOf(const MonitorPolygon& keys) {
   const auto found = std::find(kActionTypes.begin(), kActionTypes.end(), keys.actionType);
   return static_cast<MonitorAction>(found - kActionTypes.begin());
 }
 
-Polygon pointsOf(const MonitorPolygon& keys, const Polygon& footprint) {
+Polygon shapeCorners(const MonitorPolygon& keys, const Polygon& footprint) {
   if (!keys.pointList.empty()) {
     Polygon corners;
     for (std::size_t i = 0; i + 1 < keys.pointList.size(); i += 2) {
@@ -71,8 +71,8 @@ void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
       problems.push_back(base::error("nav2.bad-parameter", {shape.name + "." + key, wanted}));
     }
   };
-  require(isOneOf(shape.type, kShapeTypes), "type", "polygon, circle or velocity_polygon");
-  require(isOneOf(shape.actionType, kActionTypes) && shape.actionType != "none", "action_type",
+  require(isShapeWord(shape.type, kShapeTypes), "type", "polygon, circle or velocity_polygon");
+  require(isShapeWord(shape.actionType, kActionTypes) && shape.actionType != "none", "action_type",
           "stop, slowdown, limit or approach");
   if (shape.type == "circle") {
     require(shape.radius > 0.0, "radius", "above 0");
@@ -176,6 +176,7 @@ const std::vector<IdleKey>& idleCollisionMonitorKeys() {
       {"trigger_consecutive_points", "counts as 1"},
       {"enable_stamped_cmd_vel", "no topics here"},
       {"use_sim_time", "time is simulated here"},
+      {"introspection_mode", "no services of ROS here"},
   };
   return kKeys;
 }
@@ -210,7 +211,7 @@ CollisionMonitor::CollisionMonitor(const CollisionMonitorParameters& parameters,
     if (distro == Distro::Humble && keys.maxPoints >= 0) {
       shape.keys.minPoints = keys.maxPoints + 1;
     }
-    shape.corners = keys.type == "polygon" ? pointsOf(keys, footprint) : Polygon{};
+    shape.corners = keys.type == "polygon" ? shapeCorners(keys, footprint) : Polygon{};
     for (const VelocitySubPolygon& part : keys.subPolygons) {
       const base::Result<Polygon> corners = readPolygon(part.points);
       shape.choices.push_back(corners ? *corners : Polygon{});
@@ -304,7 +305,8 @@ double CollisionMonitor::timeToCollision(const Shape& shape, const BodyTwist& co
   const base::SinCos turn = base::sinCos(command.angular * step);
   Pose2 pose;
   Vec2 velocity(command.linear, command.lateral);
-  for (double time = 0.0; time <= shape.keys.timeBeforeCollision; time += step) {
+  double time = 0.0;  // summed up as Nav2 does
+  while (time <= shape.keys.timeBeforeCollision) {
     pose.position += step * velocity;
     pose.heading += step * command.angular;
     velocity = Vec2(velocity.x() * turn.cos - velocity.y() * turn.sin,
@@ -318,6 +320,7 @@ double CollisionMonitor::timeToCollision(const Shape& shape, const BodyTwist& co
     if (isTriggered(shape, moved_)) {
       return time;
     }
+    time += step;
   }
   return -1.0;
 }
@@ -325,14 +328,14 @@ double CollisionMonitor::timeToCollision(const Shape& shape, const BodyTwist& co
 /// What a shape leaves of a command, and by which action; None: it does not act.
 BodyTwist CollisionMonitor::safe(const Shape& shape, const BodyTwist& command,
                                  MonitorAction& action) {
-  const MonitorAction own = actionOf(shape.keys);
+  const MonitorAction own = monitorActionOf(shape.keys);
   if (own == MonitorAction::Approach) {
     const double time = timeToCollision(shape, command);
     if (time < 0.0) {
       return command;
     }
     action = own;
-    return times(command, time / shape.keys.timeBeforeCollision);
+    return slowedBy(command, time / shape.keys.timeBeforeCollision);
   }
   if (!isTriggered(shape, points_)) {
     return command;
@@ -342,13 +345,13 @@ BodyTwist CollisionMonitor::safe(const Shape& shape, const BodyTwist& command,
     return {};
   }
   if (own == MonitorAction::Slowdown) {
-    return times(command, shape.keys.slowdownRatio);
+    return slowedBy(command, shape.keys.slowdownRatio);
   }
   const double speed = speedAlong(command), turning = std::fabs(command.angular);
   double ratio = 1.0;
   ratio = speed > 0.0 ? std::min(ratio, shape.keys.linearLimit / speed) : ratio;
   ratio = turning > 0.0 ? std::min(ratio, shape.keys.angularLimit / turning) : ratio;
-  return times(command, std::clamp(ratio, 0.0, 1.0));
+  return slowedBy(command, std::clamp(ratio, 0.0, 1.0));
 }
 
 }  // namespace sim2d::nav2
