@@ -116,38 +116,49 @@ void InflationLayer::inflateBySpreading(Costmap& master, const CellWindow& windo
       }
     }
   }
-  seen_.assign(master.costs().size(), 0);
+  beginSeen(master);
   for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
     for (std::size_t i = 0; i < bins_[bin].size(); ++i) {  // may grow meanwhile
       const Spread spread = bins_[bin][i];
       const Cell cell = spread.cell;
-      const std::size_t index = master.indexOf(cell);
-      if (seen_[index] != 0) {
+      char& isSeen = seen_[seenIndex(cell)];
+      if (isSeen != 0) {
         continue;
       }
-      seen_[index] = 1;
+      isSeen = 1;
       if (isInside(window, cell)) {
-        master.costs()[index] = raised(master.costs()[index], costs_[bin]);
+        master.set(cell, raised(master.at(cell), costs_[bin]));
       }
-      enqueue(master, {{cell.column - 1, cell.row}, spread.source}, bin);
-      enqueue(master, {{cell.column, cell.row - 1}, spread.source}, bin);
-      enqueue(master, {{cell.column + 1, cell.row}, spread.source}, bin);
-      enqueue(master, {{cell.column, cell.row + 1}, spread.source}, bin);
+      enqueue({{cell.column - 1, cell.row}, spread.source}, bin);
+      enqueue({{cell.column, cell.row - 1}, spread.source}, bin);
+      enqueue({{cell.column + 1, cell.row}, spread.source}, bin);
+      enqueue({{cell.column, cell.row + 1}, spread.source}, bin);
     }
     bins_[bin].clear();
   }
 }
 
+/// Nothing is seen but a border about the map.
+void InflationLayer::beginSeen(const Costmap& master) {
+  seenWidth_ = static_cast<std::size_t>(master.width()) + 2;
+  seen_.assign(seenWidth_ * (static_cast<std::size_t>(master.height()) + 2), 1);
+  for (int row = 0; row < master.height(); ++row) {
+    const auto begin = seen_.begin() + static_cast<std::ptrdiff_t>(seenIndex({0, row}));
+    std::fill(begin, begin + master.width(), char{0});
+  }
+}
+
 /// Bins before `bin` are done.
-void InflationLayer::enqueue(const Costmap& master, const Spread& spread, std::size_t bin) {
-  if (!master.contains(spread.cell) || seen_[master.indexOf(spread.cell)] != 0) {
+void InflationLayer::enqueue(const Spread& spread, std::size_t bin) {
+  if (seen_[seenIndex(spread.cell)] != 0) {
     return;
   }
   const int across = spread.cell.column - spread.source.column;
   const int up = spread.cell.row - spread.source.row;
-  const auto square = static_cast<std::size_t>(across * across + up * up);
-  if (square < bins_.size() && square >= bin) {
-    bins_[square].push_back(spread);
+  const int square = across * across + up * up;
+  const auto place = static_cast<std::size_t>(square);
+  if (place < bins_.size() && place >= bin) {
+    bins_[place].push_back(spread);
   }
 }
 

@@ -34,7 +34,12 @@ class InflationLayer final : public CostmapLayer {
   bool isSource(std::uint8_t cost) const;
   std::uint8_t raised(std::uint8_t old, std::uint8_t cost) const;
   void inflateBySpreading(Costmap& master, const CellWindow& window, const CellWindow& wide);
-  void enqueue(const Costmap& master, const Spread& spread, std::size_t bin);
+  void beginSeen(const Costmap& master);
+  std::size_t seenIndex(Cell cell) const {
+    return static_cast<std::size_t>(cell.row + 1) * seenWidth_ +
+           static_cast<std::size_t>(cell.column + 1);
+  }
+  void enqueue(const Spread& spread, std::size_t bin);
   template <class Square>
   void inflateExactly(Costmap& master, const CellWindow& window, const CellWindow& wide,
                       std::vector<Square>& across);
@@ -49,7 +54,8 @@ class InflationLayer final : public CostmapLayer {
   CostmapBounds last_;
   std::vector<std::uint8_t> costs_;        // by squared distance [cells²], up to radius_²
   std::vector<std::vector<Spread>> bins_;  // idem; empty between updates
-  std::vector<char> seen_;
+  std::vector<char> seen_;                 // cells, with a border of one that is seen
+  std::size_t seenWidth_ = 0;
   std::vector<std::int16_t> across_;     // squared distances along rows [cells²]
   std::vector<std::int32_t> acrossFar_;  // idem, of a large radius
 };
