@@ -176,6 +176,12 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
   command.add_option("--robot-start", options.robotStart, "\"X Y HEADING\" (m, m, rad)");
   command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
   command.add_option("--planner", options.planner, "How the robot plans: see list planners");
+  command.add_option("--nav2-params", options.nav2Params,
+                     "With --planner nav2: the parameter file, or a name of those shipped");
+  command.add_option("--nav2-tree", options.nav2Tree,
+                     "With --planner nav2: the navigator's tree, or a name of those shipped");
+  command.add_option("--nav2-distro", options.nav2Distro,
+                     "With --planner nav2: humble, jazzy or main; else as the file tells");
   command.add_option("--threads", options.threads, "Number of threads; results stay the same");
   addMetricsOptions(command, options.metrics);
   command.add_option("--record-every", options.recordEvery, "Record every N-th step");

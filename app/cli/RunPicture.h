@@ -6,16 +6,10 @@
 #include <QPainter>
 #include <QSizeF>
 
+#include "app/cli/FigureStyle.h"
 #include "sim2d/trace/Trace.h"
 
 namespace app {
-
-/// How the picture of a run is laid out. Pixels are those of CSS, 96 to an inch.
-struct PictureLayout {
-  double width = 1600.0;         // [px]; below 900 the legend stands under the map
-  std::optional<double> height;  // [px]; none: as high as the map wants it
-  bool textAsOutlines = false;   // shown the same where the fonts are not
-};
 
 /// The picture of a run for a paper: map and obstacles on white, trajectories fading from light to
 /// full in time, starts as rings, goals as pins, legend and scale. One thread; needs a

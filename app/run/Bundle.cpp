@@ -6,7 +6,9 @@
 
 #include "app/run/DataPaths.h"
 #include "app/run/Echoes.h"
+#include "app/run/Nav2Robots.h"
 #include "app/run/PlannerFiles.h"
+#include "app/run/ProgramRegistries.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -110,13 +112,14 @@ void tellCode(const Bundle& bundle, const std::vector<ForeignCode>& code, Verdic
 }
 
 void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup, Verdict& verdict) {
-  setup.scenario = bundle.scenario;
+  setup.scenario = withNav2GoalRadius(bundle.scenario, bundle.path);
   setup.compatibility = bundle.settings.compatibility;
   setup.threads = bundle.settings.threads;
   setup.exact = bundle.settings.exact;
   setup.code = bundle.settings.code;
   setup.folder = folderOfPlanners(bundle.path);
   setup.stop = bundle.left;
+  setup.registries = sharedRegistries();
   base::Result<std::unique_ptr<sim2d::World>> world = sim2d::World::create(std::move(setup));
   base::Diagnostics ofWorld = world.diagnostics();
   sim2d::addPlaces(ofWorld, bundle.lines, bundle.path);
@@ -164,6 +167,9 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownF
     for (const RunOptions& later : options.then) {
       base::append(bundle.wrongWords, applyOptions(*scenario, later, settings.compatibility));
     }
+    if (!options.set.empty()) {
+      base::append(bundle.wrongWords, wrongNav2Values(*scenario, options.scenario));
+    }
   }
   bundle.scenario = std::move(scenario);
   if (bundle.hasScenario() && !base::hasErrors(bundle.wrongWords)) {
@@ -171,6 +177,9 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownF
                                    shippedMapsFolder()};
     readMapOf(bundle, places, files);
     findTrees(bundle, places, reading->hasBlock);
+    for (std::string& file : nav2FilesOf(*bundle.scenario, options.scenario)) {
+      bundle.inputs.push_back(std::move(file));
+    }
     for (std::string& file : filesThatPlannersRead(*bundle.scenario, options.scenario)) {
       bundle.inputs.push_back(std::move(file));
     }
@@ -188,9 +197,8 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   sim2d::WorldSetup setup;
   setup.surroundings = surroundingsOf(bundle);
   bundle.left->check();
-  base::Diagnostics meaning =
-      sim2d::checkScenario(*bundle.scenario, *setup.surroundings, bundle.path,
-                           sim2d::knownNames(sim2d::programRegistries()));
+  base::Diagnostics meaning = sim2d::checkScenario(
+      *bundle.scenario, *setup.surroundings, bundle.path, sim2d::knownNames(programRegistries()));
   bundle.stop->check();  // else what was stopped would be told as places out of reach
   sim2d::addPlaces(meaning, bundle.lines, bundle.path);
   base::append(verdict.problems, meaning);

@@ -15,16 +15,28 @@ std::string programPath() {
   return error ? std::string() : path.string();
 }
 
-std::string shippedMapsFolder() {
+namespace {
+
+std::string dataFolder(const std::string& name) {
   const fs::path folder = fs::path(programPath()).parent_path();
-  for (const char* place : {"../share/hunavsim/maps", "../../maps"}) {
+  for (const char* place : {"../share/hunavsim", "../.."}) {
     std::error_code error;
-    const fs::path maps = (folder / place).lexically_normal();
-    if (fs::is_directory(maps, error)) {
-      return maps.string();
+    const fs::path found = (folder / place / name).lexically_normal();
+    if (fs::is_directory(found, error)) {
+      return found.string();
     }
   }
   return {};
+}
+
+}  // namespace
+
+std::string shippedMapsFolder() {
+  return dataFolder("maps");
+}
+
+std::string shippedResources(const std::string& folder) {
+  return dataFolder("resources/" + folder);
 }
 
 std::vector<ShippedScenario> shippedScenarios() {

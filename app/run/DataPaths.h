@@ -11,6 +11,7 @@ namespace app {
 /// Folders of the program's own data, found relative to the program: the source tree beside a
 /// build folder, or <prefix>/share/hunavsim after an installation. Empty when there are none.
 std::string shippedMapsFolder();
+std::string shippedResources(const std::string& folder);  // "nav2_trees"
 
 /// A scenario that comes with the program: stored in the folder above, or made by the build and in
 /// `maps` beside the program.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/run/DataPaths.h"
+#include "app/run/ProgramRegistries.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/scenario/Fields.h"
@@ -67,7 +68,7 @@ class Reader {
     readNumber(root, "stuck_after", -1e-300, 1e6);
     readName(root, "stop_on_collision",
              sim2d::fieldOf<sim2d::DesktopSettings>("stop_on_collision")->spec.choices);
-    const sim2d::Registries known = sim2d::programRegistries();
+    const sim2d::Registries known = programRegistries();
     readName(root, "model", known.models.names());
     readName(root, "robot", known.robotTypes.names());
     readName(root, "planner", known.planners.names());

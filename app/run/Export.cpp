@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "app/run/ProgramRegistries.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/human/TreeExport.h"
 #include "bt/tree/TreeXml.h"
@@ -92,7 +93,7 @@ class PlanMaker {
     }
     const base::Diagnostics meaning =
         sim2d::checkScenario(*source_.scenario, sim2d::makeSurroundings(*source_.scenario, {}),
-                             source_.path, sim2d::knownNames(sim2d::programRegistries()));
+                             source_.path, sim2d::knownNames(programRegistries()));
     base::append(plan_.report, errorsOf(meaning));
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/run/ProgramRegistries.h"
 #include "sim2d/world/Registries.h"
 
 namespace app {
@@ -10,7 +11,7 @@ HandSteering::HandSteering(int robot, const sim2d::RobotBody& body) : robot_(rob
   sim2d::PlannerSetup setup;
   setup.body = body;
   setup.parameters = {{"timeout", 0.0}};  // whoever lets go says so
-  const sim2d::Registries registries = sim2d::programRegistries();
+  const sim2d::Registries registries = programRegistries();
   if (const auto* const teleop = registries.planners.find("teleop")) {
     if (const auto made = teleop->make(setup)) {
       planner_ = std::dynamic_pointer_cast<sim2d::TeleopPlanner>(*made);

@@ -11,7 +11,7 @@
 namespace app {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using ListedJson = nlohmann::json;
 
 namespace {
 
@@ -33,7 +33,7 @@ base::Result<std::string> manifestText(const std::string& folder, const char* na
     return std::string("{}");
   }
   base::Result<std::string> text = base::readTextFile((fs::path(folder) / name).string());
-  return !text || Json::parse(*text, nullptr, false).is_object()
+  return !text || ListedJson::parse(*text, nullptr, false).is_object()
              ? text
              : base::Result<std::string>(std::string("{}"));
 }
@@ -43,12 +43,14 @@ base::Result<FileHashes> listedFiles(const std::string& folder, const char* name
   if (!text) {
     return text.diagnostics();
   }
-  const Json manifest = Json::parse(*text);
+  const ListedJson manifest = ListedJson::parse(*text);
   FileHashes listed;
   const auto outputs = manifest.find("outputs");
-  for (const Json& output : outputs != manifest.end() && outputs->is_array() ? *outputs : Json()) {
-    const Json path = output.is_object() ? output.value("path", Json()) : Json();
-    const Json hash = output.is_object() ? output.value("sha256", Json()) : Json();
+  for (const ListedJson& output :
+       outputs != manifest.end() && outputs->is_array() ? *outputs : ListedJson()) {
+    const ListedJson path = output.is_object() ? output.value("path", ListedJson()) : ListedJson();
+    const ListedJson hash =
+        output.is_object() ? output.value("sha256", ListedJson()) : ListedJson();
     if (path.is_string() && hash.is_string() && isWithin(path.get<std::string>())) {
       listed[path.get<std::string>()] = hash.get<std::string>();
     }
@@ -83,7 +85,8 @@ base::Diagnostics checkListed(const std::string& folder, const std::vector<std::
   if (!text || !read) {
     return text ? read.diagnostics() : text.diagnostics();
   }
-  const bool hasList = Json::parse(*text).value("outputs", Json()).is_array();  // it may be empty
+  const bool hasList =
+      ListedJson::parse(*text).value("outputs", ListedJson()).is_array();  // it may be empty
   const FileHashes& listed = *read;
   base::Diagnostics problems;
   for (const std::string& name : names) {

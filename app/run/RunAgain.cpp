@@ -13,22 +13,6 @@ namespace app {
 
 namespace {
 
-/// A file that was read for the recorded run and is another one by now.
-base::Diagnostics changedInputs(const Bundle& bundle, const std::vector<std::string>& hashes,
-                                const std::string& folder) {
-  const std::vector<std::string> paths = inputsOf(bundle);
-  base::Diagnostics problems;
-  for (std::size_t k = 0; k < std::min(paths.size(), hashes.size()); ++k) {
-    if (sha256OfFile(paths[k]) != hashes[k]) {
-      problems.push_back(base::error("again.input-changed", {}, paths[k]));
-    }
-  }
-  if (problems.empty() && paths.size() != hashes.size()) {
-    problems.push_back(base::error("again.other-inputs", {hashes.size(), paths.size()}, folder));
-  }
-  return problems;
-}
-
 std::int64_t stepAt(double time, double dt) {
   return std::llround(time / dt);
 }
@@ -52,6 +36,21 @@ base::Diagnostics fixedWords(const RunOptions& was, const RunOptions& is, const 
 }
 
 }  // namespace
+
+base::Diagnostics changedInputs(const Bundle& bundle, const std::vector<std::string>& hashes,
+                                const std::string& folder) {
+  const std::vector<std::string> paths = inputsOf(bundle);
+  base::Diagnostics problems;
+  for (std::size_t k = 0; k < std::min(paths.size(), hashes.size()); ++k) {
+    if (sha256OfFile(paths[k]) != hashes[k]) {
+      problems.push_back(base::error("again.input-changed", {}, paths[k]));
+    }
+  }
+  if (problems.empty() && paths.size() != hashes.size()) {
+    problems.push_back(base::error("again.other-inputs", {hashes.size(), paths.size()}, folder));
+  }
+  return problems;
+}
 
 base::Result<std::unique_ptr<RunAgain>> RunAgain::prepare(const RunOptions& options,
                                                           const RunWordsReader& readWords,

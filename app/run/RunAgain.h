@@ -13,6 +13,10 @@
 
 namespace app {
 
+/// Files that were read for the recorded run in `folder` and are others by now than these SHA-256.
+base::Diagnostics changedInputs(const Bundle& bundle, const std::vector<std::string>& hashes,
+                                const std::string& folder);
+
 /// A recorded run that is made again up to a moment and goes on from there with other options:
 /// planners, goals and limits of robots, another seed of what is drawn, people put elsewhere,
 /// another end. Up to the moment each state is compared with the recorded one. A run may go on from

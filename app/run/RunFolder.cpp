@@ -156,6 +156,12 @@ std::string runManifest(const Bundle& bundle, const FinishedRun& run,
                sim2d::resolveRobot(*bundle.scenario, robot, id));
     --id;
   });
+  for (std::size_t robot = 0; robot < run.robotReports.size(); ++robot) {
+    const std::string& report = run.robotReports[robot];
+    if (!report.empty() && robot < json["robots"].size()) {
+      json["robots"][robot]["nav2"] = Json::parse(report);
+    }
+  }
   return base::jsonText(json) + "\n";
 }
 

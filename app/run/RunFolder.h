@@ -80,6 +80,7 @@ struct FinishedRun {
   std::string effectsCsv;   // of the run without robots; empty = there was none
   bool totalsOnly = false;  // nothing per step is written
   std::optional<RunBefore> before;
+  std::vector<std::string> robotReports;  // World::robotReports
 };
 
 /// The files of a run (FORMAT.md), beside those that `writer` makes in the staging folder of the

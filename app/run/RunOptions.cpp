@@ -1,8 +1,11 @@
 #include "app/run/RunOptions.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
+#include <system_error>
 
+#include "app/run/ProgramRegistries.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -38,6 +41,14 @@ sim2d::Robot& addRobot(sim2d::Scenario& scenario) {
   return *scenario.robots.insert(scenario.robots.begin(), robot);
 }
 
+/// A file as the scenario would have to name it: relative ones begin there, not where the program
+/// was started. Names of shipped files stay.
+std::string fromHere(const std::string& file) {
+  std::error_code none;
+  return std::filesystem::exists(file, none) ? std::filesystem::absolute(file, none).string()
+                                             : file;
+}
+
 const sim2d::Field<sim2d::DesktopSettings>& collisionField() {
   return *sim2d::fieldOf<sim2d::DesktopSettings>("stop_on_collision");
 }
@@ -50,11 +61,13 @@ base::Diagnostics checkNames(const RunOptions& options) {
       wrong.push_back(base::error("option.unknown-name", {option, *name, base::join(known, ", ")}));
     }
   };
-  const sim2d::Registries registries = sim2d::programRegistries();
+  const sim2d::Registries registries = programRegistries();
   check("--stop-on-collision", options.stopOnCollision, collisionField().spec.choices);
   check("--model", options.model, registries.models.names());
   check("--planner", options.planner, registries.planners.names());
   check("--robot", options.robot, registries.robotTypes.names());
+  check("--nav2-distro", options.nav2Distro,
+        sim2d::fieldOf<sim2d::Robot>("nav2_distro")->spec.choices);
   return wrong;
 }
 
@@ -86,7 +99,8 @@ base::Diagnostics checkOptions(const RunOptions& options) {
 }
 
 base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& options) {
-  if (!options.robotStart && !options.robotGoal && !options.robot && !options.planner) {
+  const bool hasNav2 = options.nav2Params || options.nav2Tree || options.nav2Distro;
+  if (!options.robotStart && !options.robotGoal && !options.robot && !options.planner && !hasNav2) {
     return {};
   }
   sim2d::Robot* const present = firstRobot(scenario);
@@ -112,6 +126,14 @@ base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& option
   }
   if (options.planner) {
     robot.planner = options.planner;
+  }
+  if (hasNav2 && robot.planner != sim2d::kNav2Planner) {
+    return {base::error("option.nav2-without-planner")};
+  }
+  robot.nav2Params = options.nav2Params ? fromHere(*options.nav2Params) : robot.nav2Params;
+  robot.nav2Tree = options.nav2Tree ? fromHere(*options.nav2Tree) : robot.nav2Tree;
+  if (options.nav2Distro) {
+    sim2d::fieldOf<sim2d::Robot>("nav2_distro")->assign(robot, *options.nav2Distro);
   }
   return {};
 }

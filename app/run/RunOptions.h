@@ -21,6 +21,7 @@ struct RunOptions {
   std::optional<double> duration, dt, stuckAfter;
   std::optional<std::string> stopOnCollision;  // none, people, any
   std::optional<std::string> model, robot, robotStart, robotGoal, planner;
+  std::optional<std::string> nav2Params, nav2Tree, nav2Distro;  // of the first robot
   int threads = 1;
   MetricsWords metrics;
   std::optional<int> recordEvery;

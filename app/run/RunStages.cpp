@@ -14,7 +14,7 @@ namespace app {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using StageJson = nlohmann::json;
 
 constexpr int kMostStages = 100;  // a folder that goes on from itself would have no end
 
@@ -56,17 +56,17 @@ base::Result<Making> readMaking(const std::string& folder, const RunWordsReader&
   if (!text) {
     return text.diagnostics();
   }
-  const Json manifest = Json::parse(*text, nullptr, false);
+  const StageJson manifest = StageJson::parse(*text, nullptr, false);
   Making making;
   std::vector<std::string> words, paths;
   try {
     words = manifest.at("command_line").get<std::vector<std::string>>();
     making.version = manifest.at("program").at("version").get<std::string>();
-    for (const Json& input : manifest.at("inputs")) {
+    for (const StageJson& input : manifest.at("inputs")) {
       paths.push_back(input.at("path").get<std::string>());
       making.inputs.push_back(input.at("sha256").get<std::string>());
     }
-  } catch (const Json::exception&) {
+  } catch (const StageJson::exception&) {
     return base::error("again.not-told", {}, folder);
   }
   words.erase(words.begin(), words.begin() + (words.empty() ? 0 : 1));
@@ -117,6 +117,10 @@ sim2d::Scenario fixedPart(sim2d::Scenario scenario) {
     robot.planner = usual.planner;
     robot.command = usual.command;
     robot.plannerParameters = usual.plannerParameters;
+    robot.nav2Params = usual.nav2Params;
+    robot.nav2Tree = usual.nav2Tree;
+    robot.nav2Distro = usual.nav2Distro;
+    robot.nav2Values = usual.nav2Values;
     robot.goal = usual.goal;
     robot.goalRadius = usual.goalRadius;
     robot.maxVel = usual.maxVel;

@@ -84,6 +84,9 @@ sim2d::RunResult Session::run(sim2d::World& world, sim2d::FrameSink* sink, const
   Feed feed(*this, world, sink);
   const auto wantsStop = [&](const sim2d::Frame& frame) {
     feed.publish(frame);
+    if (change_) {
+      change_(frame, world);
+    }
     if (watch) {
       watch(frame);
     }

@@ -62,6 +62,9 @@ class Session {
     repeated_ = std::move(inputs);
     repeatUntil_ = until;
   }
+  /// Sees each state before the next step, in the thread that runs, and may change the world.
+  using Changer = std::function<void(const sim2d::Frame&, sim2d::World&)>;
+  void changeWith(Changer change) { change_ = std::move(change); }
   /// Once. `watch` sees each state before the next step and may give orders; `sink` gets all of
   /// them, the last with the event `stop`.
   sim2d::RunResult run(sim2d::World& world, sim2d::FrameSink* sink = nullptr,
@@ -101,6 +104,7 @@ class Session {
   std::shared_ptr<sim2d::Recording> history_;
   sim2d::RecordedInputs repeated_;
   std::int64_t repeatUntil_ = 0;
+  Changer change_;
   std::mutex mutex_;
   std::condition_variable changed_;
   // guarded by the mutex

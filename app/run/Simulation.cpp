@@ -33,7 +33,8 @@ FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& 
   world.measure(nullptr);
   sim2d::TraceHeader header = world.header();
   noteMetricsFile(setup, header);
-  return {std::move(header), std::move(result), planning, writer.evaluation(), {}, false, {}};
+  return {std::move(header),   std::move(result), planning, writer.evaluation(), {}, false, {},
+          world.robotReports()};
 }
 
 }  // namespace app

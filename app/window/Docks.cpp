@@ -84,6 +84,13 @@ Docks::Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegis
   mapOnly_->setCheckable(true);
   editor::describe(*mapOnly_, tr("Close all panels; once more brings them back"));
   connect(mapOnly_, &QAction::toggled, this, &Docks::showMapOnly);
+  treeLarge_ = new QAction(tr("T&ree in place of the map"), this);
+  treeLarge_->setShortcut(Qt::Key_F8);
+  treeLarge_->setCheckable(true);
+  editor::describe(*treeLarge_,
+                   tr("The behaviour tree in the middle of the window; once more brings the map "
+                      "back"));
+  connect(treeLarge_, &QAction::toggled, this, &Docks::showTreeLarge);
   window_.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   window_.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   connect(&context_, &editor::PanelContext::counted, this, &Docks::showCount);
@@ -98,12 +105,16 @@ void Docks::addTimeline() {
   auto* timeline = new editor::TimelineBar(workspace_.document(), workspace_.events(),
                                            workspace_.runner(), workspace_.theme());
   connect(&context_, &editor::PanelContext::themeChanged, timeline, &editor::TimelineBar::setTheme);
+  connect(&context_, &editor::PanelContext::comparedChanged, timeline,
+          &editor::TimelineBar::setCompared);
   timelineBar_ = new QToolBar(tr("Timeline"), &window_);
   timelineBar_->setObjectName(QStringLiteral("timeline"));
   timelineBar_->setMovable(false);
   timelineBar_->toggleViewAction()->setEnabled(false);  // always seen
   editor::describe(*timelineBar_->toggleViewAction(), tr("Always seen"));
   timelineBar_->addWidget(timeline);
+  timelineBar_->setIconSize(QSize(20, 20));
+  timelineBar_->addActions(workspace_.scrub().all());
   window_.addToolBar(Qt::BottomToolBarArea, timelineBar_);
 }
 
@@ -192,21 +203,50 @@ QList<QAction*> Docks::togglesBelow() const {
   return below;
 }
 
-void Docks::showMapOnly(bool on) {
-  if (on) {
-    openBefore_.clear();
-    sizesBefore_ = window_.saveState();
-    std::copy_if(docks_.begin(), docks_.end(), std::back_inserter(openBefore_),
-                 [](const QDockWidget* each) { return !each->isHidden(); });
-    for (QDockWidget* each : docks_) {
-      each->hide();
-    }
-    return;
+/// These alone, until `bringBack`.
+void Docks::keepOpen(const std::vector<const QDockWidget*>& kept) {
+  openBefore_.clear();
+  sizesBefore_ = window_.saveState();
+  std::copy_if(docks_.begin(), docks_.end(), std::back_inserter(openBefore_),
+               [](const QDockWidget* each) { return !each->isHidden(); });
+  for (QDockWidget* each : docks_) {
+    each->setVisible(std::find(kept.begin(), kept.end(), each) != kept.end());
   }
-  for (QDockWidget* each : openBefore_) {
-    each->show();
+}
+
+void Docks::bringBack() {
+  for (QDockWidget* each : docks_) {
+    each->setVisible(std::find(openBefore_.begin(), openBefore_.end(), each) != openBefore_.end());
   }
   window_.restoreState(std::exchange(sizesBefore_, {}));
+}
+
+void Docks::showMapOnly(bool on) {
+  if (on) {
+    treeLarge_->setChecked(false);
+  }
+  on ? keepOpen({}) : bringBack();
+}
+
+void Docks::showTreeLarge(bool on) {
+  QDockWidget* const tree = dock(QStringLiteral("tree"));
+  QDockWidget* const behaviour = dock(QStringLiteral("behaviour"));
+  if (tree == nullptr || behaviour == nullptr || centre_ == nullptr) {
+    return;
+  }
+  if (!on) {
+    centre_->show();
+    bringBack();
+    return;
+  }
+  mapOnly_->setChecked(false);
+  tree->setFloating(false);
+  keepOpen({tree, behaviour});
+  centre_->hide();
+  tree->raise();
+  behaviour->raise();
+  window_.resizeDocks({behaviour}, {kSideWidth}, Qt::Horizontal);
+  tree->widget()->setFocus();
 }
 
 QDockWidget* Docks::dock(const QString& name) const {
@@ -225,6 +265,7 @@ QStringList Docks::names() const {
 }
 
 void Docks::show(const QStringList& names) {
+  treeLarge_->setChecked(false);
   for (QDockWidget* dock : docks_) {
     dock->setVisible(names.contains(dock->objectName()));
   }
@@ -235,6 +276,7 @@ void Docks::show(const QStringList& names) {
 
 void Docks::resetLayout() {
   mapOnly_->setChecked(false);
+  treeLarge_->setChecked(false);
   for (QDockWidget* dock : docks_) {
     dock->setFloating(false);
     dock->setVisible(std::find(open_.begin(), open_.end(), dock) != open_.end());
@@ -272,6 +314,9 @@ void Docks::showCount(const QWidget* panel, int count, base::Severity worst) {
 }
 
 void Docks::setShown(bool shown) {
+  if (!shown) {
+    treeLarge_->setChecked(false);
+  }
   if (!shown && shownBefore_.empty() && window_.isVisible()) {
     layoutBefore_ = window_.saveState();
   }
@@ -285,6 +330,7 @@ void Docks::setShown(bool shown) {
   }
   timelineBar_->setVisible(shown);
   mapOnly_->setEnabled(shown);
+  treeLarge_->setEnabled(shown);
   for (const auto& [dock, toggle] : toggles_) {
     toggle->setEnabled(shown);
   }

@@ -31,7 +31,11 @@ class Docks : public QObject {
   QList<QAction*> toggles() const;               // of all panels, in order of the menu
   QList<QAction*> togglesBelow() const;          // of those below the canvas
   QAction* mapOnly() const { return mapOnly_; }  // all panels close, and come back as they were
+  /// The tree takes the place of the map, with the values of its nodes beside it.
+  QAction* treeLarge() const { return treeLarge_; }
   void setShown(bool shown);  // all of them, for the start page and the full screen
+  /// What lies in the middle of the window, which gives way to a large tree; null: nothing does.
+  void setCentre(QWidget* centre) { centre_ = centre; }
   template <class T>
   T& panel() const {
     return *window_.findChild<T*>();
@@ -42,6 +46,9 @@ class Docks : public QObject {
   void addToggle(QDockWidget& dock);
   void giveRoom(QDockWidget& dock, int room);
   void showMapOnly(bool on);
+  void showTreeLarge(bool on);
+  void keepOpen(const std::vector<const QDockWidget*>& kept);
+  void bringBack();
   void addTimeline();
   void showCount(const QWidget* panel, int count, base::Severity worst);
 
@@ -51,12 +58,13 @@ class Docks : public QObject {
   std::vector<QDockWidget*> docks_;
   std::map<const QDockWidget*, QAction*> toggles_;
   std::vector<const QDockWidget*> open_;  // at first
-  QAction* mapOnly_;
-  std::vector<QDockWidget*> openBefore_;  // mapOnly
+  QAction *mapOnly_, *treeLarge_;
+  std::vector<QDockWidget*> openBefore_;  // mapOnly, treeLarge
   QByteArray sizesBefore_;
   std::map<QDockWidget*, bool> shownBefore_;  // while all are hidden
   QByteArray layoutBefore_;                   // with their sizes, once the window is seen
   QToolBar* timelineBar_;
+  QWidget* centre_ = nullptr;
 };
 
 }  // namespace app

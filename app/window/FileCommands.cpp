@@ -7,13 +7,17 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 
+#include "app/cli/RunWords.h"
+#include "app/run/PlannerFiles.h"
 #include "app/run/RecordedRun.h"
+#include "app/run/RunMaking.h"
 #include "app/window/MapDialogs.h"
 #include "bt/tree/TreeXml.h"
 #include "editor/canvas/Layers.h"
 #include "editor/document/Autosave.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
+#include "editor/document/QtImageLoader.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -312,6 +316,16 @@ void FileCommands::askOpenRun() {
   openIfWanted(ask(QFileDialog::Directory, tr("Open the folder of a run")));
 }
 
+/// The same run, made here; null: that is not known, or others' programs took part.
+std::function<editor::RunRequest()> FileCommands::againOf(const QString& folder) const {
+  const base::Result<RunMaking> making =
+      makingOf(folder.toStdString(), readRunWords, editor::loadMapImage);
+  if (!making || !foreignCodeOf(*making->bundle.scenario).empty()) {
+    return {};
+  }
+  return [making = *making] { return editor::requestOf(making.bundle, making.stages); };
+}
+
 /// The document is the scenario of the run meanwhile, as far as it is known.
 bool FileCommands::openRun(const QString& path) {
   const base::Result<RecordedRun> run =
@@ -320,7 +334,7 @@ bool FileCommands::openRun(const QString& path) {
     return tell(run.diagnostics());
   }
   editor::ScenarioDocument& document = workspace_.document();
-  if (!workspace_.runner().isRecorded()) {
+  if (!workspace_.isOfRecord()) {
     beforeRun_ = document.path();
   }
   scenarioOfRun_ = QString::fromStdString(run->scenario);
@@ -345,8 +359,10 @@ bool FileCommands::openRun(const QString& path) {
   memory_.noteFile(folder.absolutePath());
   Q_EMIT recentChanged();
   Q_EMIT opened();  // first: the view fits what is drawn while nothing runs
-  workspace_.openRecorded(run->recording, folder.dirName());
-  return tell(run.diagnostics());
+  base::Diagnostics remarks = run.diagnostics();
+  base::append(remarks, otherProgram(path.toStdString()));
+  workspace_.openRecorded(run->recording, folder.dirName(), againOf(path));
+  return tell(remarks);
 }
 
 /// Back to what was there before, else to the scenario of the run.

@@ -80,6 +80,7 @@ class FileCommands : public QObject {
   Kind kindOf(const QString& path) const;
   bool openScenario(const QString& path);
   bool openRun(const QString& path);
+  std::function<editor::RunRequest()> againOf(const QString& folder) const;
   void leaveRun();
   bool giveTree(const QString& path, editor::EntityId under);
   bool mayWriteOver();

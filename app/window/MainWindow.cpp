@@ -15,6 +15,7 @@
 
 #include "app/window/CodeQuestion.h"
 #include "app/window/DocumentGuard.h"
+#include "app/window/FigureCommands.h"
 #include "app/window/FileDialogs.h"
 #include "app/window/HistoryDialog.h"
 #include "app/window/KeyRules.h"
@@ -60,6 +61,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
       keys_(new KeyRules(*this, workspace_)),
       notices_(new NoticeBar(setup.theme, this)),
       centre_(new QStackedWidget(this)),
+      canvas_(new QSplitter(Qt::Horizontal, this)),
       docks_(new Docks(*this, workspace_, setup.panels)),
       files_(new FileCommands(workspace_, docks_->panel<editor::IssuesPanel>(), memory_, *this)),
       status_(new StatusLine(*statusBar(), workspace_)),
@@ -84,6 +86,9 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   connectFiles();
   connectView();
   connectRun();
+  const auto* figures = new FigureCommands(workspace_, *docks_, *actions_, docks_);
+  connect(figures, &FigureCommands::told, this,
+          [this](const QString& words) { statusBar()->showMessage(words, kMessageMs); });
   restoreGeometry(memory_.value(kGeometryKey).toByteArray());
   guard_ = new DocumentGuard(workspace_, *files_, *notices_, setup.recoveryFolder, this);
   connect(guard_, &DocumentGuard::scenarioThere, this, &MainWindow::showTitle);
@@ -108,12 +113,16 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   menuBar()->setCornerWidget(saved_);
   startPage_ = new StartPage(workspace_, *actions_, memory_, setup.demos, this);
   centre_->addWidget(startPage_);
-  centre_->addWidget(&workspace_.view());
+  canvas_->addWidget(&workspace_.view());
+  canvas_->setChildrenCollapsible(false);
+  canvas_->setFocusProxy(&workspace_.view());
+  centre_->addWidget(canvas_);
   workspace_.view().setAcceptDrops(false);  // files fall through to the window
   setAcceptDrops(true);
   auto* middle = new QWidget(this);
   editor::arranged(new QVBoxLayout(middle), {}, 0, {notices_})->addWidget(centre_, 1);
   middle->setMinimumHeight(kLeastMiddle);
+  docks_->setCentre(middle);
   connect(notices_, &NoticeBar::keyboardFree, this,
           [this] { centre_->currentWidget()->setFocus(); });
   setCentralWidget(middle);
@@ -218,6 +227,7 @@ void MainWindow::connectView() {
   connect(actions_->rename, &QAction::triggered, this, [this] {
     docks_->panel<editor::ScenarioPanel>().rename(workspace_.document().selection().front());
   });
+  connect(&docks_->context(), &editor::PanelContext::besideWanted, this, &MainWindow::showBeside);
   connect(&docks_->context(), &editor::PanelContext::fileWanted, this, &MainWindow::showFile);
   const auto assign = [this] {
     editor::openGoalAssignment(workspace_.document(), workspace_.theme(), this);
@@ -265,7 +275,7 @@ void MainWindow::showBreak(const sim2d::TreeBreak& at) {
 }
 
 void MainWindow::followState() {
-  const bool isRecorded = workspace_.runner().isRecorded();
+  const bool isRecorded = workspace_.isOfRecord();
   for (QAction* action : {actions_->save, actions_->saveAs, actions_->exportTo}) {
     action->setEnabled(!isOnStartPage() && !isRecorded);
   }
@@ -278,8 +288,17 @@ void MainWindow::followState() {
   showTitle();
 }
 
+void MainWindow::showBeside(QWidget* view) {
+  if (view != nullptr) {
+    canvas_->addWidget(view);
+    canvas_->setSizes({canvas_->width() / 2, canvas_->width() / 2});
+    view->show();
+  }
+  editor::later(*canvas_, [this] { workspace_.view().fitAll(false); });  // once it has its size
+}
+
 void MainWindow::showStart(bool start) {
-  centre_->setCurrentWidget(start ? static_cast<QWidget*>(startPage_) : &workspace_.view());
+  centre_->setCurrentWidget(start ? static_cast<QWidget*>(startPage_) : canvas_);
   docks_->setShown(!start);
   toolBar_->setVisible(!start);
   status_->setIdle(start);
@@ -301,7 +320,7 @@ void MainWindow::showTitle() {
     saved_->clear();
     return;
   }
-  if (workspace_.runner().isRecorded()) {
+  if (workspace_.isOfRecord()) {
     setWindowTitle(tr("%1 (recorded run) – HuNavSim Desktop").arg(workspace_.recordedName()));
     setWindowModified(false);
     saved_->setText(tr("Recorded run"));
@@ -372,6 +391,7 @@ void MainWindow::showFile(const QString& file, int line) {
 }
 
 void MainWindow::remember() {
+  docks_->treeLarge()->setChecked(false);  // the next start begins with the map
   memory_.setValue(kGeometryKey, saveGeometry());
   if (!isOnStartPage()) {
     memory_.setValue(kWindowStateKey, saveState(kLayoutVersion));

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QPointer>
+#include <QSplitter>
 #include <QStackedWidget>
 
 #include "app/window/Docks.h"
@@ -77,6 +78,7 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showIssues();
   void followState();
+  void showBeside(QWidget* view);
   void showBreak(const sim2d::TreeBreak& at);
   void showFullScreenMap(bool on);
   void tellAbout();
@@ -93,6 +95,7 @@ class MainWindow : public QMainWindow {
   KeyRules* keys_;
   NoticeBar* notices_;
   QStackedWidget* centre_;
+  QSplitter* canvas_;  // the map, and what stands beside it
   StartPage* startPage_ = nullptr;
   Docks* docks_;
   FileCommands* files_;

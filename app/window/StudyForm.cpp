@@ -11,6 +11,7 @@
 #include <QShortcut>
 
 #include "app/run/DataPaths.h"
+#include "app/run/ProgramRegistries.h"
 #include "app/window/FileDialogs.h"
 #include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
@@ -147,7 +148,7 @@ QWidget* StudyForm::makePlanners() {
   auto* rows = editor::arranged(new QVBoxLayout(part), {}, 4);
   rows->addWidget(editor::secondaryLabel(tr("Planners, side by side"), part));
   editor::styleList(*planners_, tr("Planners"));
-  const sim2d::Registries registries = sim2d::programRegistries();
+  const sim2d::Registries registries = programRegistries();
   for (const auto& planner : registries.planners.entries()) {
     const QString name = QString::fromStdString(planner.name);
     if (needsMore(name)) {

@@ -75,7 +75,7 @@ QToolButton* makeLayersButton(const WindowActions& actions, QWidget* parent) {
   button->setToolTip(QObject::tr("Layers\nWhat the map shows"));
   button->setAccessibleName(QObject::tr("Layers"));
   auto* menu = new QMenu(button);
-  addGroups(*menu, {actions.layers, actions.overlays});
+  addGroups(*menu, {actions.layers, actions.overlays, actions.ofRuns->all});
   button->setMenu(menu);
   return button;
 }
@@ -149,6 +149,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   addGroups(edit, {{actions.undo, actions.redo},
                    {actions.cut, actions.copy, actions.paste, actions.duplicate, actions.rename,
                     actions.remove},
+                   {actions.copyFigure, actions.copyPlot},
                    {actions.selectAll, actions.deselect, actions.next, actions.previous}});
   actions.fillArrangeMenu(*edit.addMenu(QObject::tr("Arran&ge")));
   addGroups(edit, {actions.snapping});
@@ -156,7 +157,9 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   QMenu& view = *bar.addMenu(QObject::tr("&View"));
   addGroups(view, {{actions.zoomIn, actions.zoomOut, actions.zoomFit}, actions.overlays});
   view.addMenu(QObject::tr("&Layers"))->addActions(actions.layers);
-  addGroups(view, {docks.toggles() << docks.mapOnly() << actions.resetLayout,
+  view.addMenu(QObject::tr("&Over a run"))->addActions(actions.ofRuns->all);
+  view.addMenu(QObject::tr("Tra&il length"))->addActions(workspace.scrub().trailLengths());
+  addGroups(view, {docks.toggles() << docks.mapOnly() << docks.treeLarge() << actions.resetLayout,
                    {actions.switchTheme, actions.systemTheme, actions.fullScreen}});
 
   addGroups(*bar.addMenu(QObject::tr("&Scenario")),
@@ -167,6 +170,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   addGroups(*bar.addMenu(QObject::tr("&Run")),
             {{playback.playPause, playback.step, playback.stepBack, playback.newest, playback.goOn,
               playback.reset, workspace.drive().toggle()},
+             workspace.scrub().all(),
              {actions.history}});
   addBehaviorMenu(bar, workspace);
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});

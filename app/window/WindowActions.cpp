@@ -20,7 +20,7 @@ constexpr int kCtrl = Qt::CTRL;
 constexpr int kShift = Qt::SHIFT;
 
 WindowActions::WindowActions(Workspace& workspace, QObject* parent)
-    : QObject(parent), workspace_(workspace) {
+    : QObject(parent), ofRuns(new OverlayActions(workspace, this)), workspace_(workspace) {
   makeFileActions();
   makeEditActions();
   makeViewActions();
@@ -90,6 +90,11 @@ void WindowActions::makeEditActions() {
   icons_.emplace_back(redo, "edit-redo");
   cut = make(tr("Cu&t"), tr("Copy what is selected and remove it"), QKeySequence::Cut);
   copy = make(tr("&Copy"), tr("Copy what is selected, as YAML text"), QKeySequence::Copy);
+  copyFigure =
+      make(tr("Copy as fi&gure"), tr("The moment of the run as a figure for a paper: PNG and SVG"),
+           kCtrl | kShift | Qt::Key_C);
+  copyPlot = make(tr("Copy the metric as a p&lot"),
+                  tr("The metric that is selected, over time: PNG and SVG"));
   paste = make(tr("&Paste"), tr("Add what was copied beside it"), QKeySequence::Paste);
   duplicate =
       make(tr("Dup&licate"), tr("A copy of what is selected"), kCtrl | Qt::Key_D, "edit-duplicate");
@@ -146,10 +151,11 @@ void WindowActions::makeViewActions() {
   rulers = toggle(tr("R&ulers"), &CanvasOptions::rulers);
   trails = toggle(tr("&Trails"), &CanvasOptions::trails, Qt::Key_T, "view-trails",
                   tr("Where people have been, in a run"));
-  rings = toggle(tr("&Personal spaces"), &CanvasOptions::proxemics, Qt::Key_X, "view-rings",
-                 tr("Rings around the people that are selected"));
+  rings = toggle(
+      tr("&Personal spaces"), &CanvasOptions::proxemics, Qt::Key_X, "view-rings",
+      tr("Hall's zones round the people that are selected; in a run round all if nobody is"));
   forces = toggle(tr("For&ces"), &CanvasOptions::forces, kShift | Qt::Key_F, "view-forces",
-                  tr("What moves the people that are selected, in a run"));
+                  tr("What moves the people that are selected, in a run; all if nobody is"));
   robotPath = toggle(tr("Robot pat&hs"), &CanvasOptions::robotPath, {}, nullptr,
                      tr("What planners of robots follow, in a run"));
   lidar = toggle(tr("L&aser scans"), &CanvasOptions::lidar, kShift | Qt::Key_L, nullptr,
@@ -167,6 +173,7 @@ void WindowActions::makeViewActions() {
 }
 
 void WindowActions::remember(Memory& memory) {
+  ofRuns->remember(memory);
   const std::pair<QAction*, const char*> kept[] = {
       {names, "map/names"},           {routes, "map/routes"},   {grid, "map/grid"},
       {rulers, "map/rulers"},         {trails, "map/trails"},   {rings, "map/rings"},

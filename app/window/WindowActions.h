@@ -7,6 +7,7 @@
 #include <QMenu>
 
 #include "app/window/FileDialogs.h"
+#include "app/window/OverlayActions.h"
 #include "app/window/Workspace.h"
 
 namespace app {
@@ -21,7 +22,7 @@ class WindowActions : public QObject {
   void setTheme(const editor::Theme& theme);
 
   QAction *newRoom, *newFromMap, *open, *openRun, *save, *saveAs, *exportTo, *close, *quit;
-  QAction* newWalledRoom;
+  QAction *newWalledRoom, *copyFigure, *copyPlot;
   QAction *undo, *redo, *cut, *copy, *paste, *duplicate, *rename, *remove, *selectAll, *deselect;
   QAction *next, *previous;  // person, or thing of the kind that is selected
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;
@@ -30,6 +31,7 @@ class WindowActions : public QObject {
   QAction *robotPath, *lidar, *detections, *candidates;
   /// What the canvas shows and what drawing snaps to, checkable.
   QList<QAction*> overlays, layers, snapping;
+  OverlayActions* const ofRuns;
   void fillArrangeMenu(QMenu& menu) const;
   /// What the map shows beside its things is as it was left.
   void remember(Memory& memory);

@@ -191,6 +191,23 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
   return {};
 }
 
+base::Diagnostics showTreeOf(MainWindow& window, const std::string& person) {
+  editor::ScenarioDocument& document = window.workspace().document();
+  for (const sim2d::Human& human : document.scenario().humans) {
+    if (human.name == person) {
+      document.setSelection({human.key});
+      window.docks().treeLarge()->setChecked(true);
+      return {};
+    }
+  }
+  QStringList names;
+  for (const sim2d::Human& human : document.scenario().humans) {
+    names.push_back(QString::fromStdString(human.name));
+  }
+  return {base::error("option.unknown-name",
+                      {"--tree", person, names.join(QStringLiteral(", ")).toStdString()})};
+}
+
 base::Diagnostics save(const QPixmap& picture, const std::string& file) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
@@ -202,6 +219,22 @@ base::Diagnostics save(const QPixmap& picture, const std::string& file) {
                                    {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
+/// A person or robot; empty name: nobody.
+base::Diagnostics selectNamed(editor::ScenarioDocument& document, const std::string& name) {
+  const auto select = [&](const auto& bodies) {
+    const auto found = std::find_if(bodies.begin(), bodies.end(),
+                                    [&name](const auto& body) { return body.name == name; });
+    if (found != bodies.end()) {
+      document.setSelection({found->key});
+    }
+    return found != bodies.end();
+  };
+  const bool isFine =
+      name.empty() || select(document.scenario().humans) || select(document.scenario().robots);
+  return isFine ? base::Diagnostics()
+                : base::Diagnostics{base::error("option.unknown-body", {name})};
+}
+
 }  // namespace
 
 base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& options) {
@@ -211,6 +244,11 @@ base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& option
     if (base::Diagnostics problems = runTo(window.workspace(), options.at); !problems.empty()) {
       return problems;
     }
+  }
+  window.actions().ofRuns->show(options.overlays);
+  if (base::Diagnostics problems = selectNamed(window.workspace().document(), options.select);
+      !problems.empty()) {
+    return problems;
   }
   if (!options.docks.empty()) {
     QStringList names;
@@ -294,6 +332,9 @@ int windowCommand(const Invocation& given, const RunOptions& run, const WindowOp
     requireFine(whyNotOpened(window), ExitBadInput, base::Severity::Warning);
     return ExitFine;
   }
+  if (!options.tree.empty()) {
+    requireFine(showTreeOf(window, options.tree), ExitWrongCommandLine);
+  }
   if (!picture) {
     const int code = QApplication::exec();
     application.whenBroken({});  // the window goes first
@@ -349,6 +390,13 @@ void addWindow(CommandRegistry& commands) {
   root.add_option("--size", window->size, "Size of the window, WxH");
   root.add_option("--scale", window->scale, "Pixels per point");
   root.add_option("--theme", window->theme, "light or dark")->check(oneOf({"light", "dark"}));
+  root.add_option("--overlay", window->overlays,
+                  "What a picture shows over the run: density, sight, gaussian, velocities, plans, "
+                  "contacts, thoughts, zones, forces; several with commas")
+      ->delimiter(',')
+      ->check(oneOf(OverlayActions::names()));
+  root.add_option("--select", window->select, "Who is selected in a picture, by name");
+  root.add_option("--tree", window->tree, "Person whose behaviour tree is shown large");
   root.add_option("--dock", window->docks, "Docks to show, by their names in the View menu");
 }
 

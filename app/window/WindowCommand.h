@@ -15,12 +15,15 @@ class MainWindow;
 
 /// Options of the window beside those of `run`.
 struct WindowOptions {
-  std::string screenshot;          // picture to save; empty: stay open
-  double at = 5.0;                 // simulated time of the picture [s]
-  std::string size;                // "1280x800"; empty: as last used, 1280x800 for a picture
-  double scale = 1.0;              // pixels per point of the picture
-  std::string theme;               // "light", "dark"; empty: the system's
-  std::vector<std::string> docks;  // shown; empty: as last used
+  std::string screenshot;             // picture to save; empty: stay open
+  double at = 5.0;                    // simulated time of the picture [s]
+  std::string size;                   // "1280x800"; empty: as last used, 1280x800 for a picture
+  double scale = 1.0;                 // pixels per point of the picture
+  std::string theme;                  // "light", "dark"; empty: the system's
+  std::vector<std::string> docks;     // shown; empty: as last used
+  std::vector<std::string> overlays;  // switched on beside those of last time
+  std::string select;                 // a person or robot by name
+  std::string tree;                   // person whose tree takes the place of the map; empty: none
 };
 
 /// "1280x800"; nothing when it is no size of a window.

@@ -6,6 +6,7 @@
 #include <QActionGroup>
 
 #include "editor/canvas/FrameLayer.h"
+#include "editor/panels/RunLayers.h"
 #include "editor/tools/ToolOptionsBar.h"
 
 namespace app {
@@ -28,8 +29,10 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
       tools_(document_, scene_, tools),
       events_(document_, runner_),
       feed_(document_, runner_),
-      playback_(runner_, theme) {
+      playback_(runner_, theme),
+      scrub_(runner_, events_, scene_) {
   new editor::ToolOptionsBar(tools_, *view_);  // the view owns it
+  new editor::RunLayers(runner_, events_, *view_);
   // The tool just chosen hears its keys, wherever the choice was made.
   connect(&tools_.actions(), &QActionGroup::triggered, view_, [this] { view_->setFocus(); });
   runner_.setGate([this](bool paused) {
@@ -95,9 +98,10 @@ void Workspace::forgetUnsavedCode() {
   }
 }
 
-void Workspace::openRecorded(editor::RecordingPtr recording, const QString& name) {
+void Workspace::openRecorded(editor::RecordingPtr recording, const QString& name,
+                             std::function<editor::RunRequest()> again) {
   recordedName_ = name;
-  runner_.openRecorded(std::move(recording));
+  runner_.openRecorded(std::move(recording), std::move(again));
 }
 
 void Workspace::followRecorded() {
@@ -111,7 +115,7 @@ void Workspace::followRecorded() {
 
 /// Forms and lists stay in use, to look at people and trees; what they change is taken back.
 void Workspace::refuseEdits() {
-  if (runner_.isRecorded() && document_.undoStack().canUndo()) {
+  if (isOfRecord() && document_.undoStack().canUndo()) {
     document_.undoStack().undo();
     Q_EMIT editRefused();
   }
@@ -151,6 +155,7 @@ void Workspace::setTheme(const editor::Theme& theme) {
   theme_ = theme;
   scene_.setTheme(theme);
   playback_.setTheme(theme);
+  scrub_.setTheme(theme);
   Q_EMIT themeChanged();
 }
 
@@ -170,7 +175,8 @@ void Workspace::showState() {
 void Workspace::hearEvents(int first, int last) {
   for (int i = first; i <= last; ++i) {
     const editor::RunEvent& event = events_.events()[static_cast<std::size_t>(i)];
-    if (event.event.kind == sim2d::EventKind::Say) {
+    const sim2d::EventKind kind = event.event.kind;
+    if (kind == sim2d::EventKind::Say || kind == sim2d::EventKind::Heard) {
       scene_.frameLayer().hear({event.event}, event.time);
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -20,6 +21,7 @@
 #include "editor/panels/MetricsFeed.h"
 #include "editor/panels/Playback.h"
 #include "editor/panels/RunEvents.h"
+#include "editor/panels/Scrubbing.h"
 #include "editor/run/SimulationRunner.h"
 #include "editor/tools/ToolManager.h"
 
@@ -44,12 +46,17 @@ class Workspace : public QObject {
   editor::RunEvents& events() { return events_; }
   editor::MetricsFeed& feed() { return feed_; }
   editor::PlaybackActions& playback() { return playback_; }
+  editor::ScrubActions& scrub() { return scrub_; }
   editor::HandDrive& drive() { return *drive_; }
   const editor::Theme& theme() const { return theme_; }
   void setTheme(const editor::Theme& theme);
   /// Shows a run that was recorded before instead of the document; nothing is edited meanwhile.
-  void openRecorded(editor::RecordingPtr recording, const QString& name);
+  /// `again`: as of the runner.
+  void openRecorded(editor::RecordingPtr recording, const QString& name,
+                    std::function<editor::RunRequest()> again = {});
   QString recordedName() const { return recordedName_; }
+  /// That run is shown, or a branch of it.
+  bool isOfRecord() const { return !recordedName_.isEmpty(); }
   /// Of the runs that begin from now on.
   void setRunSettings(const editor::RunSettings& settings) { runSettings_ = settings; }
   /// Programs and libraries of others that a run would start, and nobody has allowed.
@@ -84,6 +91,7 @@ class Workspace : public QObject {
   editor::RunEvents events_;
   editor::MetricsFeed feed_;
   editor::PlaybackActions playback_;
+  editor::ScrubActions scrub_;
   std::set<std::pair<QString, std::string>> allowedCode_;  // file (empty: not saved yet), its words
   std::optional<QString> freeFile_;
   QString recordedName_;  // of the recorded run that is shown

@@ -34,6 +34,10 @@ std::optional<std::string> LeafContext::text(int port) const {
   return value ? std::optional<std::string>(value->toText()) : std::nullopt;
 }
 
+base::NodeStatus LeafContext::before() const {
+  return ticker_->storedOf(head_->index);
+}
+
 const std::string& LeafContext::path() const {
   return ticker_->program().path(head_->index);
 }

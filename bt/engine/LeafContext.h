@@ -91,6 +91,10 @@ class LeafContext {
     return elapsedSince(startStep) >= limit - kTimeTolerance;
   }
 
+  /// What the last call of this node left: IDLE when it begins, as in BehaviorTree.CPP while a node
+  /// is ticked. Of decorators, and of leaves that last or remember.
+  base::NodeStatus before() const;
+
   int node() const { return head_->index; }  // number in the program
   const std::string& path() const;           // "MainFallback/SetGoals/RunOnce[2]/SetGoal"
   const std::string& label() const;          // the name, else the ID

@@ -98,6 +98,14 @@ class NodeLibrary {
     manifest.kind = isCondition ? NodeKind::Condition : NodeKind::Action;
     add<Memory>(std::move(manifest), {NodeFunctions::Kind::Stateful, nullptr, functions});
   }
+  /// A leaf that never lasts and is called at every tick, like a synchronous one, but keeps its
+  /// status: LeafContext::before() is IDLE when it was halted or reset since its last call.
+  template <class Memory = NoMemory>
+  void addRemembering(NodeManifest manifest, LeafFunction tick) {
+    NodeFunctions functions{NodeFunctions::Kind::Stateful, nullptr, {tick, tick}};
+    functions.isCalledWhenDone = true;
+    add<Memory>(std::move(manifest), functions);
+  }
   template <class Memory = NoMemory>
   void addDecorator(NodeManifest manifest, ParentFunctions functions) {
     manifest.kind = NodeKind::Decorator;

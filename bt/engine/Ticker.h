@@ -37,6 +37,7 @@ class Ticker {
   void* memoryOf(int node) {
     return reinterpret_cast<unsigned char*>(state_.memory_.get()) + program_.node(node).memory;
   }
+  base::NodeStatus storedOf(int node) const { return stored_[node]; }
   Slot* slots() { return state_.slots_.get(); }
   const Program& program() const { return program_; }
   const TickInput& input() const { return input_; }

@@ -25,6 +25,14 @@ base::Result<TreeTable> loadTrees(const std::string& path, const PackageFolder& 
 
 /// The file as XML text. `catalogue` decides nothing but the tag of explicit notation.
 std::string writeTree(const TreeFile& file, const NodeCatalogue& catalogue);
+/// The file as XML text again, where `before` is the text that it was read from: what has not
+/// changed since stays byte by byte, with its comments, its layout and the order of its attributes.
+/// Reading the result gives `file`. Where that cannot be had (other includes, other model …) it is
+/// the text of writeTree.
+std::string rewriteTree(const std::string& before, const TreeFile& file,
+                        const NodeCatalogue& catalogue);
+/// A node with all that is below it, as an element without a file around it.
+std::string writeNode(const NodeSpec& node, const NodeCatalogue& catalogue);
 /// A file with the model block alone, for Groot2.
 std::string writeModel(const NodeCatalogue& catalogue);
 /// The model block of all nodes that are not part of BehaviorTree.CPP itself.

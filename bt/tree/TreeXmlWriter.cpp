@@ -130,7 +130,33 @@ XmlBlock modelOfPort(const PortSpec& port) {
   return block;
 }
 
+std::string behindMargin(const XmlBlock& block, const std::string& margin, bool isOpen) {
+  std::string text;
+  write(block, 0, isOpen, text);
+  std::string moved;
+  for (std::size_t at = 0; at < text.size();) {  // line breaks in values are written as references
+    const std::size_t end = text.find('\n', at);
+    moved += margin + text.substr(at, end - at) + "\n";
+    at = end + 1;
+  }
+  return moved;
+}
+
 }  // namespace
+
+std::string textOf(const NodeSpec& node, const NodeCatalogue& catalogue, bool compact,
+                   const std::string& margin) {
+  return behindMargin(blockOf(node, catalogue, compact), margin, false);
+}
+
+std::string textOf(const TreeSpec& tree, const NodeCatalogue& catalogue,
+                   const std::string& margin) {
+  return behindMargin(blockOf(tree, catalogue), margin, true);
+}
+
+std::string writeNode(const NodeSpec& node, const NodeCatalogue& catalogue) {
+  return textOf(node, catalogue, false, {});
+}
 
 XmlBlock modelOf(const NodeCatalogue& catalogue) {
   XmlBlock model;

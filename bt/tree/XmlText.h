@@ -40,6 +40,11 @@ std::string messageOfXmlError(int errorId);
 
 std::string escapedXml(std::string_view text);
 
+/// As in a file, each line behind `margin`. `compact`: not in explicit notation.
+std::string textOf(const NodeSpec& node, const NodeCatalogue& catalogue, bool compact,
+                   const std::string& margin);
+std::string textOf(const TreeSpec& tree, const NodeCatalogue& catalogue, const std::string& margin);
+
 /// Whether a node's name means another node (or none) since version 4 of BehaviorTree.CPP.
 bool isVersion3Name(const std::string& id);
 /// Converts the node itself, not its children. Says what was changed.

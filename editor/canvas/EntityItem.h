@@ -21,6 +21,7 @@ struct Label {
   bool isOfHover = false;    // shown while the mouse is over it and not otherwise
   bool isNeeded = false;     // covers bodies rather than being left out
   QSizeF size = {};          // [px], once its picture is there
+  QString detail = {};       // a second line, softer
 };
 
 /// What is drawn on the canvas, in scene coordinates (the item itself stays at the origin); what

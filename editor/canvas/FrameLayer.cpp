@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/RunOverlays.h"
 #include "editor/canvas/SensePainter.h"
 #include "editor/canvas/SpriteAtlas.h"
 #include "editor/document/Groups.h"
@@ -22,6 +23,14 @@ constexpr double kSpeechSeconds = 4.0;
 constexpr double kSpeechFade = 0.6;  // [s] at its end
 constexpr double kBubbleWidthPx = 220.0;
 constexpr int kBubbleText = int{Qt::TextWordWrap} | int{Qt::AlignCenter};
+
+/// The first that can still be seen then.
+template <class Said>
+typename std::vector<Said>::const_iterator firstWithin(const std::vector<Said>& said, double time) {
+  return std::partition_point(said.begin(), said.end(), [time](const Said& each) {
+    return each.since + kSpeechSeconds <= time;
+  });
+}
 
 }  // namespace
 
@@ -73,6 +82,7 @@ void FrameLayer::end() {
   before_.clear();
   places_.clear();
   speeches_.clear();
+  hearings_.clear();
 }
 
 void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
@@ -82,6 +92,7 @@ void FrameLayer::show(std::shared_ptr<const sim2d::Frame> frame,
   if (recording != nullptr && recording->size() > 0) {
     meet(*recording->header(), *frame);
   }
+  trails_.setSeconds(options().trailSeconds);
   trails_.goOn(frame_.get(), *frame, recording);
   frame_ = std::move(frame);
   bodies_.clear();
@@ -154,6 +165,8 @@ void FrameLayer::hear(const std::vector<sim2d::Event>& events, double time) {
   for (const sim2d::Event& event : events) {
     if (event.kind == sim2d::EventKind::Say && event.hasId) {
       speeches_.push_back({event.id, QString::fromStdString(event.text), time});
+    } else if (event.kind == sim2d::EventKind::Heard && event.hasId && event.hasOther) {
+      hearings_.push_back({event.id, event.other, time});
     }
   }
 }
@@ -181,6 +194,27 @@ bool FrameLayer::isChosen(const Body& body) const {
 std::optional<Vec2> FrameLayer::positionOf(int id) const {
   const Body* found = body(id);
   return found == nullptr ? std::nullopt : std::optional<Vec2>(found->pose.position);
+}
+
+std::vector<ShownBody> FrameLayer::shownBodies() const {
+  std::vector<ShownBody> shown;
+  shown.reserve(bodies_.size());
+  const double scale = mapScene().pixelsPerMetre();
+  std::size_t row = 0;  // people come first, in the order of the frame
+  for (const Body& body : bodies_) {
+    const sim2d::BodyColumns& columns =
+        body.isRobot() ? frame_->robots : static_cast<const sim2d::BodyColumns&>(frame_->humans);
+    const std::size_t k = body.isRobot() ? row - frame_->humans.size() : row;
+    ++row;
+    shown.push_back({body.id, body.pose, Vec2(columns.vx[k], columns.vy[k]),
+                     figureRadiusPx(body, scale), body.agent->look, isChosen(body)});
+  }
+  return shown;
+}
+
+bool FrameLayer::isAnybodyChosen() const {
+  return std::any_of(bodies_.begin(), bodies_.end(),
+                     [this](const Body& body) { return isChosen(body); });
 }
 
 std::optional<int> FrameLayer::agentAt(const Vec2& world) const {
@@ -236,6 +270,9 @@ std::vector<Label> FrameLayer::labels() const {
     label.priority = chosen ? 3 : 1;
     const bool isKnown = showAll && body.agent->entity;  // those who come and go only when chosen
     const bool isShown = chosen || (isKnown && mapScene().pixelsPerMetre() >= kNameZoom);
+    if (options().thoughts && (chosen || showAll)) {
+      label.detail = mapScene().overlays().thoughtOf(body.id);
+    }
     if (options().people && !label.text.isEmpty() && isShown) {
       labels.push_back(label);
     }
@@ -248,11 +285,6 @@ void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     return;
   }
   painter->setRenderHint(QPainter::Antialiasing);
-  for (const Body& body : bodies_) {
-    if (options().proxemics && !body.isRobot() && isChosen(body)) {
-      paintSpaces(*painter, body.pose.position, theme().fill(body.agent->look));
-    }
-  }
   paintPerceived(*painter);
   if (options().trails) {
     paintTrails(*painter);
@@ -272,12 +304,11 @@ void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
       paintRobot(*painter, body);
     }
   }
-  for (const Body& body : bodies_) {
-    if (options().forces && isChosen(body)) {
-      paintForces(*painter, body);
-    }
+  if (options().forces) {
+    paintForces(*painter);
   }
   if (options().speech) {
+    paintHearing(*painter);
     paintSpeech(*painter);
   }
 }
@@ -415,7 +446,7 @@ std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {
 }
 
 void FrameLayer::paintTrails(QPainter& painter) const {
-  const double seconds = trailSeconds(bodies_.size());
+  const double seconds = trailSeconds(bodies_.size(), options().trailSeconds);
   for (const auto& [id, trail] : trails_.all()) {
     if (!trail.points.empty()) {
       const Body* there = body(id);
@@ -426,21 +457,21 @@ void FrameLayer::paintTrails(QPainter& painter) const {
   }
 }
 
-void FrameLayer::paintForces(QPainter& painter, const Body& person) const {
-  const double pixelsPerMetre = pixelsPerMetreOf(painter);
-  const PixelFrame frame(painter, toScene(person.pose.position));
-  const double ring = figureRadiusPx(person, pixelsPerMetre) + 7.0;
-  for (const ForceArrow& arrow : forcesOn(*frame_, person.id)) {
-    const double length = arrow.force.norm() * kMetresPerForce * pixelsPerMetre;
-    if (length < 2.0) {
+/// On those who are chosen, or on all when nobody is.
+void FrameLayer::paintForces(QPainter& painter) const {
+  const double scale = pixelsPerMetreOf(painter);
+  const PixelFrame frame(painter, {});
+  const OverlayPainter over(painter, theme(), {QPointF(), scale});
+  const bool anyChosen = isAnybodyChosen();
+  for (const Body& body : bodies_) {
+    if (body.isRobot() || (anyChosen && !isChosen(body))) {
       continue;
     }
-    const double heading = base::headingOf(arrow.force);
-    const QPointF along(std::cos(heading), -std::sin(heading));
-    const QPointF tip = (ring + length) * along;
-    painter.setPen(QPen(theme().color(arrow.color), 2.2, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(ring * along, tip);
-    FigurePainter(theme()).arrowHead(painter, tip, degrees(heading), 7.0);
+    std::vector<ForceArrow> arrows = forcesOn(*frame_, body.id);
+    if (!anyChosen && frame_->humans.size() > kMostTerms && !arrows.empty()) {
+      arrows.erase(arrows.begin(), arrows.end() - 1);
+    }
+    over.forces(body.pose.position, figureRadiusPx(body, scale) + (anyChosen ? 7.0 : 2.0), arrows);
   }
 }
 
@@ -468,12 +499,28 @@ void FrameLayer::paintBubble(QPainter& painter, const Body& speaker, const Speec
   painter.drawText(box, kBubbleText, speech.text);
 }
 
+/// Who hears what is being said: dashes from the speaker, which fade with the words.
+void FrameLayer::paintHearing(QPainter& painter) const {
+  for (auto at = firstWithin(hearings_, frame_->time);
+       at != hearings_.end() && at->since <= frame_->time; ++at) {
+    const Body* const speaker = body(at->speaker);
+    const Body* const listener = body(at->listener);
+    if (speaker == nullptr || listener == nullptr) {
+      continue;
+    }
+    const double left = at->since + kSpeechSeconds - frame_->time;
+    const double alpha = 0.7 * std::clamp(left / kSpeechFade, 0.0, 1.0);
+    setInk(painter,
+           screenPen(painter, theme().color(Role::TextSecondary, alpha), 1.2, Qt::DotLine));
+    painter.drawLine(toScene(speaker->pose.position), toScene(listener->pose.position));
+  }
+}
+
 void FrameLayer::paintSpeech(QPainter& painter) const {
   std::map<int, const Speech*> latest;  // a person's newest words take the place of older ones
-  for (const Speech& speech : speeches_) {
-    if (speech.since <= frame_->time && frame_->time < speech.since + kSpeechSeconds) {
-      latest[speech.id] = &speech;
-    }
+  for (auto at = firstWithin(speeches_, frame_->time);
+       at != speeches_.end() && at->since <= frame_->time; ++at) {
+    latest[at->id] = &*at;
   }
   for (const auto& [id, speech] : latest) {
     if (const Body* speaker = body(id)) {

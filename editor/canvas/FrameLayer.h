@@ -6,10 +6,21 @@
 #include <vector>
 
 #include "editor/canvas/Layers.h"
+#include "editor/canvas/OverlayPainter.h"
 #include "editor/canvas/Trails.h"
 #include "sim2d/trace/Recording.h"
 
 namespace editor {
+
+/// Somebody of the run as they are shown now, between two frames.
+struct ShownBody {
+  int id = 0;  // of robots: below 0
+  Pose2 pose;
+  Vec2 velocity = Vec2::Zero();  // [m/s], of the frame
+  double radiusPx = 10.0;        // as drawn
+  Look look = Look::Regular;
+  bool isChosen = false;
+};
 
 /// One item that paints everybody of a frame from a sprite atlas, with trails, robot paths, speech
 /// and, for selected people, personal spaces and forces.
@@ -35,6 +46,8 @@ class FrameLayer : public FullLayer {
   EntityId entityOf(int id) const { return agent(id).entity; }  // none: came in by a source
   QString nameOf(int id) const { return agent(id).name; }
   std::optional<Vec2> positionOf(int agent) const;
+  std::vector<ShownBody> shownBodies() const;
+  bool isAnybodyChosen() const;  // of those in the frame
   std::vector<Label> labels() const;
   std::vector<QRectF> solidParts() const;
 
@@ -64,6 +77,10 @@ class FrameLayer : public FullLayer {
     QString text;
     double since = 0.0;  // [s]
   };
+  struct Hearing {
+    int listener = 0, speaker = 0;
+    double since = 0.0;  // [s]
+  };
   void meet(const sim2d::TraceHeader& header, const sim2d::Frame& frame);
   const Body* body(int id) const;
   const Agent& agent(int id) const;
@@ -78,8 +95,9 @@ class FrameLayer : public FullLayer {
   void paintPeople(QPainter& painter) const;
   void paintRobot(QPainter& painter, const Body& robot) const;
   void paintSpeech(QPainter& painter) const;
+  void paintHearing(QPainter& painter) const;
   void paintBubble(QPainter& painter, const Body& speaker, const Speech& speech) const;
-  void paintForces(QPainter& painter, const Body& person) const;
+  void paintForces(QPainter& painter) const;
 
   void rememberPlaces();
   std::shared_ptr<const sim2d::Frame> frame_;
@@ -91,17 +109,13 @@ class FrameLayer : public FullLayer {
   std::unordered_map<int, std::size_t> places_;  // in bodies_
   bool hasMet_ = false;
   Trails trails_;
-  std::vector<Speech> speeches_;
+  std::vector<Speech> speeches_;  // by their times, as the next
+  std::vector<Hearing> hearings_;
 };
 
-/// The force terms on a person that the canvas draws, in the order of the legend.
-struct ForceArrow {
-  QString name;
-  Role color = Role::ForceTotal;
-  Vec2 force = Vec2::Zero();  // [m/s²]
-};
-/// Empty when the frame has no forces or the person is not in it. The last one is the sum.
+/// The force terms on a person that the canvas draws, in the order of the legend. Empty when the
+/// frame has no forces or the person is not in it. The last one is the sum.
 std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId);
-constexpr double kMetresPerForce = 0.6;  // length of 1 m/s² on the map
+constexpr std::size_t kMostTerms = 40;  // people whose terms are drawn; of more the total alone
 
 }  // namespace editor

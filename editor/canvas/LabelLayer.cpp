@@ -86,6 +86,12 @@ QFont labelFont(const Theme& theme) {
   return theme.font(9.0, QFont::Medium);
 }
 
+QFont detailFont(const Theme& theme) {
+  QFont font = theme.font(9.0);
+  font.setItalic(true);
+  return font;
+}
+
 double markSpace(const Label& label) {
   return label.mark ? kMarkPx + kMarkGapPx : 0.0;
 }
@@ -101,6 +107,15 @@ void paintLabel(QPainter& painter, const Theme& theme, const QRectF& box, const 
   painter.setFont(font);
   painter.setPen(theme.color(Role::Text));
   painter.drawText(baseline, label.text);
+  if (!label.detail.isEmpty()) {
+    const QPointF second(box.left() + kPadPx, baseline.y() + metrics.height());
+    const QFont soft = detailFont(theme);
+    setInk(painter, QPen(ground, kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(textOutline(second, soft, label.detail));
+    painter.setFont(soft);
+    painter.setPen(theme.color(Role::TextSecondary));
+    painter.drawText(second, label.detail);
+  }
   if (label.mark) {
     const QPointF centre(box.left() + kPadPx + 0.5 * kMarkPx,
                          baseline.y() - 0.5 * metrics.capHeight());
@@ -147,13 +162,15 @@ std::vector<QRectF> layoutLabels(const std::vector<Label>& labels, const std::ve
 
 QSizeF labelSize(const Theme& theme, const Label& label) {
   const QFontMetricsF metrics(labelFont(theme));
-  return {metrics.horizontalAdvance(label.text) + markSpace(label) + 2.0 * kPadPx,
-          metrics.height()};
+  const double width = metrics.horizontalAdvance(label.text) + markSpace(label);
+  const double second = QFontMetricsF(detailFont(theme)).horizontalAdvance(label.detail);
+  return {std::max(width, second) + 2.0 * kPadPx,
+          label.detail.isEmpty() ? metrics.height() : 2.0 * metrics.height()};
 }
 
 const LabelLayer::Picture& LabelLayer::pictureOf(const Label& label, double ratio) {
-  const Key key{label.text, label.mark ? static_cast<int>(*label.mark) : -1, theme().isDark(),
-                static_cast<int>(std::lround(100.0 * ratio))};
+  const Key key{label.text, label.detail, label.mark ? static_cast<int>(*label.mark) : -1,
+                theme().isDark(), static_cast<int>(std::lround(100.0 * ratio))};
   const auto [found, isNew] = pictures_.try_emplace(key);
   Picture& picture = found->second;
   if (isNew) {

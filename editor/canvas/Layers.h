@@ -80,7 +80,8 @@ class LabelLayer : public FullLayer {
     QSizeF size;     // of the label [px]
     QPixmap pixmap;  // with a margin for the halo
   };
-  using Key = std::tuple<QString, int, bool, int>;  // text, mark, dark, hundredths of the ratio
+  /// Text, second line, mark, dark, hundredths of the ratio.
+  using Key = std::tuple<QString, QString, int, bool, int>;
   const Picture& pictureOf(const Label& label, double ratio);
   std::map<Key, Picture> pictures_;
 };

@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 
 #include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/RunOverlays.h"
 #include "editor/canvas/SpriteAtlas.h"
 #include "editor/document/EntityLists.h"
 
@@ -22,12 +23,14 @@ enum Depth {
   AreaDepth,
   ObstacleDepth,
   DoorDepth,
+  GroundOverlayDepth,
   GroupDepth,
   RouteDepth,
   RobotDepth,
   PersonDepth,
   GoalDepth,
   FrameDepth,
+  TopOverlayDepth,
   SelectionDepth,
   LabelDepth,
   ToolDepth
@@ -43,9 +46,9 @@ Depth depthOf(EntityKind kind) {
 
 constexpr double kPlaneMargin = 400.0;  // [m] around the contents: as far as one can pan
 
-template <class Layer>
-Layer* addLayer(MapScene& scene, Depth depth) {
-  auto* layer = new Layer(scene);
+template <class Layer, class... More>
+Layer* addLayer(MapScene& scene, Depth depth, More&&... more) {
+  auto* layer = new Layer(scene, std::forward<More>(more)...);
   layer->setZValue(depth);
   scene.addItem(layer);  // the scene owns it
   return layer;
@@ -109,6 +112,7 @@ MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* pare
       document_(document),
       theme_(theme),
       sprites_(std::make_unique<SpriteAtlas>()),
+      overlays_(std::make_unique<RunOverlays>(*this)),
       routes_(new RouteModel(this)) {
   setItemIndexMethod(QGraphicsScene::NoIndex);
   mapItem_ = addLayer<MapItem>(*this, MapDepth);
@@ -116,6 +120,8 @@ MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* pare
   groupLayer_ = addLayer<GroupLayer>(*this, GroupDepth);
   routeLayer_ = addLayer<RouteLayer>(*this, RouteDepth);
   frameLayer_ = addLayer<FrameLayer>(*this, FrameDepth);
+  groundOverlay_ = addLayer<OverlayLayer>(*this, GroundOverlayDepth, *overlays_, true);
+  topOverlay_ = addLayer<OverlayLayer>(*this, TopOverlayDepth, *overlays_, false);
   selectionLayer_ = addLayer<SelectionLayer>(*this, SelectionDepth);
   labelLayer_ = addLayer<LabelLayer>(*this, LabelDepth);
   toolLayer_ = addLayer<ToolLayer>(*this, ToolDepth);
@@ -130,6 +136,13 @@ MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* pare
   connect(routes_, &RouteModel::routesChanged, this, &MapScene::takeRoutes);
   takeMap();
   rebuildAll();
+}
+
+void MapScene::addRunLayer(std::unique_ptr<FullLayer> layer) {
+  constexpr double kBeneath = 0.5;
+  layer->setZValue(FrameDepth - kBeneath);
+  runLayers_.push_back(layer.get());
+  addItem(layer.release());
 }
 
 MapScene::~MapScene() {
@@ -180,6 +193,7 @@ void MapScene::setTheme(const Theme& theme) {
   theme_ = theme;
   mapItem_->refresh();
   sprites_->clear();
+  overlays_->themeChanged();
   noteChange();
   Q_EMIT themeChanged();
 }

@@ -16,11 +16,13 @@ namespace editor {
 
 class EntityItem;
 class FrameLayer;
+class FullLayer;
 class GroupLayer;
 class LabelLayer;
 class MapItem;
 class RouteLayer;
 class RouteModel;
+class RunOverlays;
 class SelectionLayer;
 class SpriteAtlas;
 class Tool;
@@ -48,11 +50,14 @@ inline Vec2 toWorld(const QPointF& scene) {
 struct CanvasOptions {
   bool names = true, routes = true, grid = true, rulers = false;
   bool trails = true, robotPath = true, speech = true, proxemics = false, forces = false;
-  bool lidar = true, detections = false, candidates = false;  // of robots, in a run
+  bool lidar = true, detections = false, candidates = false;                  // of robots, in a run
+  bool velocities = false, gaussian = false, sight = false, density = false;  // of people, in a run
+  bool plans = false, contacts = false, thoughts = false;                     // idem
   bool map = true, people = true, robots = true, goals = true, obstacles = true, areas = true;
   bool groups = true;                            // who walks together
   bool snapToPoints = true, snapToWalls = true;  // what is drawn or moved
   bool snapToGrid = false;
+  double trailSeconds = 6.0;  // of the trails of a run
 };
 
 /// Which part of the canvas is being painted: what is previewed (dragged) or walks in a run, with
@@ -117,6 +122,9 @@ class MapScene : public QGraphicsScene {
   bool isPullable() const { return isPullable_; }  // false: the run is over, or was recorded
   void setPullable(bool pullable);
   FrameLayer& frameLayer() const { return *frameLayer_; }
+  RunOverlays& overlays() const { return *overlays_; }  // of the run
+  /// What others draw of a run, beneath its figures. The scene owns it.
+  void addRunLayer(std::unique_ptr<FullLayer> layer);
   const SelectionLayer& selectionLayer() const { return *selectionLayer_; }
   RouteModel& routes() const { return *routes_; }
   ToolMarks& marks();  // to be changed: they are painted anew
@@ -193,7 +201,10 @@ class MapScene : public QGraphicsScene {
   GroupLayer* groupLayer_ = nullptr;
   RouteLayer* routeLayer_ = nullptr;
   FrameLayer* frameLayer_ = nullptr;
+  std::unique_ptr<RunOverlays> overlays_;
+  QGraphicsItem *groundOverlay_ = nullptr, *topOverlay_ = nullptr;
   SelectionLayer* selectionLayer_ = nullptr;
+  std::vector<FullLayer*> runLayers_;  // of others
   LabelLayer* labelLayer_ = nullptr;
   ToolLayer* toolLayer_ = nullptr;
   RouteModel* routes_ = nullptr;

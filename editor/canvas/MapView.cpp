@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 
 #include "editor/canvas/Layers.h"
+#include "editor/canvas/MapLegend.h"
 #include "editor/canvas/Overlays.h"
 
 namespace editor {
@@ -22,8 +23,7 @@ constexpr double kFarthest = 0.25;
 constexpr double kWheelFactor = 1.0015;  // per eighth of a degree
 constexpr int kFitMs = 120;
 constexpr int kFitMarginPx = 32;
-constexpr int kSettleMs = 120;  // after the last movement of the view
-constexpr int kStateLinePx = 3;
+constexpr int kSettleMs = 120;       // after the last movement of the view
 constexpr int kPictureMargin = 160;  // [px]
 constexpr double kMostBlur = 1.6;    // scale of the window to that of the picture, and the inverse
 
@@ -82,6 +82,8 @@ MapView::MapView(MapScene& scene, QWidget* parent) : QGraphicsView(&scene, paren
   setMouseTracking(true);
   viewport()->setMouseTracking(true);
   setMinimumSize(320, 120);
+  legend_ = new LegendStrip(*this);
+  legend_->hide();
   setAccessibleName(tr("Map"));
   fitAnimation_.setDuration(kFitMs);
   fitAnimation_.setEasingCurve(QEasingCurve::OutCubic);
@@ -102,6 +104,10 @@ MapView::MapView(MapScene& scene, QWidget* parent) : QGraphicsView(&scene, paren
   connect(&scene_, &QGraphicsScene::changed, viewport(), [this] { viewport()->update(); });
   connect(&scene_, &MapScene::optionsChanged, this, [this] { viewport()->update(); });
   connect(&scene_, &MapScene::themeChanged, this, [this] { viewport()->update(); });
+  connect(&scene_, &QGraphicsScene::changed, this, &MapView::placeLegend);
+  connect(&scene_, &MapScene::optionsChanged, this, &MapView::placeLegend);
+  connect(&scene_, &MapScene::themeChanged, this, &MapView::placeLegend);
+  connect(this, &MapView::zoomChanged, this, &MapView::placeLegend);
   connect(&scene_.document(), &ScenarioDocument::mapChanged, this, &MapView::followMap);
   applyView({}, scene_.pixelsPerMetre());
 }
@@ -164,7 +170,31 @@ void MapView::zoomBy(double factor, const QPointF& viewportPoint) {
 
 void MapView::setCanvasState(CanvasState state) {
   state_ = state;
+  placeLegend();
   viewport()->update();
+}
+
+/// None while editing.
+QColor MapView::stateColor() const {
+  return state_ == CanvasState::Editing   ? QColor()
+         : state_ == CanvasState::Running ? scene_.theme().color(Role::Ok)
+         : state_ == CanvasState::Paused  ? scene_.theme().color(Role::WarningMark)
+                                          : scene_.theme().color(Role::Past);
+}
+
+/// Beside the map while an overlay has something to explain.
+void MapView::placeLegend() {
+  if (legend_ == nullptr) {
+    return;
+  }
+  const bool isWanted = wantsLegend(scene_);
+  const QMargins margins(0, 0, isWanted ? LegendStrip::kWidth : 0, 0);
+  legend_->setStateColor(stateColor());
+  legend_->setGeometry(width() - LegendStrip::kWidth, 0, LegendStrip::kWidth, height());
+  if (viewportMargins() != margins) {
+    setViewportMargins(margins);
+  }
+  legend_->setVisible(isWanted);
 }
 
 void MapView::wheelEvent(QWheelEvent* event) {
@@ -275,6 +305,7 @@ void MapView::showEvent(QShowEvent* event) {
 }
 
 void MapView::resizeEvent(QResizeEvent* event) {
+  placeLegend();
   const QPointF centre = mapToScene(QRect(QPoint(), event->oldSize()).center());
   QGraphicsView::resizeEvent(event);
   if (fitted_) {
@@ -326,13 +357,9 @@ void MapView::drawForeground(QPainter* painter, const QRectF&) {
   }
   paintScaleBar(*painter, context);
   legendCorner_ = paintGroupLegend(*painter, context);
-  paintForceLegend(*painter, context);
   paintSenseLegend(*painter, context);
-  if (state_ != CanvasState::Editing) {
-    const Role role = state_ == CanvasState::Running  ? Role::Ok
-                      : state_ == CanvasState::Paused ? Role::WarningMark
-                                                      : Role::Past;
-    painter->fillRect(QRectF(0.0, 0.0, window.width(), kStateLinePx), scene_.theme().color(role));
+  if (const QColor color = stateColor(); color.isValid()) {
+    painter->fillRect(QRectF(0.0, 0.0, window.width(), kStateLinePx), color);
   }
   painter->restore();
 }

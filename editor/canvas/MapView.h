@@ -12,6 +12,8 @@ namespace editor {
 /// The line on top of the canvas: green while running, amber when paused, blue in the past.
 enum class CanvasState { Editing, Running, Paused, Past };
 
+class LegendStrip;
+
 /// A picture of what rests on a crowded canvas, kept while something is dragged or the view moves,
 /// so that only little has to be painted anew for each frame.
 class RestingPicture {
@@ -87,10 +89,13 @@ class MapView : public QGraphicsView {
   void applyView(const QPointF& centre, double pixelsPerMetre);
   void followMap();
   void updateCursor();
+  QColor stateColor() const;
+  void placeLegend();
   void glide();
   bool startsPan(const QMouseEvent& event) const;
 
   MapScene& scene_;
+  LegendStrip* legend_ = nullptr;
   QVariantAnimation fitAnimation_;
   ViewPlace animationFrom_, animationTo_;
   RestingPicture picture_;

@@ -18,7 +18,6 @@ constexpr double kBarBottomPx = 14.0;
 constexpr double kBarHeightPx = 22.0;  // with its words
 constexpr double kRowPx = 20.0;        // of a legend
 constexpr double kMarginPx = 12.0;     // of a legend from the edge of the window
-constexpr double kForcesWidthPx = 156.0;
 constexpr double kGroupsPadPx = 10.0;
 constexpr double kSamplePx = 18.0;  // ring and gap before the name
 constexpr std::size_t kMostRows = 6;
@@ -26,29 +25,6 @@ constexpr std::size_t kMostRows = 6;
 QString lengthText(double metres) {
   return metres < 1.0 ? QStringLiteral("%1 cm").arg(metres * 100.0)
                       : QStringLiteral("%1 m").arg(metres);
-}
-
-/// The one person of a run that is looked at, and the forces on it.
-struct Pushed {
-  QString name;
-  std::vector<ForceArrow> forces;
-  QRectF legend;
-};
-
-std::optional<Pushed> pushedPerson(const OverlayContext& context) {
-  const MapScene& scene = context.scene;
-  const std::vector<EntityId>& selection = scene.document().selection();
-  const sim2d::Human* human =
-      selection.size() == 1 ? scene.document().human(selection.front()) : nullptr;
-  const std::optional<int> id = human != nullptr ? std::optional(human->id) : scene.guest();
-  if (!id || !scene.options().forces || !scene.isRunMode()) {
-    return std::nullopt;
-  }
-  std::vector<ForceArrow> forces = forcesOn(*scene.frameLayer().frame(), *id);
-  const QRectF box(context.window.right() - kForcesWidthPx - kMarginPx,
-                   context.window.top() + kMarginPx, kForcesWidthPx,
-                   (static_cast<double>(forces.size()) + 2.0) * kRowPx + 16.0);
-  return Pushed{scene.frameLayer().nameOf(*id), std::move(forces), box};
 }
 
 }  // namespace
@@ -64,9 +40,6 @@ std::vector<QRectF> overlayBoxes(const OverlayContext& context) {
   if (hasRulers) {
     boxes.emplace_back(window.topLeft(), QSizeF(window.width(), kRulerPx));
     boxes.emplace_back(window.topLeft(), QSizeF(kRulerPx, window.height()));
-  }
-  if (const std::optional<Pushed> pushed = pushedPerson(context)) {
-    boxes.push_back(pushed->legend);
   }
   if (const QRectF senses = senseLegendBox(context); !senses.isEmpty()) {
     boxes.push_back(senses);
@@ -152,44 +125,6 @@ void paintRulers(QPainter& painter, const OverlayContext& context) {
   painter.setPen(theme.color(Role::Line));
   painter.drawLine(QPointF(0.0, kRulerPx), QPointF(context.window.width(), kRulerPx));
   painter.drawLine(QPointF(kRulerPx, 0.0), QPointF(kRulerPx, context.window.height()));
-}
-
-void paintForceLegend(QPainter& painter, const OverlayContext& context) {
-  const std::optional<Pushed> pushed = pushedPerson(context);
-  if (!pushed || pushed->forces.empty()) {
-    return;
-  }
-  const Theme& theme = context.scene.theme();
-  const QRectF& box = pushed->legend;
-  paintPlate(painter, theme, box);
-  QRectF row(box.left() + 12.0, box.top() + 8.0, box.width() - 24.0, kRowPx);
-  const auto write = [&](const QString& left, const QString& right, Role color) {
-    painter.setPen(theme.color(Role::Text));
-    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, left);
-    painter.setPen(theme.color(color));
-    painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, right);
-    row.translate(0.0, kRowPx);
-  };
-  painter.setFont(theme.font(9.0, QFont::DemiBold));
-  const QString title = QStringLiteral("Forces on %1").arg(pushed->name);
-  write(QFontMetrics(painter.font()).elidedText(title, Qt::ElideRight, int(row.width())), {},
-        Role::Text);
-  painter.setFont(theme.figureFont(9.0));
-  for (const ForceArrow& arrow : pushed->forces) {
-    painter.setPen(QPen(theme.color(arrow.color), 2.2));
-    const QPointF tip(row.left() + 20.0, row.center().y());
-    painter.drawLine(QPointF(row.left(), tip.y()), tip);
-    FigurePainter(theme).arrowHead(painter, tip, 0.0, 6.0);
-    row.setLeft(row.left() + 28.0);
-    write(arrow.name, QString::number(arrow.force.norm(), 'f', 2), Role::Text);
-    row.setLeft(row.left() - 28.0);
-  }
-  painter.setPen(QPen(theme.color(Role::TextSecondary), 1.5));
-  const double length = std::min(kMetresPerForce * context.pixelsPerMetre, 0.6 * row.width());
-  const double force = length / (kMetresPerForce * context.pixelsPerMetre);
-  painter.drawLine(QPointF(row.left(), row.center().y()),
-                   QPointF(row.left() + length, row.center().y()));
-  write({}, QStringLiteral("%1 m/s²").arg(force, 0, 'g', 2), Role::TextSecondary);
 }
 
 namespace {

@@ -15,19 +15,19 @@ struct OverlayContext {
   int legendCorner = 0;  // in which the legend of groups stood last
 };
 
-constexpr int kRulerPx = 20;  // width of a ruler
+constexpr int kRulerPx = 20;     // width of a ruler
+constexpr int kStateLinePx = 3;  // height of the line on top of the canvas
 
 void paintScaleBar(QPainter& painter, const OverlayContext& context);
 void paintRulers(QPainter& painter, const OverlayContext& context);
-/// Names, values and scale of the force arrows while one person of a run is selected.
-void paintForceLegend(QPainter& painter, const OverlayContext& context);
 
 /// Ring, name and number of people of each group, in a corner where nobody stands; none without
 /// groups. Gives the corner, which it leaves only when somebody comes there.
 int paintGroupLegend(QPainter& painter, const OverlayContext& context);
 /// Where that is [px]; empty when there is no legend.
 QRectF groupLegendBox(const OverlayContext& context);
-/// What lidar, detector and weighed ways look like, while a robot of a run is selected.
+/// What lidar, detector and weighed ways look like, while a robot of a run is selected and there is
+/// no legend beside the map.
 void paintSenseLegend(QPainter& painter, const OverlayContext& context);
 QRectF senseLegendBox(const OverlayContext& context);  // empty when there is none
 /// The ground of a legend or of fields over the map.

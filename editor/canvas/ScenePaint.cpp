@@ -5,7 +5,9 @@
 #include <QPainter>
 #include <QStyleOptionGraphicsItem>
 
+#include "app/run/ProgramRegistries.h"
 #include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/RunOverlays.h"
 #include "sim2d/scenario/Defaults.h"
 #include "sim2d/world/Registries.h"
 
@@ -24,7 +26,7 @@ sim2d::ResolvedHuman resolvedPerson(const sim2d::Scenario& scenario, const sim2d
 
 /// That of the person's model, which counts instead of the scenario's.
 std::optional<double> ownRadius(const sim2d::ResolvedHuman& person) {
-  static const sim2d::Registries registries = sim2d::programRegistries();
+  static const sim2d::Registries registries = app::programRegistries();
   return sim2d::ownBodyRadius(registries, person);
 }
 
@@ -91,7 +93,9 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
   part_ = part;
   std::vector<QGraphicsItem*> wanted;
   if (part == CanvasPart::Moving) {
-    wanted = {groupLayer_, frameLayer_, labelLayer_, selectionLayer_, toolLayer_};
+    wanted = {groupLayer_, frameLayer_,     labelLayer_, groundOverlay_,
+              topOverlay_, selectionLayer_, toolLayer_};
+    wanted.insert(wanted.end(), runLayers_.begin(), runLayers_.end());
     if (preview_.size() <= kMostMovingRoutes) {
       wanted.push_back(routeLayer_);
     }
@@ -105,7 +109,9 @@ void MapScene::paintPart(QPainter& painter, CanvasPart part, const QRectF& expos
   } else {
     for (QGraphicsItem* each : items(Qt::AscendingOrder)) {
       const auto* entityItem = dynamic_cast<EntityItem*>(each);
-      const bool isMark = each == selectionLayer_ || each == toolLayer_ || each == frameLayer_;
+      const bool isMark = each == selectionLayer_ || each == toolLayer_ || each == frameLayer_ ||
+                          each == groundOverlay_ || each == topOverlay_ ||
+                          std::count(runLayers_.begin(), runLayers_.end(), each) > 0;
       const bool isPartOf = entityItem == nullptr || isPainted(entityItem->id());
       if (isMark ? part == CanvasPart::All : isPartOf) {
         wanted.push_back(each);
@@ -212,9 +218,11 @@ void MapScene::showFrame(std::shared_ptr<const sim2d::Frame> frame,
     if (!wasRunning) {
       frameLayer_->begin();
     }
+    overlays_->show(frame, recording);
     frameLayer_->show(std::move(frame), recording);
   } else {
     frameLayer_->end();
+    overlays_->end();
     setGuest({});
   }
   if (isRunMode() != wasRunning) {

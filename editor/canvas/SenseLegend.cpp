@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/MapLegend.h"
 #include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
 
@@ -16,11 +17,6 @@ constexpr double kSenseRowPx = 20.0;
 constexpr double kSenseWidthPx = 220.0;
 constexpr double kSenseMarginPx = 12.0;
 constexpr double kSenseSamplePx = 20.0;
-
-struct SenseRow {
-  QString words;
-  std::function<void(QPainter&, const QRectF&)> sample;
-};
 
 void sampleLine(QPainter& painter, const QRectF& box, const QPen& pen) {
   setInk(painter, pen);
@@ -43,20 +39,28 @@ const sim2d::RobotSenses* sensesOfSelected(const MapScene& scene) {
   return nullptr;
 }
 
-void addWayRows(std::vector<SenseRow>& rows, const Theme& theme) {
+void addWayRows(std::vector<LegendRow>& rows, const Theme& theme) {
   const std::tuple<QString, QColor, double> kinds[] = {
       {QObject::tr("Way chosen"), theme.color(Role::Accent), 2.5},
       {QObject::tr("Weighed, paler is dearer"), theme.color(Role::Accent, 0.5), 1.2},
       {QObject::tr("Would hit something"), theme.color(Role::Error, 0.6), 1.2}};
   for (const auto& [words, color, width] : kinds) {
-    rows.push_back({words, [pen = QPen(color, width)](QPainter& painter, const QRectF& box) {
+    rows.push_back({words, {}, [pen = QPen(color, width)](QPainter& painter, const QRectF& box) {
                       sampleLine(painter, box, pen);
                     }});
   }
 }
 
-std::vector<SenseRow> senseRows(const MapScene& scene) {
-  std::vector<SenseRow> rows;
+QRectF boxOfRows(const OverlayContext& context, std::size_t rows) {
+  return {context.window.right() - kSenseWidthPx - kSenseMarginPx,
+          context.window.top() + kSenseMarginPx, kSenseWidthPx,
+          static_cast<double>(rows) * kSenseRowPx + 12.0};
+}
+
+}  // namespace
+
+std::vector<LegendRow> senseRows(const MapScene& scene) {
+  std::vector<LegendRow> rows;
   const sim2d::RobotSenses* senses = sensesOfSelected(scene);
   if (senses == nullptr) {
     return rows;
@@ -65,6 +69,7 @@ std::vector<SenseRow> senseRows(const MapScene& scene) {
   const QColor color = theme.color(Role::Lidar);
   if (scene.options().lidar && senses->scan) {
     rows.push_back({QObject::tr("Laser, %1 m").arg(senses->scan->range, 0, 'f', 1),
+                    {},
                     [color](QPainter& painter, const QRectF& box) {
                       QColor fill = color;
                       fill.setAlphaF(0.2);
@@ -78,7 +83,7 @@ std::vector<SenseRow> senseRows(const MapScene& scene) {
   }
   if (scene.options().detections && !senses->bodies.empty()) {
     rows.push_back(
-        {QObject::tr("Detected, its speed"), [color](QPainter& painter, const QRectF& box) {
+        {QObject::tr("Detected, its speed"), {}, [color](QPainter& painter, const QRectF& box) {
            QPen pen(color, 1.8, Qt::CustomDashLine, Qt::FlatCap);
            pen.setDashPattern({3.0, 2.0});
            paintRing(painter, pen, 6.0, box.center());
@@ -90,22 +95,15 @@ std::vector<SenseRow> senseRows(const MapScene& scene) {
   return rows;
 }
 
-QRectF boxOfRows(const OverlayContext& context, std::size_t rows) {
-  return {context.window.right() - kSenseWidthPx - kSenseMarginPx,
-          context.window.top() + kSenseMarginPx, kSenseWidthPx,
-          static_cast<double>(rows) * kSenseRowPx + 12.0};
-}
-
-}  // namespace
-
+/// Over the map as long as there is no legend beside it.
 QRectF senseLegendBox(const OverlayContext& context) {
   const std::size_t rows = senseRows(context.scene).size();
-  return rows == 0 ? QRectF() : boxOfRows(context, rows);
+  return rows == 0 || wantsLegend(context.scene) ? QRectF() : boxOfRows(context, rows);
 }
 
 void paintSenseLegend(QPainter& painter, const OverlayContext& context) {
-  const std::vector<SenseRow> rows = senseRows(context.scene);
-  if (rows.empty()) {
+  const std::vector<LegendRow> rows = senseRows(context.scene);
+  if (rows.empty() || wantsLegend(context.scene)) {
     return;
   }
   const Theme& theme = context.scene.theme();
@@ -113,7 +111,7 @@ void paintSenseLegend(QPainter& painter, const OverlayContext& context) {
   paintPlate(painter, theme, box);
   painter.setFont(theme.font(9.0));
   QRectF line(box.left() + 12.0, box.top() + 6.0, box.width() - 20.0, kSenseRowPx);
-  for (const SenseRow& row : rows) {
+  for (const LegendRow& row : rows) {
     row.sample(painter, QRectF(line.topLeft(), QSizeF(kSenseSamplePx, kSenseRowPx)));
     painter.setPen(theme.color(Role::Text));
     painter.drawText(line.adjusted(kSenseSamplePx + 8.0, 0.0, 0.0, 0.0),

@@ -10,10 +10,10 @@ namespace editor {
 
 namespace {
 
-constexpr double kTrailSeconds = 6.0;
 constexpr double kTrailStep = 0.05;  // [m] between two points
 constexpr double kTrailGap = 0.15;   // [s] between two points of a recording
-constexpr double kTrailPart = 0.6;   // [s] of one shade
+constexpr double kTrailPart = 0.6;   // [s] of one shade, at least
+constexpr double kTrailShades = 10.0;
 constexpr double kTrailDetailPx = 5.0;
 constexpr double kLongTrails = 100;  // bodies; trails of more are together as long as theirs
 
@@ -29,7 +29,7 @@ std::size_t strideOf(const sim2d::Recording& recording) {
 void Trails::goOn(const sim2d::Frame* shown, const sim2d::Frame& next,
                   const sim2d::Recording* recording) {
   const bool isLater =
-      shown != nullptr && next.time >= shown->time && next.time <= shown->time + kTrailSeconds;
+      shown != nullptr && next.time >= shown->time && next.time <= shown->time + seconds_;
   if (!isLater) {
     clear();
   }
@@ -42,13 +42,20 @@ void Trails::goOn(const sim2d::Frame* shown, const sim2d::Frame& next,
   cut(next.time);
 }
 
+void Trails::setSeconds(double seconds) {
+  if (seconds != seconds_) {
+    seconds_ = seconds;
+    clear();
+  }
+}
+
 void Trails::addPassed(const sim2d::Recording& recording, const sim2d::Frame* shown,
                        const sim2d::Frame& next) {
   const std::size_t stride = strideOf(recording);
   const std::size_t end = recording.indexAt(next.step);
   const bool isFirst = shown == nullptr || trails_.empty();
-  std::size_t index = isFirst ? recording.indexAtTime(next.time - kTrailSeconds)
-                              : recording.indexAt(shown->step) + 1;
+  std::size_t index =
+      isFirst ? recording.indexAtTime(next.time - seconds_) : recording.indexAt(shown->step) + 1;
   index = (index + stride - 1) / stride * stride;
   for (; index < end; index += stride) {
     lengthen(*recording.frame(index), true);
@@ -78,14 +85,14 @@ void Trails::lengthen(const sim2d::Frame& frame, bool isPoint) {
 
 void Trails::cut(double time) {
   for (auto& [id, trail] : trails_) {
-    while (!trail.points.empty() && trail.points.front().first < time - kTrailSeconds) {
+    while (!trail.points.empty() && trail.points.front().first < time - seconds_) {
       trail.points.pop_front();
     }
   }
 }
 
-double trailSeconds(std::size_t bodies) {
-  return kTrailSeconds * std::min(1.0, kLongTrails / std::max(1.0, double(bodies)));
+double trailSeconds(std::size_t bodies, double wanted) {
+  return wanted * std::min(1.0, kLongTrails / std::max(1.0, double(bodies)));
 }
 
 void paintTrail(QPainter& painter, const Trail& trail, const base::Vec2& end, double time,
@@ -97,7 +104,8 @@ void paintTrail(QPainter& painter, const Trail& trail, const base::Vec2& end, do
   const auto first = std::partition_point(trail.points.begin(), last - 1, isOld);
   const auto count = last - first;
   const double apart = kTrailDetailPx / pixelsPerMetreOf(painter);
-  const auto parts = static_cast<std::ptrdiff_t>(std::ceil(seconds / kTrailPart));
+  const auto parts =
+      static_cast<std::ptrdiff_t>(std::ceil(std::min(seconds / kTrailPart, kTrailShades)));
   for (std::ptrdiff_t part = 0; part < parts; ++part) {
     const std::ptrdiff_t from = count * part / parts;
     const std::ptrdiff_t to = std::min(count - 1, count * (part + 1) / parts);

@@ -65,8 +65,11 @@ bool isMadeWithBlocks(const ScenarioDocument& document, const sim2d::Human& huma
 std::optional<std::string> ownText(const ScenarioDocument& document, EntityId person,
                                    const bt::TreeFile& file) {
   const sim2d::Human* human = document.human(person);
-  const bool isMade = human != nullptr && sameTrees(file, madeTree(document, *human));
-  return isMade ? std::nullopt : std::optional(bt::writeTree(file, treeCatalogue()));
+  if (human != nullptr && sameTrees(file, madeTree(document, *human))) {
+    return std::nullopt;
+  }
+  const std::optional<std::string> own = document.tree(person);
+  return own ? bt::rewriteTree(*own, file, treeCatalogue()) : bt::writeTree(file, treeCatalogue());
 }
 
 void pushFile(ScenarioDocument& document, EntityId person, const bt::TreeFile& file,
@@ -153,6 +156,9 @@ bool hasFollowingTree(const ScenarioDocument& document, EntityId person) {
 std::vector<OutlineNode> outlineOf(const PersonTree& tree) {
   std::vector<OutlineNode> nodes;
   const bt::TreeTable::Entry* main = tree.table.find(tree.table.mainTree);
+  if (main == nullptr && !tree.file.trees.empty()) {  // not said which runs: to look at and edit
+    main = tree.table.find(tree.file.trees.front().id);
+  }
   if (main != nullptr && !main->tree.root.id.empty()) {
     addNode(nodes, tree, rootOf(tree, *main, -1), 0);
   }
@@ -182,6 +188,31 @@ void pushTreeText(ScenarioDocument& document, EntityId person, std::optional<std
   if (document.tree(person) != xml) {
     pushTrees(document, {{person, std::move(xml)}}, text);
   }
+}
+
+void pushTreeFile(ScenarioDocument& document, const std::vector<EntityId>& people,
+                  const bt::TreeFile& file, const QString& text) {
+  std::vector<TreeEdit> edits;
+  for (const EntityId person : people) {
+    std::optional<std::string> own = ownText(document, person, file);
+    if (document.human(person) != nullptr && own != document.tree(person)) {
+      edits.push_back({person, std::move(own)});
+    }
+  }
+  if (!edits.empty()) {
+    pushTrees(document, std::move(edits), text);
+  }
+}
+
+std::vector<EntityId> peopleWithTreeOf(const ScenarioDocument& document, EntityId person) {
+  const std::optional<std::string> own = document.tree(person);
+  std::vector<EntityId> people;
+  for (const EntityId each : document.entities(EntityKind::Human)) {
+    if (each == person || (own && document.tree(each) == own)) {
+      people.push_back(each);
+    }
+  }
+  return people;
 }
 
 void pushTreesAnew(ScenarioDocument& document, const std::vector<EntityId>& people) {

@@ -44,6 +44,12 @@ std::vector<std::string> recordedNames(const std::vector<OutlineNode>& nodes);
 /// and goals make.
 void pushPort(ScenarioDocument& document, EntityId person, const OutlineNode& node,
               const std::string& port, const std::string& text);
+/// The file as it is to be, of all these people; what it does not change stays as it is written.
+/// They become people with trees of their own, or with made ones where it is what theirs would be.
+void pushTreeFile(ScenarioDocument& document, const std::vector<EntityId>& people,
+                  const bt::TreeFile& file, const QString& text);
+/// The person and all others whose own tree is the same text; the person alone without one.
+std::vector<EntityId> peopleWithTreeOf(const ScenarioDocument& document, EntityId person);
 void pushBlocks(ScenarioDocument& document, EntityId person, const std::vector<bt::Block>& blocks);
 /// Adds a block to several people at once, or replaces the one at `index` (of one person).
 void pushAddBlock(ScenarioDocument& document, const std::vector<EntityId>& people,

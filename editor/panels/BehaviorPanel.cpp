@@ -342,6 +342,16 @@ void addBehaviorPanel(PanelRegistry& to) {
                                     [&context] { return context.folder(); });
     QObject::connect(&context, &PanelContext::themeChanged, panel, &BehaviorPanel::setTheme);
     QObject::connect(panel, &BehaviorPanel::told, &context, &PanelContext::problemsFound);
+    TreeOutline& outline = panel->outline();
+    QObject::connect(
+        &outline, &QTreeWidget::currentItemChanged, &context,
+        [&context, &outline, panel] { Q_EMIT context.nodeChosen(outline.currentNode(), panel); });
+    QObject::connect(&context, &PanelContext::nodeChosen, panel,
+                     [&outline, panel](int node, const QObject* by) {
+                       if (by != panel) {
+                         outline.selectNode(node);
+                       }
+                     });
     return panel;
   });
 }

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "app/run/ProgramRegistries.h"
 #include "editor/panels/PropertyPage.h"
 #include "sim2d/world/Registries.h"
 
@@ -51,7 +52,7 @@ class RobotPage : public PropertyPage {
  public:
   explicit RobotPage(ScenarioDocument& document,
                      const sim2d::FieldTables& tables = sim2d::fieldTables(),
-                     const sim2d::Registries& registries = sim2d::programRegistries());
+                     const sim2d::Registries& registries = app::programRegistries());
   void setTheme(const Theme& theme) override;
 
  private:
@@ -71,7 +72,7 @@ class RobotPage : public PropertyPage {
 class SettingsPage : public PropertyPage {
  public:
   explicit SettingsPage(ScenarioDocument& document,
-                        const sim2d::Registries& registries = sim2d::programRegistries());
+                        const sim2d::Registries& registries = app::programRegistries());
 
  private:
   void addRunSection();

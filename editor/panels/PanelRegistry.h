@@ -14,6 +14,13 @@
 
 namespace editor {
 
+/// A run that is compared with the one that is shown, as the timeline draws it.
+struct TimelineRun {
+  std::size_t style = 0;         // as of ghostStyle
+  double end = 0.0;              // [s]
+  std::vector<double> contacts;  // [s]
+};
+
 /// What panels show and steer, and what they tell each other and the window. GUI thread.
 class PanelContext : public QObject {
   Q_OBJECT
@@ -38,7 +45,11 @@ class PanelContext : public QObject {
   /// Told behind the title of the panel, and beside its switch with the mark of the worst of them.
   void counted(QWidget* panel, int count, base::Severity worst = base::Severity::Info);
   void fileWanted(const QString& file, int line);  // is to be shown
-  void goalsWanted();                              // for the people who are selected
+  /// Of the tree of the person who is selected, as outlineOf() numbers it; -1 = none.
+  void nodeChosen(int node, const QObject* by);
+  void comparedChanged(const std::vector<editor::TimelineRun>& runs);
+  void besideWanted(QWidget* view);  // to stand beside the canvas; null: nothing
+  void goalsWanted();                // for the people who are selected
 };
 
 /// Where a panel is found.

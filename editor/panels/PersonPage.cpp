@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 
+#include "app/run/ProgramRegistries.h"
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/Groups.h"
 #include "editor/look/FigurePainter.h"
@@ -244,7 +245,7 @@ void PersonPage::addMoreSection() {
   addField<Ours>(section, "start_time");
   addField<Ours>(section, "mass");
   addField<Ours>(section, "model",
-                 oneOf(sim2d::programRegistries().models.names(), tr("The scenario's")));
+                 oneOf(app::programRegistries().models.names(), tr("The scenario's")));
   addField<Ours>(section, "route",
                  inWords({tr("Around walls"), tr("Straight")}, tr("The scenario's")));
   addField<Ours>(section, "at_end", inWords({tr("Stops"), tr("Leaves"), tr("Starts over")}));

@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "editor/canvas/GhostLayer.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "sim2d/world/Runner.h"
@@ -97,12 +98,13 @@ PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
   connect(stepBack, &QAction::triggered, &runner_, &SimulationRunner::stepBack);
   connect(step, &QAction::triggered, &runner_, &SimulationRunner::stepOnce);
   connect(newest, &QAction::triggered, &runner_, &SimulationRunner::seekNewest);
-  connect(goOn, &QAction::triggered, &runner_, &SimulationRunner::goOnFromShown);
+  connect(goOn, &QAction::triggered, &runner_, [this] { runner_.goOnFromShown(); });
   connect(playPause, &QAction::triggered, this, [this] {
     runner_.state() == SimulationRunner::State::Running ? runner_.pause() : runner_.play();
   });
   connect(&runner_, &SimulationRunner::stateChanged, this, &PlaybackActions::follow);
   connect(&runner_, &SimulationRunner::lookingBackChanged, this, &PlaybackActions::follow);
+  connect(&runner_, &SimulationRunner::branchesChanged, this, &PlaybackActions::follow);
   setTheme(theme);
 }
 
@@ -147,7 +149,12 @@ QComboBox* PlaybackActions::makeSpeedBox(QWidget* parent) {
 
 TimelineBar::TimelineBar(const ScenarioDocument& document, RunEvents& events,
                          SimulationRunner& runner, const Theme& theme)
-    : document_(document), events_(events), runner_(runner), theme_(theme) {
+    : document_(document),
+      events_(events),
+      runner_(runner),
+      theme_(theme),
+      loop_(runner, {[this](double time) { return xOf(time); },
+                     [this](double x) { return std::min(timeAt(x), newestTime()); }}) {
   setFixedHeight(44);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setFocusPolicy(Qt::TabFocus);
@@ -156,6 +163,7 @@ TimelineBar::TimelineBar(const ScenarioDocument& document, RunEvents& events,
   const auto repaint = [this] { update(); };
   connect(&runner_, &SimulationRunner::frameShown, this, repaint);
   connect(&runner_, &SimulationRunner::stateChanged, this, repaint);
+  connect(&runner_, &SimulationRunner::loopChanged, this, repaint);
   connect(&events_, &RunEvents::cleared, this, repaint);
   connect(&document_, &ScenarioDocument::settled, this, repaint);
 }
@@ -165,9 +173,18 @@ void TimelineBar::setTheme(const Theme& theme) {
   update();
 }
 
+void TimelineBar::setCompared(const std::vector<TimelineRun>& runs) {
+  compared_ = runs;
+  update();
+}
+
 double TimelineBar::length() const {
   if (runner_.isFinished()) {
-    return std::max(newestTime(), 1.0);
+    double end = std::max(newestTime(), 1.0);
+    for (const TimelineRun& run : compared_) {
+      end = std::max(end, run.end);
+    }
+    return end;
   }
   const sim2d::Scenario& scenario = document_.scenario();
   const double planned = static_cast<double>(sim2d::stopRuleOf(scenario).maximumSteps) *
@@ -191,8 +208,31 @@ void TimelineBar::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   paintClock(painter);
   paintTicks(painter);
+  loop_.paint(painter, theme_);
   paintGroove(painter);
+  paintCompared(painter);
   paintMarks(painter);
+}
+
+/// Beneath the groove a line for each of the first two, as long as the run, with a tick where it
+/// has a contact.
+void TimelineBar::paintCompared(QPainter& painter) const {
+  constexpr std::size_t kMostLines = 2;
+  constexpr double kFirstY = 21.5, kLineGap = 3.0;
+  for (std::size_t k = 0; k < std::min(kMostLines, compared_.size()); ++k) {
+    const GhostStyle style = ghostStyle(compared_[k].style, theme_);
+    const double y = kFirstY + kLineGap * static_cast<double>(k);
+    QPen pen(style.color, 1.6);
+    if (!style.dashes.isEmpty()) {
+      pen.setDashPattern(style.dashes);
+    }
+    painter.setPen(pen);
+    painter.drawLine(QPointF(xOf(0.0), y), QPointF(xOf(compared_[k].end), y));
+    painter.setPen(QPen(style.color, 2.0));
+    for (const double time : compared_[k].contacts) {
+      painter.drawLine(QPointF(xOf(time), y - 3.0), QPointF(xOf(time), y + 3.0));
+    }
+  }
 }
 
 void TimelineBar::paintClock(QPainter& painter) const {
@@ -312,15 +352,25 @@ void TimelineBar::seekTo(double x) {
 }
 
 void TimelineBar::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) {
+  const bool isRun = runner_.state() != SimulationRunner::State::Editing;
+  const bool isFresh = isRun && event->modifiers().testFlag(Qt::ShiftModifier);
+  if (event->button() == Qt::LeftButton && !loop_.press(event->localPos(), isFresh)) {
     seekTo(event->localPos().x());
   }
 }
 
 void TimelineBar::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons().testFlag(Qt::LeftButton)) {
-    seekTo(event->localPos().x());
+    if (!loop_.drag(event->localPos().x())) {
+      seekTo(event->localPos().x());
+    }
+    return;
   }
+  setCursor(loop_.isOver(event->localPos()) ? Qt::SizeHorCursor : Qt::ArrowCursor);
+}
+
+void TimelineBar::mouseReleaseEvent(QMouseEvent*) {
+  loop_.release();
 }
 
 void TimelineBar::keyPressEvent(QKeyEvent* event) {

@@ -4,6 +4,8 @@
 #include <QComboBox>
 
 #include "editor/look/Theme.h"
+#include "editor/panels/LoopMarks.h"
+#include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RunEvents.h"
 
 namespace editor {
@@ -30,13 +32,14 @@ class PlaybackActions : public QObject {
 QString clockText(double seconds);
 
 /// The time of the run over the whole width: clock, slider, ticks and marks of events. Dragging
-/// looks into the past.
+/// looks into the past; the marks of the part that is looped are dragged, or drawn with Shift.
 class TimelineBar : public QWidget {
   Q_OBJECT
  public:
   TimelineBar(const ScenarioDocument& document, RunEvents& events, SimulationRunner& runner,
               const Theme& theme);
   void setTheme(const Theme& theme);
+  void setCompared(const std::vector<TimelineRun>& runs);
   double length() const;  // [s] of the whole bar
   double xOf(double time) const;
   double timeAt(double x) const;
@@ -53,6 +56,7 @@ class TimelineBar : public QWidget {
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool event(QEvent* event) override;
 
@@ -66,11 +70,14 @@ class TimelineBar : public QWidget {
   void paintGroove(QPainter& painter) const;
   void paintCut(QPainter& painter, double x) const;
   void paintMarks(QPainter& painter) const;
+  void paintCompared(QPainter& painter) const;
 
   const ScenarioDocument& document_;
   RunEvents& events_;
   SimulationRunner& runner_;
   Theme theme_;
+  LoopMarks loop_;
+  std::vector<TimelineRun> compared_;
 };
 
 }  // namespace editor

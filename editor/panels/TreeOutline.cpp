@@ -1,6 +1,11 @@
 #include "editor/panels/TreeOutline.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -19,8 +24,46 @@ using base::NodeStatus;
 constexpr int kNodeRole = Qt::UserRole + 1;
 constexpr int kMarkSize = 16;
 
-void paintMark(QPainter& painter, NodeStatus status, const Theme& theme) {
+/// At the corner of the mark.
+void paintBreakpoint(QPainter& painter, const Theme& theme) {
+  painter.setPen(QPen(theme.color(Role::Panel), 1.0));
+  painter.setBrush(theme.color(Role::Error));
+  painter.drawEllipse(QPointF(3.5, 12.5), 3.0, 3.0);
+}
+
+/// Without a status: no run is shown.
+QIcon markOf(const NodeStatus* status, bool isBreakpoint, const Theme& theme) {
+  const auto draw = [&](QPainter& painter) {
+    if (status != nullptr) {
+      paintStatusMark(painter, *status, theme);
+    }
+    if (isBreakpoint) {
+      painter.translate(-kMarkSize / 2.0, -kMarkSize / 2.0);
+      paintBreakpoint(painter, theme);
+    }
+  };
+  return status == nullptr && !isBreakpoint ? QIcon() : drawnIcon(kMarkSize, draw, {3});
+}
+
+/// "RunOnce" -> "Run once"
+QString spaced(const QString& id) {
+  QString words;
+  for (int i = 0; i < id.size(); ++i) {
+    const bool starts = i > 0 && id[i].isUpper() && id[i - 1].isLower();
+    words += starts ? QLatin1Char(' ') + QString(id[i].toLower()) : QString(id[i]);
+  }
+  return words;
+}
+
+QString unitOf(const bt::PortSpec& port) {
+  return port.unit.empty() ? QString() : QLatin1Char(' ') + QString::fromStdString(port.unit);
+}
+
+}  // namespace
+
+void paintStatusMark(QPainter& painter, NodeStatus status, const Theme& theme) {
   constexpr QPointF kCentre(kMarkSize / 2.0, kMarkSize / 2.0);
+  painter.save();
   painter.translate(-kCentre);
   QPen sign(theme.color(Role::Panel), 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
   painter.setPen(Qt::NoPen);
@@ -50,53 +93,16 @@ void paintMark(QPainter& painter, NodeStatus status, const Theme& theme) {
       painter.drawEllipse(kCentre, 4.0, 4.0);
       break;
   }
+  painter.restore();
 }
 
-/// At the corner of the mark.
-void paintBreakpoint(QPainter& painter, const Theme& theme) {
-  painter.setPen(QPen(theme.color(Role::Panel), 1.0));
-  painter.setBrush(theme.color(Role::Error));
-  painter.drawEllipse(QPointF(3.5, 12.5), 3.0, 3.0);
-}
-
-/// Without a status: no run is shown.
-QIcon markOf(const NodeStatus* status, bool isBreakpoint, const Theme& theme) {
-  const auto draw = [&](QPainter& painter) {
-    if (status != nullptr) {
-      paintMark(painter, *status, theme);
-    } else {
-      painter.translate(-kMarkSize / 2.0, -kMarkSize / 2.0);
-    }
-    if (isBreakpoint) {
-      paintBreakpoint(painter, theme);
-    }
-  };
-  return status == nullptr && !isBreakpoint ? QIcon() : drawnIcon(kMarkSize, draw, {3});
-}
-
-/// "RunOnce" -> "Run once"
-QString spaced(const QString& id) {
-  QString words;
-  for (int i = 0; i < id.size(); ++i) {
-    const bool starts = i > 0 && id[i].isUpper() && id[i - 1].isLower();
-    words += starts ? QLatin1Char(' ') + QString(id[i].toLower()) : QString(id[i]);
-  }
-  return words;
-}
-
-/// Words for the rows of controls and decorators, where the name alone says little.
-QString kindText(const bt::NodeSpec& node) {
+QString nodeKindText(const bt::NodeSpec& node) {
   if (node.isSubTree()) {
     return QObject::tr("subtree");
   }
   return node.name.empty() ? QString() : spaced(QString::fromStdString(node.id)).toLower();
 }
 
-QString unitOf(const bt::PortSpec& port) {
-  return port.unit.empty() ? QString() : QLatin1Char(' ') + QString::fromStdString(port.unit);
-}
-
-/// The values of a node that are constants: "5 m, 30 s".
 QString nodeValues(const bt::NodeSpec& node) {
   QStringList values;
   const bt::NodeManifest* manifest = treeCatalogue().find(node.id);
@@ -116,7 +122,25 @@ QString nodeValues(const bt::NodeSpec& node) {
   return values.join(QStringLiteral(", "));
 }
 
-}  // namespace
+std::vector<NodeStatus> statusesByNode(const sim2d::TreeStatuses& state,
+                                       const std::vector<std::string>& names) {
+  if (state.paths == nullptr || *state.paths == names) {
+    return state.statuses;
+  }
+  std::map<std::string_view, std::size_t> places;
+  for (std::size_t node = 0; node < names.size(); ++node) {
+    places.emplace(names[node], node);
+  }
+  std::vector<NodeStatus> statuses(names.size(), NodeStatus::Idle);
+  for (std::size_t k = 0; k < state.statuses.size(); ++k) {
+    const auto place = places.find((*state.paths)[k]);
+    if (place == places.end()) {
+      return {};
+    }
+    statuses[place->second] = state.statuses[k];
+  }
+  return statuses;
+}
 
 QString nodeTitle(const bt::NodeSpec& node) {
   const QString label = QString::fromStdString(node.label());
@@ -155,7 +179,7 @@ void TreeOutline::showTree(const PersonTree& tree) {
     row->setText(0, nodeTitle(*node.node));
     row->setData(0, kNodeRole, static_cast<int>(i));
     const QString values = nodeValues(*node.node);
-    row->setData(0, kSideTextRole, values.isEmpty() ? kindText(*node.node) : values);
+    row->setData(0, kSideTextRole, values.isEmpty() ? nodeKindText(*node.node) : values);
     const bt::NodeManifest* manifest = treeCatalogue().find(node.node->id);
     row->setToolTip(0, manifest == nullptr ? QString::fromStdString(node.node->id)
                                            : QStringLiteral("%1\n%2").arg(
@@ -169,7 +193,7 @@ void TreeOutline::showTree(const PersonTree& tree) {
 }
 
 void TreeOutline::showStatus(const sim2d::TreeStatuses& state) {
-  const std::vector<NodeStatus> before = std::exchange(statuses_, statusesOf(state));
+  const std::vector<NodeStatus> before = std::exchange(statuses_, statusesByNode(state, names_));
   for (std::size_t node = 0; node < nodes_.size(); ++node) {
     if (before.size() != statuses_.size() || (!before.empty() && before[node] != statuses_[node])) {
       paintRow(node);
@@ -200,22 +224,6 @@ int TreeOutline::nodeNamed(const std::string& name) const {
 int TreeOutline::nodeAt(const QPoint& place) const {
   const QTreeWidgetItem* row = itemAt(place);
   return row == nullptr ? -1 : row->data(0, kNodeRole).toInt();
-}
-
-/// A record of a file names those only that were ticked. Empty: it is of another tree.
-std::vector<NodeStatus> TreeOutline::statusesOf(const sim2d::TreeStatuses& state) const {
-  if (state.paths == nullptr || *state.paths == names_) {
-    return state.statuses;
-  }
-  std::vector<NodeStatus> statuses(names_.size(), NodeStatus::Idle);
-  for (std::size_t k = 0; k < state.statuses.size(); ++k) {
-    const auto name = std::find(names_.begin(), names_.end(), (*state.paths)[k]);
-    if (name == names_.end()) {
-      return {};
-    }
-    statuses[static_cast<std::size_t>(name - names_.begin())] = state.statuses[k];
-  }
-  return statuses;
 }
 
 NodeStatus TreeOutline::statusOf(int node) const {

@@ -30,7 +30,8 @@ class TreeOutline : public QTreeWidget {
   int nodeNamed(const std::string& name) const;  // -1 = none
   int nodeAt(const QPoint& place) const;         // of the viewport; -1 = none
   const OutlineNode* current() const;            // null = none
-  void selectNode(int node);
+  int currentNode() const;                       // place in nodes(), -1 = none
+  void selectNode(int node);                     // none: the choice stays
   const std::vector<OutlineNode>& nodes() const { return nodes_; }
   base::NodeStatus statusOf(int node) const;
 
@@ -41,9 +42,7 @@ class TreeOutline : public QTreeWidget {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  int currentNode() const;  // place in nodes(), -1 = none
   void paintRow(std::size_t node);
-  std::vector<base::NodeStatus> statusesOf(const sim2d::TreeStatuses& state) const;
 
   Theme theme_;
   PersonTree tree_;  // keeps what the nodes point to
@@ -56,5 +55,15 @@ class TreeOutline : public QTreeWidget {
 
 /// "IsRobotVisible" -> "Is robot visible"; names of instances stay as they are.
 QString nodeTitle(const bt::NodeSpec& node);
+/// What controls, decorators and subtrees are, where their name alone says little: "run once".
+QString nodeKindText(const bt::NodeSpec& node);
+/// The values of a node that are constants: "5 m, 30 s".
+QString nodeValues(const bt::NodeSpec& node);
+/// What nodes of these names returned. A record of a file names those only that were ticked.
+/// Empty: nothing is known, or it is of another tree.
+std::vector<base::NodeStatus> statusesByNode(const sim2d::TreeStatuses& state,
+                                             const std::vector<std::string>& names);
+/// The mark that tells by shape what a node returned, 16 px wide, around the painter's origin.
+void paintStatusMark(QPainter& painter, base::NodeStatus status, const Theme& theme);
 
 }  // namespace editor

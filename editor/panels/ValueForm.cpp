@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <map>
+#include <string>
+
+#include <QHBoxLayout>
 
 #include "bt/tree/TextValue.h"
 #include "editor/document/TreeFiles.h"
@@ -53,11 +56,14 @@ std::string usualOf(const bt::PortSpec& port) {
   return port.fallbackText() != nullptr ? *port.fallbackText() : std::string();
 }
 
+bool isNumeric(const bt::PortSpec& port) {
+  return port.portType == bt::PortType::Double || port.portType == bt::PortType::Int ||
+         port.portType == bt::PortType::Unsigned;
+}
+
 /// A constant is shown as a number, also that which counts without a text.
 bool takesNumber(const bt::PortSpec& port, const std::string& text) {
-  const bool isNumber = port.portType == bt::PortType::Double ||
-                        port.portType == bt::PortType::Int ||
-                        port.portType == bt::PortType::Unsigned;
+  const bool isNumber = isNumeric(port);
   const std::string shown = text.empty() ? usualOf(port) : text;
   return isNumber && base::parseDouble(shown).has_value();
 }
@@ -83,6 +89,10 @@ ValueRow rowOf(const bt::PortSpec& port, const bt::NodeSpec& node) {
     row.help += QStringLiteral("\n%1");
     row.unit = qt(port.unit);
     row.range = rangeOf(port);
+    row.instead = "{" + port.key + "}";
+  } else if (isNumeric(port)) {
+    const std::string usual = usualOf(port);
+    row.instead = base::parseDouble(usual) ? usual : "1";
   }
   row.check = [port](const QString& typed) {
     const std::string word = typed.toStdString();
@@ -220,6 +230,7 @@ void ValueForm::show(ValueRows what) {
   QString shape = what.isEditable ? what.name + QLatin1Char('+') : what.name;
   for (const ValueRow& row : rows_) {
     shape += QString::number(static_cast<int>(row.kind));
+    shape += row.instead.empty() ? QString() : qt(row.instead);
   }
   if (shape != shape_) {
     shape_ = shape;
@@ -233,7 +244,8 @@ void ValueForm::show(ValueRows what) {
     for (const ValueRow& row : rows_) {
       fields_.push_back(makeField(row, fields_.size()));
       fields_.back()->setEnabled(what.isEditable);
-      section_->addRow(row.label, fields_.back());
+      section_->addRow(row.label,
+                       row.instead.empty() ? fields_.back() : withSwitch(*fields_.back(), row));
     }
     layout_->addWidget(section_);
     section_->show();
@@ -241,6 +253,26 @@ void ValueForm::show(ValueRows what) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     showRow(rows_[i], fields_[i]);
   }
+}
+
+/// A constant can become an entry of the blackboard, and the other way round.
+QWidget* ValueForm::withSwitch(QWidget& field, const ValueRow& row) {
+  constexpr int kSwitchWidth = 30;
+  auto* both = new QWidget(section_);
+  const bool toEntry = row.instead.front() == '{';
+  auto* button =
+      linkButton(toEntry ? QStringLiteral("{ }") : QStringLiteral("12"),
+                 toEntry ? tr("Take %1 from an entry of the blackboard").arg(row.label)
+                         : tr("Give %1 as a number").arg(row.label),
+                 both, [this, key = row.key, text = qt(row.instead)] { Q_EMIT edited(key, text); });
+  button->setFixedWidth(kSwitchWidth);
+  button->setEnabled(field.isEnabled());
+  field.setAccessibleName(row.label);
+  QSizePolicy policy = field.sizePolicy();
+  policy.setHorizontalPolicy(QSizePolicy::Ignored);
+  field.setSizePolicy(policy);
+  arranged(new QHBoxLayout(both), {}, 4, {&field, button})->setStretchFactor(&field, 1);
+  return both;
 }
 
 QWidget* ValueForm::makeField(const ValueRow& row, std::size_t index) {

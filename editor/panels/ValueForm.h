@@ -28,6 +28,9 @@ struct ValueRow {
   TextField::Check check{};
   std::vector<std::pair<QString, QString>> choices{};  // value and words
   bool isVisible = true;
+  /// What a button behind the field puts in its place: an entry of the blackboard for a constant, a
+  /// constant for an entry; empty: there is none.
+  std::string instead{};
 };
 
 /// Rows for one thing.
@@ -58,6 +61,7 @@ class ValueForm : public QWidget {
 
  private:
   QWidget* makeField(const ValueRow& row, std::size_t index);
+  QWidget* withSwitch(QWidget& field, const ValueRow& row);
   void showRow(const ValueRow& row, QWidget* widget);
 
   QVBoxLayout* layout_;

@@ -4,8 +4,6 @@
 #include <chrono>
 #include <utility>
 
-#include "app/run/Bundle.h"
-
 namespace editor {
 
 namespace {
@@ -17,28 +15,6 @@ constexpr std::chrono::milliseconds kPatience(100);  // with a run that is to en
 
 bool isOver(const std::future<void>& thread, std::chrono::milliseconds patience) {
   return !thread.valid() || thread.wait_for(patience) == std::future_status::ready;
-}
-
-}  // namespace
-
-namespace {
-
-RunRequest requestOf(app::Bundle bundle) {
-  RunRequest request;
-  request.again = [bundle] { return requestOf(bundle); };
-  request.rule = sim2d::stopRuleOf(*bundle.scenario);
-  request.recordEvery = bundle.scenario->desktop.recordEvery.value_or(1);
-  bundle.left = request.left;
-  request.makeWorld = [bundle =
-                           std::move(bundle)]() -> base::Result<std::unique_ptr<sim2d::World>> {
-    app::Verdict verdict = app::check(bundle);
-    if (!verdict.world) {
-      return std::move(verdict.problems);
-    }
-    verdict.world->tellSenses(true);  // to be drawn
-    return {std::move(verdict.world), std::move(verdict.worldRemarks)};
-  };
-  return request;
 }
 
 }  // namespace
@@ -88,18 +64,27 @@ bool SimulationRunner::start(bool paused) {
   if (mayStart_ && !mayStart_(paused)) {
     return false;
   }
+  branches_ = {{}};
+  branches_.front().name = tr("Run");
+  branch_ = 0;
+  nextBranch_ = 1;
   begin(request_(), paused);
+  Q_EMIT branchesChanged();
   return true;
 }
 
 void SimulationRunner::begin(RunRequest request, bool paused, sim2d::RecordedInputs inputs,
-                             std::int64_t until) {
+                             std::int64_t until, sim2d::StepInputs then) {
   measuredSpeed_ = 0.0;
   session_ = std::make_unique<app::Session>(request.rule);
   left_ = request.left;
   again_ = std::move(request.again);
-  session_->keepHistory(request.recordEvery, historyMemory_, historyFolder_);
+  session_->keepHistory(request.recordEvery, historyOfNext(), historyFolder_);
+  session_->changeWith(std::move(request.change));
   session_->repeat(std::move(inputs), until);
+  for (sim2d::Input& input : then) {  // they act in the step after that
+    session_->add(std::move(input));
+  }
   session_->setBreakpoints(breakpoints_);
   session_->watchEntries(watched_);
   session_->setPaused(paused);
@@ -142,8 +127,12 @@ void SimulationRunner::play() {
   if (state_ == State::Running) {
     return;
   }
-  if (finished_) {
-    if (shown_->step == newest_->step) {
+  if (finished_ || canLoop()) {
+    isLooping_ = !finished_;
+    const bool isOutside = canLoop() && (shown_->time < loop_->from || shown_->time >= loop_->to);
+    if (isOutside) {
+      showState(recording_->indexAtTime(loop_->from));
+    } else if (shown_->step == newest_->step) {
       showState(0);
     }
     startClock();
@@ -163,7 +152,11 @@ void SimulationRunner::play() {
 
 void SimulationRunner::pause() {
   if (state_ == State::Running) {
-    finished_ ? timer_.stop() : session_->setPaused(true);
+    if (finished_) {
+      timer_.stop();
+    } else if (!std::exchange(isLooping_, false)) {
+      session_->setPaused(true);
+    }
     setState(State::Paused);
   }
 }
@@ -196,26 +189,37 @@ void SimulationRunner::reset() {
   if (stopSession() && session_ != nullptr && !finished_) {
     poll();  // the last words of the session
   }
+  leaveRun();
+  branches_.clear();
+  branch_ = -1;
+  loop_.reset();
+  Q_EMIT loopChanged();
+  Q_EMIT branchesChanged();
+  setState(State::Editing);
+}
+
+/// Nothing is shown any more.
+void SimulationRunner::leaveRun() {
+  stopSession();
   session_.reset();
   again_ = {};
-  finished_ = isRecorded_ = isCut_ = false;
+  finished_ = isRecorded_ = isCut_ = isLooping_ = false;
   result_.reset();
   brokeAt_.reset();
   setEntries(std::nullopt);
   recording_.reset();
   newest_.reset();
+  expected_.reset();
   show(nullptr, false);
-  setState(State::Editing);
 }
 
 void SimulationRunner::setSpeed(double factor) {
   Q_ASSERT(factor > 0.0);
   speed_ = factor;
-  if (finished_) {
-    if (state_ == State::Running) {
-      startClock();
-    }
-  } else if (session_ != nullptr) {
+  if ((finished_ || isLooping_) && state_ == State::Running) {
+    startClock();
+  }
+  if (!finished_ && session_ != nullptr) {
     session_->setSpeed(factor);
   }
 }
@@ -264,16 +268,22 @@ void SimulationRunner::steer(app::Session::Steering steering) {
   }
 }
 
-void SimulationRunner::openRecorded(RecordingPtr recording) {
+void SimulationRunner::openRecorded(RecordingPtr recording, std::function<RunRequest()> again) {
   Q_ASSERT(recording != nullptr && recording->size() > 0);
   reset();
   recording_ = std::move(recording);
   newest_ = recording_->frame(recording_->size() - 1);
   isRecorded_ = finished_ = true;
+  again_ = std::move(again);
+  branches_ = {{}};
+  branches_.front().name = tr("Recorded run");
+  branch_ = 0;
+  nextBranch_ = 1;
   const FramePtr first = stateAt(0);
   show(first != nullptr ? first : newest_, false);
   setState(State::Paused);
   watchHistory();
+  Q_EMIT branchesChanged();
 }
 
 void SimulationRunner::startClock() {
@@ -287,6 +297,11 @@ void SimulationRunner::playOn() {
   const double passed = 0.001 * static_cast<double>(playing_.elapsed());
   const double time = playedFrom_ + passed * measuredSpeed_;
   const std::size_t index = recording_->indexAtTime(time);
+  if (canLoop() && (time > loop_->to || index + 1 == recording_->size())) {
+    showState(recording_->indexAtTime(loop_->from));
+    startClock();
+    return;
+  }
   if (recording_->stepOf(index) > shown_->step) {
     showState(index);
   }
@@ -320,21 +335,6 @@ void SimulationRunner::seekNewest() {
   }
 }
 
-bool SimulationRunner::canGoOnFromShown() const {
-  return again_ && lookingBack_ && shown_ != nullptr;
-}
-
-void SimulationRunner::goOnFromShown() {
-  if (!canGoOnFromShown()) {
-    return;
-  }
-  const std::int64_t until = shown_->step;
-  sim2d::RecordedInputs inputs = recording_->inputsUntil(until);
-  RunRequest request = again_();
-  reset();
-  begin(std::move(request), true, std::move(inputs), until);
-}
-
 void SimulationRunner::show(FramePtr frame, bool lookingBack) {
   shown_ = std::move(frame);
   if (lookingBack_ != lookingBack) {
@@ -345,7 +345,7 @@ void SimulationRunner::show(FramePtr frame, bool lookingBack) {
 }
 
 void SimulationRunner::poll() {
-  if (finished_) {
+  if (finished_ || isLooping_) {
     playOn();
     return;
   }
@@ -358,6 +358,9 @@ void SimulationRunner::poll() {
     const base::Diagnostics errors = *news.remarks;
     stopSession();
     session_.reset();
+    branches_.clear();
+    branch_ = -1;
+    Q_EMIT branchesChanged();
     setState(State::Editing);
     Q_EMIT notStarted(errors);
     return;
@@ -374,6 +377,7 @@ void SimulationRunner::poll() {
     if (!lookingBack_) {
       show(newest_, false);
     }
+    watchRepeated();
   }
   takeTrees(news);
   if (news.measuredSpeed) {

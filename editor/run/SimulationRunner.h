@@ -15,21 +15,11 @@
 #include "app/run/RunOptions.h"
 #include "app/run/Session.h"
 #include "editor/document/ScenarioDocument.h"
+#include "editor/run/RunBranches.h"
 
 namespace editor {
 
-using app::RecordingPtr;
 using app::RunSettings;
-using sim2d::FramePtr;
-
-/// A run to be started.
-struct RunRequest {
-  app::WorldMaker makeWorld;  // called in the worker thread, so it holds copies of all it needs
-  std::shared_ptr<base::StopFlag> left = std::make_shared<base::StopFlag>();  // ends all waiting
-  sim2d::StopRule rule;
-  int recordEvery = 1;
-  std::function<RunRequest()> again;  // the same run once more; null: there is none
-};
 
 /// A run of the document as it is now: copies of scenario, map and trees. GUI thread. What a check
 /// refuses does not run.
@@ -90,8 +80,9 @@ class SimulationRunner : public QObject {
   /// Of that person in the newest state of a run that goes on; none: nothing is known.
   const std::optional<app::Entries>& entries() const { return entries_; }
 
-  /// Shows a recorded run from its beginning; it holds states. reset() leaves it.
-  void openRecorded(RecordingPtr recording);
+  /// Shows a recorded run from its beginning; it holds states. reset() leaves it. `again`: the same
+  /// run made here; null: what it was made of is not known.
+  void openRecorded(RecordingPtr recording, std::function<RunRequest()> again = {});
   bool isRecorded() const { return isRecorded_; }
 
   // the past
@@ -106,15 +97,42 @@ class SimulationRunner : public QObject {
       std::int64_t step);  // shows the nearest kept frame at or before, else the oldest; pauses
   void stepBack();
   void seekNewest();
-  /// The run is made again up to the state that is shown and waits there: what came after it is
-  /// gone, and it may take another way.
-  void goOnFromShown();
-  bool canGoOnFromShown() const;  // it is in the past of a run that was made here
+  /// Plays this part again and again, once there is a state of it; none: plays on.
+  struct Part {
+    double from = 0.0, to = 0.0;  // [s], from < to
+    friend bool operator==(const Part& a, const Part& b) {
+      return a.from == b.from && a.to == b.to;
+    }
+  };
+  void setLoop(std::optional<Part> loop);
+  const std::optional<Part>& loop() const { return loop_; }
+
+  // branches
+  static constexpr std::size_t kMostBranches = 9;  // with the first
+  /// The run is made again up to the state that is shown, as a branch beside it, and waits there:
+  /// it may take another way. False: it was told why not, and nothing has changed.
+  bool goOnFromShown(const app::RunOptions& changes = {}, const QString& name = {});
+  /// It is in the past of a run that can be made again, and there is room for one more.
+  bool canGoOnFromShown() const;
+  /// All runs that began as this one, in the order of their making; none while editing.
+  const std::vector<RunBranch>& branches() const { return branches_; }
+  int branch() const { return branch_; }  // number of the one that is shown; -1: none
+  /// What is known of a run, that of the branch shown too; null: nothing yet.
+  RecordingPtr recordingOf(int branch) const;
+  /// Shows another one at the same time of the run, paused. One that has not come to its end is
+  /// made again to where it was.
+  void showBranch(int number);
+  void renameBranch(int number, const QString& name);
+  void removeBranch(int number);  // not the one that is shown
+  /// The run that is shown, from its beginning; null: it cannot be made again.
+  const std::function<RunRequest()>& again() const { return again_; }
 
  Q_SIGNALS:
   void stateChanged(editor::SimulationRunner::State state);
   void frameShown(std::shared_ptr<const sim2d::Frame> frame);  // at display rate; null: cleared
   void lookingBackChanged(bool lookingBack);
+  void loopChanged();
+  void branchesChanged();
   void breakpointsChanged();
   void broke(const sim2d::TreeBreak& at);  // paused there
   void entriesChanged();
@@ -129,7 +147,7 @@ class SimulationRunner : public QObject {
  private:
   bool start(bool paused);
   void begin(RunRequest request, bool paused, sim2d::RecordedInputs inputs = {},
-             std::int64_t until = 0);
+             std::int64_t until = 0, sim2d::StepInputs then = {});
   void poll();
   void takeEnd(const sim2d::RunResult& result);
   void takeTrees(app::SessionNews& news);
@@ -142,6 +160,13 @@ class SimulationRunner : public QObject {
   FramePtr stateAt(std::size_t index) const;
   void showState(std::size_t index);
   void watchHistory();
+  bool canLoop() const;
+  void leaveRun();
+  void keepShown();
+  RunBranch* branchOf(int number);
+  void showKept(const RunBranch& kept, double time);
+  std::size_t historyOfNext() const;
+  void watchRepeated();
 
   std::function<RunRequest()> request_;
   std::function<bool(bool)> mayStart_;
@@ -170,6 +195,15 @@ class SimulationRunner : public QObject {
   std::optional<sim2d::TreeBreak> brokeAt_;
   std::optional<int> watched_;
   std::optional<app::Entries> entries_;
+  std::optional<Part> loop_;
+  bool isLooping_ = false;  // in the past of a run that has not come to its end
+  std::vector<RunBranch> branches_;
+  struct Expected {
+    std::int64_t step = 0;
+    std::string rows;  // of the trajectory
+  };
+  std::optional<Expected> expected_;  // of a run that is made again
+  int branch_ = -1, nextBranch_ = 0;
   QElapsedTimer playing_;    // a recording
   double playedFrom_ = 0.0;  // [s], when `playing_` began
 };

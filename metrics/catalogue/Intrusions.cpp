@@ -3,6 +3,7 @@
 #include <limits>
 #include <map>
 
+#include "metrics/GaussianSpace.h"
 #include "metrics/TermSums.h"
 
 /// Shares of personal and group space that the robot takes.
@@ -30,22 +31,18 @@ MetricValue averageWithSeries(const Figures& shares) {
   return withSeries(average(shares), inPercent(shares.series()));
 }
 
-/// How far outside the space of a person the robot stands, 0 at its centre: the negative exponent
-/// of a Gaussian that is longer ahead of who walks and shorter behind (Kirby).
+/// How far outside the space of a person the robot stands, 0 at its centre.
 double outsideness(const Person& person, const Robot& robot) {
   const Vec2 offset = robot.position - person.position;
   const Vec2 local(person.pair.ahead.dot(offset), base::cross(person.pair.ahead, offset));
-  const double front = std::max(2.0 * person.speed, 0.5);  // variances [m^2]
-  const double side = front * 2.0 / 3.0;
-  const double along = local.x() > 0.0 ? front : front / 2.0;
-  return local.x() * local.x() / (2.0 * along) + local.y() * local.y() / (2.0 * side);
+  return gaussianSpaceOf(person.speed).outsideness(local);
 }
 
 /// Not above the same: the variance ahead is the largest.
 double leastOutsideness(const Person& person, const Robot& robot) {
   constexpr double kSlack = 1.0 - 1e-9;
   return kSlack * (robot.position - person.position).squaredNorm() /
-         (2.0 * std::max(2.0 * person.speed, 0.5));
+         (2.0 * gaussianSpaceOf(person.speed).ahead);
 }
 
 /// Deepest intrusion of a sample; NaN without people.

@@ -301,6 +301,47 @@ constexpr ProblemText kTexts[] = {
     {"nav2.no-mask", "{layer}: has no mask, it does nothing"},
     {"nav2.data-type", "{layer}.{source}: data_type '{found}' counts as LaserScan"},
 
+    // nav2_params.yaml and navigator trees.
+    {"nav2.no-parameters", "no parameters of ROS 2 in it (a node with ros__parameters)"},
+    {"nav2.outside-node", "'{found}' stands below no ros__parameters: ROS 2 does not read it"},
+    {"nav2.unknown-key", "unknown key '{key}': nothing in Nav2 reads it{nearest}"},
+    {"nav2.unknown-node", "'{node}' is no node of Nav2{nearest}"},
+    {"nav2.idle-keys", "{node}: {count} without effect: {keys} ({why})"},
+    {"nav2.other-distro", "{key} is {why}: {distro} does not read it"},
+    {"nav2.distro-guessed", "taken for a file of {distro}{reasons?: %}"},
+    {"nav2.plugin-twice", "{list} names '{name}' twice"},
+    {"nav2.no-plugin", "{node}: '{name}' has no plugin: {name}.plugin must name its class"},
+    {"nav2.unsupported-plugin", "'{found}' is not supported: {why}"},
+    {"nav2.bad-value", "{what}"},
+    {"nav2.placeholder",
+     "{name} is switched off: its 'enabled' is a word that Nav2's launch files replace"},
+    {"nav2.set-unknown", "'{path}' is no parameter of Nav2{nearest}"},
+    {"nav2.set-ambiguous", "'{path}' is a parameter of {nodes}: put one of them in front"},
+    {"nav2.no-file", "there is no such file, and none of this name is shipped (shipped: {known})"},
+    {"nav2.needs-lidar", "robot '{robot}': planner nav2 needs a lidar"},
+    {"nav2.drive", "robot '{robot}': {what}"},
+    {"nav2.tree", "robot '{robot}': {what}"},
+    {"nav2.two-shapes", "both footprint and robot_radius are given: footprint counts"},
+    {"nav2.scaling-differs",
+     "{controller}.inflation_cost_scaling_factor is {found}, the inflation layer of local_costmap "
+     "has cost_scaling_factor {wanted}: distances to obstacles come out wrong"},
+    {"nav2.period-too-long",
+     "{controller}: a period of {period} s (controller_frequency) is longer than model_dt {dt} s: "
+     "Nav2 does not start"},
+    {"nav2.period-shorter",
+     "{controller}: a period of {period} s (controller_frequency) is shorter than model_dt {dt} s: "
+     "the sequence of controls is not shifted"},
+    {"nav2.faster-than", "{controller}: {speed} m/s is above {limit} m/s of {whose}"},
+    {"nav2.map-too-small",
+     "local_costmap reaches {half} m from the robot, {controller} looks {range} m ahead ({what})"},
+    {"nav2.goal-radius",
+     "robot '{robot}': goal_radius {radius} m is below the goal checker's xy_goal_tolerance "
+     "{tolerance} m: Nav2 may stop before the goal counts as reached"},
+    {"nav2.frequency-rounded",
+     "{key}: {wanted} Hz is more than one call in a step of {dt} s: {got} Hz"},
+    {"option.nav2-without-planner",
+     "--nav2-params, --nav2-tree and --nav2-distro count with --planner nav2 only"},
+
     // Files.
     {"file.cannot-write", "cannot write the file: {reason}"},
     {"file.cannot-read", "cannot read the file: {reason}"},
@@ -389,6 +430,9 @@ constexpr ProblemText kTexts[] = {
     {"trace.unfinished", "a run was not written to its end here: trace.json is missing"},
     {"trace.no-run", "is no folder of a run: trace.json is missing"},
     {"trace.no-states", "the record has no states"},
+    {"trace.other-program",
+     "was written by version {was}, this is {now}: it is shown as recorded, but made again it may "
+     "be another run"},
     {"trace.bad-manifest", "is no manifest of a run (damaged?)"},
     {"trace.scenario-gone",
      "the scenario of this run is not there any more, or has changed: people, robots and walls are "
@@ -592,6 +636,11 @@ constexpr ProblemText kTexts[] = {
      "an image has no scale yet, so no picture is made of it (open it in the window, or name a map "
      "YAML that uses it)"},
     {"option.picture-not-made", "the picture cannot be encoded"},
+    {"option.strip",
+     "--strip takes a number of instants, 1 to 24, or their times in seconds with "
+     "commas, not '{words}'"},
+    {"option.unknown-body", "there is no person or robot '{found}'"},
+    {"option.plot-series", "the metric '{key}' has no value over time"},
     {"option.picture-format",
      "cannot draw '{found}' files (use a name that ends in .png, .svg, .pdf, .gif, .mp4, .webm or "
      ".html)"},
@@ -652,8 +701,22 @@ constexpr ProblemText kTexts[] = {
     {"again.goes-elsewhere",
      "made again, the run is another one from {time} s on (it was made by version {then}, this is "
      "{now})"},
+    {"again.branch-elsewhere",
+     "made again, the run is another one at {time} s: the branch does not begin where the other run "
+     "was"},
     {"again.ends-before", "with these options the run ends at {time} s, before {wanted} s"},
     {"again.itself", "a run that it goes on from would be lost: write elsewhere"},
+
+    // Futures of a run.
+    {"futures.foreign-code",
+     "a robot is driven by a program of others, which cannot be copied: there are no futures"},
+    {"futures.no-process", "the system gives no more processes"},
+    {"futures.goes-elsewhere",
+     "made again, the run is another one at {time} s: there are no futures of it"},
+    {"futures.bad-question", "this is no question of this program for futures"},
+    {"futures.count", "the number of futures must be 1 to {most}, not {found}"},
+    {"futures.horizon", "futures are 0.1 to {most} s long, not {found}"},
+    {"futures.spread", "the spread of velocities must be 0 to 1 m/s, not {found}"},
 
     // Breakpoints.
     {"breakpoint.assigns", "a condition only looks: \"{found}\" would change an entry"},

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "sim2d/base/Stop.h"
 #include "sim2d/nav/Observation.h"
 #include "sim2d/nav/external/CodePermission.h"
+#include "sim2d/nav/nav2/Nav2Key.h"
 
 /// Local planners of robots, and how they are chosen by name.
 namespace sim2d {
@@ -21,6 +23,21 @@ struct Candidate {
   std::vector<Vec2> points;  // [m], the robot's place first
   double cost = 0.0;         // the less the better; infinite: would hit something
   bool isChosen = false;
+};
+
+/// A behaviour tree as a record wants it: paths of nodes, and what each returned in the last step.
+struct DrivingTree {
+  std::shared_ptr<const std::vector<std::string>> paths;
+  std::vector<base::NodeStatus> statuses;  // beside them
+};
+
+constexpr const char* kNav2Planner = "nav2";
+
+/// Files and values of the planner `nav2`; empty: Nav2's own.
+struct Nav2Choice {
+  std::string params, tree;                                 // files
+  std::optional<nav2::Distro> distro;                       // none: as the file tells
+  std::vector<std::pair<std::string, std::string>> values;  // "FollowPath.temperature", YAML
 };
 
 /// A local planner of one robot. Thread: one at a time. Equal observations in the same order give
@@ -50,6 +67,14 @@ class Planner {
   virtual void reseed(std::uint64_t /*seed*/) {}
   /// It planned anew, or does not get on, since the last call.
   virtual bool takeReplanned() { return false; }
+  /// It drives by a map of its own: `takeMap` is called before the first step.
+  virtual bool wantsMap() const { return false; }
+  /// The known map: that of the file with the obstacles that are drawn, doors open. Problems of it.
+  virtual base::Diagnostics takeMap(const OccupancyGrid& /*map*/) { return {}; }
+  /// The behaviour tree that drives it, where one does; null: none does.
+  virtual const DrivingTree* tree() const { return nullptr; }
+  /// What a manifest should tell beside the parameters, as JSON; empty: nothing.
+  virtual std::string reportJson() const { return {}; }
 };
 
 /// All that a planner is made of.
@@ -58,6 +83,9 @@ struct PlannerSetup {
   RobotBody body;
   std::vector<std::pair<std::string, double>> parameters;  // given ones, checked against the specs
   std::vector<std::pair<std::string, std::string>> texts;  // idem, of specs of type Text
+  Nav2Choice nav2;
+  double goalRadius = 0.2;  // [m]
+  double dt = 0.05;         // [s], step of the world
   std::uint64_t seed = 1;
   int robotId = -1;     // with the seed: whose draws
   std::string command;  // the program of an external planner, see `commandWords`

@@ -1,3 +1,7 @@
+#include <string>
+#include <vector>
+
+#include "sim2d/base/Text.h"
 #include "sim2d/scenario/FieldMaking.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
@@ -11,6 +15,36 @@ void readPlannerParameters(YamlMap& view, Robot& robot) {
 
 void writePlannerParameters(YamlNode& tree, const Robot& robot) {
   writeParameters(tree, "planner_parameters", robot.plannerParameters);
+}
+
+/// Values by their names with all maps in them: {FollowPath: {temperature: 0.2}}.
+void readNav2Values(YamlMap& view, const std::string& prefix, ParameterTexts& values) {
+  for (const YamlNode& item : view.node().items) {
+    if (item.isMap()) {
+      YamlMap inner = view.map(item.key);
+      readNav2Values(inner, prefix + item.key + ".", values);
+    } else if (view.find(item.key) != nullptr) {
+      YamlNode bare = item;
+      bare.key.clear();
+      values.emplace_back(prefix + item.key, emitYaml(bare));
+    }
+  }
+}
+
+void readNav2(YamlMap& view, Robot& robot) {
+  YamlMap values = view.map("nav2");
+  readNav2Values(values, {}, robot.nav2Values);
+}
+
+void writeNav2(YamlNode& tree, const Robot& robot) {
+  for (const auto& [name, yaml] : robot.nav2Values) {
+    YamlNode* at = &tree.child("nav2");
+    const std::vector<std::string> words = base::split(name, '.');
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+      at = &at->child(words[i]);
+    }
+    setUnknown(*at, {{words.back(), yaml}});
+  }
 }
 
 void readStart(YamlMap& view, Robot& robot) {
@@ -207,6 +241,23 @@ Fields<Robot> robotFields() {
           .resolvedTo(&Resolved::command),
       FieldOf<Robot>("planner_parameters", "Of the planner: name and value of each", {"Parameters"})
           .madeBy(readPlannerParameters, writePlannerParameters, &Robot::plannerParameters),
+      field("nav2_params", &Robot::nav2Params,
+            "Of planner nav2: the parameter file (`nav2_params.yaml`), or a name of those shipped",
+            {"Nav2 parameters"})
+          .resolvedTo(&Resolved::nav2Params),
+      field("nav2_tree", &Robot::nav2Tree,
+            "Of planner nav2: the navigator's behaviour tree, or a name of those shipped",
+            {"Nav2 tree"})
+          .resolvedTo(&Resolved::nav2Tree),
+      field("nav2_distro", &Robot::nav2Distro,
+            "Of planner nav2: whose defaults and ways count; absent: as the file tells",
+            {"Nav2 branch"})
+          .words({"humble", "jazzy", "main"})
+          .countsAs(&Resolved::nav2Distro),
+      FieldOf<Robot>("nav2",
+                     "Of planner nav2: values instead of those of its file, by node and name",
+                     {"Nav2 values"})
+          .madeBy(readNav2, writeNav2, &Robot::nav2Values),
       FieldOf<Robot>("start", "Where it begins: `x`, `y` and heading `h`", {"Position"})
           .required()
           .madeBy(readStart, writeStart, &Robot::start),

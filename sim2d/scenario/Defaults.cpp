@@ -232,6 +232,10 @@ ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id)
   for (const auto& [name, yaml] : robot.plannerParameters) {
     result.plannerTexts.emplace_back(name, base::scalarText(yaml));
   }
+  result.nav2Distro = robot.nav2Distro;
+  for (const auto& [name, yaml] : robot.nav2Values) {
+    result.nav2Values.emplace_back(name, yaml);
+  }
   result.start = {robot.start.position, base::wrapToPi(robot.start.heading)};
   takeRobotGoals(result, robot.goal, scenario);
   resolveFields(robot, result);

@@ -48,6 +48,10 @@ struct ResolvedRobot {
   std::string command;                                            // of planner external
   std::vector<std::pair<std::string, double>> plannerParameters;  // those that are numbers
   std::vector<std::pair<std::string, std::string>> plannerTexts;  // all of them, as text
+  std::string nav2Params, nav2Tree;                               // of planner nav2; empty: its own
+  std::optional<nav2::Distro> nav2Distro;                         // none: as the file tells
+  std::vector<std::pair<std::string, std::string>>
+      nav2Values;  // values instead of the file's, as YAML
   Pose2 start;
   std::vector<Vec2> goals;   // points in order; empty: it stands
   std::vector<int> goalIds;  // beside them; 0 = a plain point

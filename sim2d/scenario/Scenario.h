@@ -9,6 +9,7 @@
 #include "sim2d/base/Types.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/nav/Body.h"
+#include "sim2d/nav/nav2/Nav2Key.h"
 
 /// The scenario as written in a file: plain values, compared by content (EntityIds are identity
 /// within one document, not content, and are left out of comparisons). What a file leaves out is
@@ -143,6 +144,9 @@ struct Robot : Named {
   std::optional<std::string> type, planner;
   std::optional<std::string> command;  // the program of planner `external`
   ParameterTexts plannerParameters;
+  std::optional<std::string> nav2Params, nav2Tree;  // files of planner `nav2`
+  std::optional<nav2::Distro> nav2Distro;
+  ParameterTexts nav2Values;  // instead of the file's: "FollowPath.temperature"
   Pose2 start;
   RobotGoal goal;
   std::optional<double> goalRadius, startTime, radius, mass, maxVel, maxAcc, maxOmega, maxAlpha;

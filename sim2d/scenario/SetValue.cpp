@@ -9,13 +9,25 @@ namespace {
 
 using KeyPath = std::vector<std::string>;
 
-/// The paths meant: `*` stands for each listed person. Nothing = there is none.
+constexpr const char* kNav2Word = "nav2";  // the planner, and the key of its values
+
+/// The paths meant: `*` stands for each listed person, `nav2` in front for that key of each listed
+/// robot that it drives. Nothing = there is none.
 std::vector<KeyPath> expanded(const Scenario& scenario, const std::string& text) {
   const KeyPath path = base::split(text, '.');
+  std::vector<KeyPath> all;
+  if (path.front() == kNav2Word) {
+    forEachListed(scenario.robots, [&](const Robot& robot) {
+      if (robot.planner == kNav2Word) {
+        all.push_back(path);
+        all.back().insert(all.back().begin(), robot.name);
+      }
+    });
+    return all;
+  }
   if (path.front() != "*") {
     return {path};
   }
-  std::vector<KeyPath> all;
   forEachListed(scenario.humans, [&](const Human& human) {
     all.push_back(path);
     all.back().front() = human.name;

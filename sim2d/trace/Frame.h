@@ -207,6 +207,9 @@ struct Frame {
   TreeChanges treeChanges;                    // of this step, by id, then node
   std::vector<std::vector<Vec2>> robotPaths;  // what the planners follow now, per robot
   std::shared_ptr<const std::vector<RobotSenses>> senses;  // per robot; null: nobody asked for it
+  /// What people follow from here on, one per person: way points [m] still to be walked to, none
+  /// for who heads straight on or stands. For display; null: nobody asked for it.
+  std::shared_ptr<const std::vector<std::vector<Vec2>>> humanPaths;
   std::vector<RecordedScan> scans;  // made in the step that led to this state
   std::vector<char> doorOpen;
 };

@@ -78,6 +78,12 @@ void PersonMotion::enter(std::size_t human) {
   plans_.directions[human] = Vec2::Zero();
 }
 
+std::vector<Vec2> PersonMotion::wayOf(std::size_t human) const {
+  const RouteFollower* const route = routes_[human].get();
+  const bool isOnTheWay = !plans_.directions[human].isZero(0.0);
+  return route != nullptr && isOnTheWay ? route->rest() : std::vector<Vec2>();
+}
+
 void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, WorldState& state,
                            ForceColumns& forces) {
   crowd_.update(world, plans_, workers_);

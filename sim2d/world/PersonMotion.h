@@ -19,6 +19,8 @@ class PersonMotion {
   void resize(std::size_t count);
   void forget(std::size_t human);  // an old way
   void enter(std::size_t human);   // somebody who comes in and stands
+  /// The way points still to be walked to; none: straight on, or nowhere.
+  std::vector<Vec2> wayOf(std::size_t human) const;
 
   /// Where everybody heads. Emits `replan` and `stuck`.
   void chooseLegs(const FrozenWorld& world, const Intents& intents, WorldState& state);

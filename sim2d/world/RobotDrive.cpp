@@ -94,6 +94,24 @@ BodyTwist RobotDrive::ask(std::size_t robot, const std::string& name) {
   return {};
 }
 
+/// A node of a tree that was not ticked is IDLE.
+void RobotDrive::noteTree(std::size_t robot, int id, bool isAsked) {
+  const DrivingTree* const tree = planners_[robot]->tree();
+  if (tree == nullptr) {
+    return;
+  }
+  statuses_.resize(planners_.size());
+  std::vector<base::NodeStatus>& before = statuses_[robot];
+  before.resize(tree->statuses.size(), base::NodeStatus::Idle);
+  for (std::size_t node = 0; node < before.size(); ++node) {
+    const base::NodeStatus now = isAsked ? tree->statuses[node] : base::NodeStatus::Idle;
+    if (now != before[node]) {
+      treeChanges_.add(id, tree->paths, static_cast<int>(node), now);
+      before[node] = now;
+    }
+  }
+}
+
 void RobotDrive::addSenses(std::size_t robot, bool isAsked) {
   if (senses_ == nullptr) {
     return;
@@ -135,6 +153,7 @@ const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, Worl
         state.emit(EventKind::Replan, robot.id);
       }
     }
+    noteTree(i, robot.id, isAsked);
     addSenses(i, isAsked);
     commands_[i] = reached(bodies_[i], {now.linear, now.omega, now.lateral}, wanted, dt);
   }

@@ -44,6 +44,15 @@ class RobotDrive {
     scans.swap(scans_);
   }
 
+  /// Nodes of the trees that drive robots which returned another status in the last `command` than
+  /// in the one before; by -1, -2 ….
+  void takeTreeChanges(TreeChanges& changes) {
+    changes.append(treeChanges_);
+    treeChanges_.clear();
+  }
+  /// The planners, for reports.
+  const std::vector<std::shared_ptr<Planner>>& planners() const { return planners_; }
+
   std::vector<Vec2> path(std::size_t robot, const WorldModel& model, const WorldState& state) const;
 
  private:
@@ -52,12 +61,15 @@ class RobotDrive {
   /// Into `observation_`: what the robot knows.
   void observe(const FrozenWorld& world, std::size_t robot);
   BodyTwist ask(std::size_t robot, const std::string& name);
+  void noteTree(std::size_t robot, int id, bool isAsked);
 
   std::vector<std::shared_ptr<Planner>> planners_;
   std::vector<RobotBody> bodies_;
   RobotSensors sensors_;
   std::vector<char> isScanRead_;  // of each robot, in this step
   std::vector<RecordedScan> scans_;
+  std::vector<std::vector<base::NodeStatus>> statuses_;  // of trees, in the last step
+  TreeChanges treeChanges_;
   std::vector<BodyTwist> commands_;
   std::map<std::size_t, BodyTwist> steered_;
   std::string failure_;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "sim2d/world/StepBuffers.h"
 #include "sim2d/world/WorldInside.h"
@@ -286,10 +289,28 @@ void RunningWorld::publish() {
     frame_.robotPaths[i] = robots_.path(i, model_, state_);
   }
   frame_.senses = robots_.senses();
+  publishWays();
   robots_.takeScans(frame_.scans);
   if (state_.step > 0) {
     behavior_->takeTreeChanges(frame_.treeChanges);
+    robots_.takeTreeChanges(frame_.treeChanges);
   }
+}
+
+/// In the order of the people in the frame.
+void RunningWorld::publishWays() {
+  frame_.humanPaths.reset();
+  if (!tellsWays_) {
+    return;
+  }
+  auto ways = std::make_shared<std::vector<std::vector<Vec2>>>();
+  ways->reserve(frame_.humans.size());
+  for (std::size_t human = 0; human < state_.present.size(); ++human) {
+    if (state_.present[human] != 0) {
+      ways->push_back(motion_.wayOf(human));
+    }
+  }
+  frame_.humanPaths = std::move(ways);
 }
 
 std::optional<double> RunningWorld::arrivedAt() const {

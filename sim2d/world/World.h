@@ -81,7 +81,7 @@ class World {
   /// the first. `seed`: of what is drawn from here on; people stay as their own seed drew them.
   virtual void goOnAs(World& other, std::uint64_t seed) = 0;
 
-  /// From the next step on frames have the senses of robots, or no more.
+  /// From the next step on frames have the senses of robots and the ways of people, or no more.
   virtual void tellSenses(bool wanted) = 0;
 
   virtual const Frame& frame() const = 0;  // after the last step; valid until the next
@@ -91,8 +91,10 @@ class World {
   /// All robots have arrived (false without a moving robot), and since when [s].
   virtual std::optional<double> arrivedAt() const = 0;
   virtual std::vector<RobotOnWay> robotsOnWay() const = 0;  // -1, -2 …
-  virtual TraceHeader header() const = 0;                   // as of now
-  virtual const Obstacles& obstacles() const = 0;           // now; parts as in the header
+  /// What their planners want a manifest to tell, as JSON; empty: nothing.
+  virtual std::vector<std::string> robotReports() const { return {}; }  // -1, -2 …
+  virtual TraceHeader header() const = 0;                               // as of now
+  virtual const Obstacles& obstacles() const = 0;  // now; parts as in the header
   virtual const WorldView& view() const = 0;
   virtual HumanBehavior& behavior() = 0;
 };

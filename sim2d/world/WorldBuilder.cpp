@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/map/DistanceField.h"
 #include "sim2d/scenario/Variation.h"
 #include "sim2d/world/Placement.h"
 #include "sim2d/world/StartVariation.h"
@@ -168,6 +170,9 @@ std::shared_ptr<Planner> makePlanner(const WorldSetup& world, const WorldModel& 
   setup.robot = robot.name;
   setup.body = bodyOf(robot);
   giveParameters(robot, entry->parameters, setup);
+  setup.nav2 = {robot.nav2Params, robot.nav2Tree, robot.nav2Distro, robot.nav2Values};
+  setup.goalRadius = robot.goalRadius;
+  setup.dt = model.dt;
   setup.seed = model.seed;
   setup.robotId = robot.id;
   setup.command = robot.command;
@@ -276,6 +281,32 @@ void giveModels(WorldModel& model) {
   }
 }
 
+/// To planners with a map of their own: the map with what is drawn on it, doors open.
+void giveMaps(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& problems) {
+  std::optional<OccupancyGrid> map;
+  for (std::size_t i = 0; i < parts.planners.size(); ++i) {
+    if (!parts.planners[i]->wantsMap()) {
+      continue;
+    }
+    const Surroundings& around = parts.surroundings;
+    const bool isDrawnOn = around.firstObstaclePart < around.firstDoorPart;
+    if (!map && (isDrawnOn || around.grid.isEmpty())) {
+      Obstacles standing = around.obstacles;
+      for (int part = around.firstDoorPart; part < standing.partCount(); ++part) {
+        standing.setEnabled(part, false);
+      }
+      map = DistanceField(around.grid, standing, placesOf(parts.model), DistanceField::kMostCells,
+                          setup.stop)
+                .grid();
+    } else if (!map) {
+      map = around.grid;
+    }
+    for (const base::Diagnostic& told : parts.planners[i]->takeMap(*map)) {
+      ProblemsOf(parts.model.robotKeys[i], {}, problems).add(told);
+    }
+  }
+}
+
 }  // namespace
 
 base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup) {
@@ -296,6 +327,7 @@ base::Result<std::unique_ptr<WorldParts>> buildWorld(const WorldSetup& setup) {
       std::make_unique<NavigationMap>(parts->surroundings.grid, parts->surroundings.obstacles,
                                       placesOf(parts->model), parts->surroundings.layers);
   fitPlaces(parts->model, *parts->navigation, problems);
+  giveMaps(setup, *parts, problems);
   varyStarts(*setup.scenario, *parts->navigation, parts->model);
   if (base::hasErrors(problems)) {
     return problems;

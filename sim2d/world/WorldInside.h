@@ -68,8 +68,18 @@ class RunningWorld : public World {
   const std::string& failure() const override { return failure_; }
   const base::Diagnostics& refused() const override { return refused_; }
   void goOnAs(World& world, std::uint64_t seed) override;
+  std::vector<std::string> robotReports() const override {
+    std::vector<std::string> reports;
+    for (const std::shared_ptr<Planner>& planner : robots_.planners()) {
+      reports.push_back(planner->reportJson());
+    }
+    return reports;
+  }
   void measure(StepTimes* times) override { times_ = times; }
-  void tellSenses(bool wanted) override { robots_.tellSenses(wanted); }
+  void tellSenses(bool wanted) override {
+    robots_.tellSenses(wanted);
+    tellsWays_ = wanted;
+  }
   const Frame& frame() const override { return frame_; }
   std::optional<double> arrivedAt() const override;
   std::vector<RobotOnWay> robotsOnWay() const override;
@@ -121,6 +131,7 @@ class RunningWorld : public World {
   Vec2 aroundTheRing(std::size_t human, const Pose2& pose);
   void readRobots(const std::vector<BodyTwist>& commands);
   void publish();
+  void publishWays();
 
   /// Bodies are those of the robots, then of people as they came in.
   bool isRobot(std::size_t body) const { return body < model_.robots.size(); }
@@ -159,6 +170,7 @@ class RunningWorld : public World {
   std::vector<std::size_t> newcomers_;  // by inputs of this step
   std::vector<std::size_t> toggled_;    // times of each door that are over
   bool doorsChanged_ = false;           // since the navigation map was updated
+  bool tellsWays_ = false;              // of people, in frames
   std::vector<int> bodies_;             // of the people; -1: never present
   std::vector<std::size_t> humans_;     // whose bodies they are, after those of robots
   std::vector<double> headingsBefore_;

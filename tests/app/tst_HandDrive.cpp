@@ -3,7 +3,7 @@
 #include <QLineEdit>
 
 #include "editor/canvas/FrameLayer.h"
-#include "editor/canvas/Overlays.h"
+#include "editor/canvas/MapLegend.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/ScenarioPanel.h"
@@ -263,9 +263,7 @@ class HandDriveTest : public QObject, protected quiet::InFolder {
     window_->setTheme(editor::Theme::light());
     quiet::shoot(*window_, "driven-light");
     QVERIFY(toggle().isChecked());
-    QVERIFY(
-        !editor::senseLegendBox({workspace().scene(), QRectF(0.0, 0.0, 700.0, 500.0), {}, 50.0, 0})
-             .isEmpty());
+    QVERIFY(!editor::senseRows(workspace().scene()).empty());
   }
 
   void recordedRun_isNotDriven() {

@@ -48,6 +48,19 @@ sim2d::Scenario crowd(int people) {
 
 }  // namespace
 
+/// Overlays by a name of the table below.
+void switchOn(editor::MapScene& scene, const QString& overlays) {
+  editor::CanvasOptions options = scene.options();
+  const bool all = overlays == QLatin1String("all");
+  options.density = all || overlays == QLatin1String("density");
+  options.proxemics = options.gaussian = all || overlays == QLatin1String("spaces");
+  options.velocities = all || overlays == QLatin1String("velocities");
+  options.forces = all || overlays == QLatin1String("forces");
+  options.plans = all || overlays == QLatin1String("plans");
+  options.contacts = options.thoughts = options.sight = all;
+  scene.setOptions(options);
+}
+
 /// What reaches the screen while a crowd walks: pictures that differ from the one before, and what
 /// a picture costs the window.
 class FramesBench : public QObject {
@@ -58,18 +71,25 @@ class FramesBench : public QObject {
 
   void crowd_walking_isSeen_data() {
     QTest::addColumn<int>("people");
+    QTest::addColumn<QString>("overlays");
     for (const int people : {210, 1000, 2000}) {
-      QTest::newRow(QByteArray::number(people).constData()) << people;
+      QTest::newRow(QByteArray::number(people).constData()) << people << QString();
+    }
+    for (const char* overlay : {"density", "spaces", "velocities", "forces", "plans", "all"}) {
+      QTest::newRow(QByteArray("1000 ").append(overlay).constData())
+          << 1000 << QString::fromLatin1(overlay);
     }
   }
   void crowd_walking_isSeen() {
     QFETCH(int, people);
+    QFETCH(QString, overlays);
     auto window = quiet::shownWindow();
     app::Workspace& workspace = window->workspace();
     window->actions().newRoom->trigger();
     workspace.document().load(crowd(people));
     workspace.document().setMap(editor::emptyRoom(80.0, 60.0));
     workspace.view().fitAll(false);
+    switchOn(workspace.scene(), overlays);
     workspace.runner().play();
     QTRY_VERIFY_WITH_TIMEOUT(
         workspace.runner().newestFrame() && workspace.runner().newestFrame()->time > 2.0, 120000);
@@ -96,9 +116,10 @@ class FramesBench : public QObject {
     const double seconds = 1e-9 * double(clock.nsecsElapsed());
     const double work = workedSeconds() - before - grabbing;
     qInfo(
-        "%d people: %.1f different pictures/s (wanted: 50), %.1f paints/s, %.2f ms of the window "
-        "each",
-        people, differing / seconds, paints_ / seconds, 1e3 * work / std::max(paints_, 1));
+        "%d people%s: %.1f different pictures/s (wanted: 50), %.1f paints/s, %.2f ms of the "
+        "window each",
+        people, qPrintable(overlays.isEmpty() ? overlays : QStringLiteral(", ") + overlays),
+        differing / seconds, paints_ / seconds, 1e3 * work / std::max(paints_, 1));
     QTest::setBenchmarkResult(differing / seconds, QTest::FramesPerSecond);
     QVERIFY(differing > 10);  // it moves; how fast is a figure, not a verdict: machines are shared
     workspace.runner().reset();

@@ -10,6 +10,7 @@
 #include "editor/panels/BlockDialog.h"
 #include "editor/panels/RowDelegate.h"
 #include "editor/run/SimulationRunner.h"
+#include "sim2d/base/Text.h"
 
 using editor::BehaviorPanel;
 using editor::EntityId;
@@ -154,6 +155,35 @@ class BehaviorPanelTest : public QObject {
     QCOMPARE(*bt::findText(reaction.children[0].ports, "distance"), std::string("7.5"));
     document_->undoStack().undo();
     QVERIFY(!document_->tree(human(2).key));
+  }
+
+  void port_constantAndEntry_becomeEachOther() {
+    select(2);
+    clickNode(QStringLiteral("Is robot visible"));
+    const auto distance = [this] {
+      const bt::TreeFile file = fileOf(2);
+      const auto& ports = file.trees[0].root.children[1].children[0].ports;
+      return *bt::findText(ports, "distance");
+    };
+    const std::string before = distance();
+    QVERIFY(named<editor::TextField>(QStringLiteral("distance")) == nullptr);
+    const auto press = [this](const QString& tip) {
+      for (auto* button : panel_->findChildren<QToolButton*>()) {
+        if (button->isVisible() && button->toolTip().startsWith(tip)) {
+          QTest::mouseClick(button, Qt::LeftButton);
+          return true;
+        }
+      }
+      return false;
+    };
+    QVERIFY(press(QStringLiteral("Take distance from an entry")));
+    QCOMPARE(distance(), std::string("{distance}"));
+    QTRY_VERIFY(named<editor::TextField>(QStringLiteral("distance")) != nullptr);
+    QVERIFY(press(QStringLiteral("Give distance as a number")));
+    QVERIFY(base::parseDouble(distance()).has_value());
+    document_->undoStack().undo();
+    document_->undoStack().undo();
+    QCOMPARE(distance(), before);
   }
 
   void port_ofAnIncludedTree_cannotBeEdited() {

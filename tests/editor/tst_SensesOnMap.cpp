@@ -6,6 +6,7 @@
 
 #include "CanvasTester.h"
 #include "editor/canvas/FrameLayer.h"
+#include "editor/canvas/MapLegend.h"
 #include "editor/canvas/Overlays.h"
 #include "editor/canvas/SensePainter.h"
 #include "editor/run/SimulationRunner.h"
@@ -200,6 +201,21 @@ class SensesOnMapTest : public QObject, private CanvasTester {
     QVERIFY(box().isEmpty());
   }
 
+  void legend_withDetections_standsBesideTheMap() {
+    sim2d::RobotSenses senses = withScan();
+    senses.bodies.resize(1);
+    showSenses(senses);
+    shot(&CanvasOptions::detections, true);
+    document_.setSelection({{base::EntityKind::Robot, 21}});
+    QVERIFY(editor::senseLegendBox(
+                {scene_, QRectF(view_.viewport()->rect()), view_.viewportTransform(), 50.0, 0})
+                .isEmpty());
+    const std::vector<editor::LegendPart> parts = editor::legendOf(scene_, 50.0);
+    QCOMPARE(parts.size(), std::size_t{1});
+    QCOMPARE(parts.front().title, QStringLiteral("Robot"));
+    QCOMPARE(parts.front().rows.size(), std::size_t{1});
+  }
+
   /// Frames of a run in the window have senses; recorded ones have none, and nothing is drawn.
   void senses_ofARun_areInItsNewestFramesOnly() {
     start(small::scenario());
@@ -218,7 +234,7 @@ class SensesOnMapTest : public QObject, private CanvasTester {
     const editor::FramePtr recorded = runner.recording()->frame(1);
     QVERIFY(recorded->senses == nullptr);
     scene_.showFrame(recorded);
-    const QImage off = shot(nullptr, false);
+    const QImage off = shot(&CanvasOptions::contacts, true);  // with room for the legend
     CanvasOptions all = scene_.options();
     all.lidar = all.detections = all.candidates = true;
     scene_.setOptions(all);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -64,6 +65,7 @@ class LayeredCostmapTest : public QObject {
   void moveOrigin_shift_isTruncatedToCells();
   void update_rolling_keepsWhatStaysInside();
   void windowOf_bounds_areCellsWithBothEnds();
+  void fillPolygon_triangle_fillsItsColumns();
   void update_outsideTheWindow_keepsOldCosts();
   void update_times_areCountedInWholes_data();
   void update_times_areCountedInWholes();
@@ -308,6 +310,26 @@ void LayeredCostmapTest::windowOf_bounds_areCellsWithBothEnds() {
   window = windowOf(costmap, {});
   QVERIFY(window.left == window.right);
   QVERIFY((nearestCell(costmap, {4.0, 3.0}) == Cell{9, 7}));  // on the upper border
+}
+
+void LayeredCostmapTest::fillPolygon_triangle_fillsItsColumns() {
+  for (const bool isReversed : {false, true}) {
+    Polygon triangle = {{1.5, 1.5}, {5.5, 1.5}, {1.5, 5.5}};
+    if (isReversed) {
+      std::reverse(triangle.begin(), triangle.end());
+    }
+    Costmap costmap(8, 8, 1.0, {0.0, 0.0});
+    fillPolygon(costmap, triangle, 9);
+    QCOMPARE(count(costmap, 9), 15);  // columns of 5, 4, 3, 2, 1
+    for (int column = 1; column <= 5; ++column) {
+      QCOMPARE(int{costmap.at({column, 6 - column})}, 9);
+      QCOMPARE(int{costmap.at({column, 7 - column})}, 0);
+    }
+  }
+  Costmap costmap(8, 8, 1.0, {0.0, 0.0});
+  fillPolygon(costmap, {{1.5, 1.5}, {8.5, 1.5}, {1.5, 5.5}}, 9);  // a corner off the map
+  fillPolygon(costmap, {{1.5, 1.5}, {5.5, 1.5}}, 9);
+  QCOMPARE(count(costmap, 0), 64);
 }
 
 /// Steps 3 and 4 of the cycle: what no layer touches is not even reset.

@@ -13,6 +13,7 @@
 #include <QtTest>
 
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
+#include "sim2d/nav/nav2/control/ControllerServer.h"
 #include "sim2d/nav/nav2/control/PathHandler.h"
 #include "sim2d/nav/nav2/mppi/MppiSettings.h"
 #include "tests/nav/Nav2MppiScenes.h"
@@ -40,6 +41,8 @@ class Nav2MppiControllerTest : public QObject {
   void command_footprintOfARadius_isInvalid();
   void command_pauseOrNewGoal_resetsByRelease();
   void watch_trajectories_changesNoCommand();
+  void server_stockKeys_arrives_data();
+  void server_stockKeys_arrives();
 };
 
 namespace {
@@ -409,6 +412,66 @@ void Nav2MppiControllerTest::watch_trajectories_changesNoCommand() {
   QCOMPARE(shown[0].scores[2].scale, 0.0);  // the goal is far: GoalCritic was not asked
   QCOMPARE(shown[0].scores[1].scale, 1.0);
   QVERIFY(refused < 20);
+}
+
+void Nav2MppiControllerTest::server_stockKeys_arrives_data() {
+  QTest::addColumn<int>("distro");
+  QTest::addColumn<bool>("isShim");
+  QTest::addColumn<double>("start");
+  QTest::newRow("Humble") << 0 << false << 0.0;
+  QTest::newRow("Jazzy") << 1 << false << 0.0;
+  QTest::newRow("main") << 2 << false << 0.0;
+  QTest::newRow("Humble, looks away") << 0 << false << 2.5;
+  QTest::newRow("main, looks away") << 2 << false << 2.5;
+  QTest::newRow("Jazzy, behind a rotation shim") << 1 << true << 2.5;
+}
+
+/// controller_server with the numbers of the bringup drives 3 m past an obstacle.
+void Nav2MppiControllerTest::server_stockKeys_arrives() {
+  QFETCH(int, distro);
+  QFETCH(bool, isShim);
+  QFETCH(double, start);
+  Nav2Block node = {
+      {"FollowPath.plugin", std::string(kMppi)},
+      {"FollowPath.batch_size", 2000},
+      {"FollowPath.regenerate_noises", true},
+      {"FollowPath.critics", nav2test::stockCritics()},
+      {"goal_checker.plugin", std::string("nav2_controller::SimpleGoalChecker")},
+      {"progress_checker.plugin", std::string("nav2_controller::SimpleProgressChecker")}};
+  if (isShim) {
+    node["FollowPath.plugin"] =
+        std::string("nav2_rotation_shim_controller::RotationShimController");
+    node["FollowPath.primary_controller"] = std::string(kMppi);
+  }
+  auto server = makeControllerServer(node, static_cast<Distro>(distro), 3, 0);
+  QVERIFY2(server, server ? "" : server.diagnostics()[0].text().c_str());
+  HandScene scene;
+  scene.costmap = Costmap(120, 120, 0.05, Vec2(-2.0, -2.0));
+  scene.addObstacle(Vec2(1.525, -0.375));
+  scene.goAhead(3.0, 61);
+  scene.robot.heading = start;
+  FollowPathGoal goal;
+  goal.path = scene.path;
+  (*server)->follow(goal);
+  double nearest = 10.0;
+  for (int step = 0; step < 600; ++step) {
+    const FollowFeedback feedback = (*server)->update(
+        {scene.robot, scene.speed, scene.costmap, scene.shape, true, 0.05 * step});
+    if (feedback.status == FollowStatus::Succeeded) {
+      QVERIFY((scene.robot.position - scene.goal.position).norm() <= 0.25);
+      QVERIFY(std::fabs(base::wrapToPi(scene.robot.heading)) <= 0.25);
+      QVERIFY(nearest > scene.shape.inscribedRadius);
+      qInfo("%d steps, obstacle %.2f m away", step, nearest);
+      return;
+    }
+    QVERIFY2(feedback.status == FollowStatus::Running, feedback.words.c_str());
+    scene.speed = feedback.command.value_or(scene.speed);
+    const Vec2 way = 0.05 * Vec2(scene.speed.linear, scene.speed.lateral);
+    scene.robot.position = scene.robot.toWorld(way);
+    scene.robot.heading = base::wrapToPi(scene.robot.heading + 0.05 * scene.speed.angular);
+    nearest = std::min(nearest, (scene.robot.position - Vec2(1.525, -0.375)).norm());
+  }
+  QFAIL("did not arrive");
 }
 
 QTEST_APPLESS_MAIN(Nav2MppiControllerTest)

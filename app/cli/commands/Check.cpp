@@ -8,10 +8,12 @@
 #include "app/run/Echoes.h"
 #include "app/run/Experiment.h"
 #include "app/run/ExperimentRunner.h"
+#include "app/run/Nav2Robots.h"
 #include "bt/engine/Program.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/ParameterFile.h"
 
 namespace app {
 
@@ -22,13 +24,16 @@ struct CheckOptions {
   RunOptions scenario;  // map, trees
 };
 
-enum class FileKind { Scenario, Tree, Map, Experiment };
+enum class FileKind { Scenario, Tree, NavigatorTree, Map, Experiment, Nav2 };
 
 /// By what stands in the file, not by its name.
 FileKind kindOf(const std::string& text) {
   const std::size_t first = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
   if (first != std::string::npos && text[first] == '<') {
-    return FileKind::Tree;
+    return bt::looksLikeNavigatorTree(text) ? FileKind::NavigatorTree : FileKind::Tree;
+  }
+  if (sim2d::nav2::looksLikeNav2(text)) {
+    return FileKind::Nav2;
   }
   if (text.find("hunavsim_experiment") != std::string::npos) {
     return FileKind::Experiment;
@@ -83,6 +88,10 @@ base::Diagnostics checkFile(const std::string& fileOrName, const CheckOptions& o
   switch (kindOf(*text)) {
     case FileKind::Tree:
       return checkTree(path);
+    case FileKind::NavigatorTree:
+      return checkNavigatorTree(path);
+    case FileKind::Nav2:
+      return checkNav2File(path);
     case FileKind::Map:
       return readMapFile(path, "humble", loadMapImage).diagnostics();
     case FileKind::Experiment:
@@ -125,8 +134,8 @@ int checkCommand(const CheckOptions& options, const Invocation& given) {
 }  // namespace
 
 void addCheck(CommandRegistry& commands) {
-  const auto [command, options] =
-      commands.add("check", "Validate scenarios, trees, maps, experiments", checkCommand);
+  const auto [command, options] = commands.add(
+      "check", "Validate scenarios, trees, maps, experiments, nav2_params.yaml", checkCommand);
   command.add_option("files", options.files, "Files, or names of shipped scenarios")->required();
   command.add_option("--map", options.scenario.map, "Map of the scenarios");
   command.add_option("--trees", options.scenario.trees, "Folder with their trees");

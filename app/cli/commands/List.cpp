@@ -13,6 +13,7 @@
 #include "app/cli/Console.h"
 #include "app/cli/ParameterPage.h"
 #include "app/run/DataPaths.h"
+#include "app/run/ProgramRegistries.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/MetricRegistry.h"
@@ -228,9 +229,9 @@ std::map<std::string, std::function<std::vector<Entry>()>> lists() {
   return {{"nodes", [] { return nodeEntries(bt::humanNodes().catalogue()); }},
           {"metrics", metricEntries},
           {"keys", keyEntries},
-          {"models", [] { return registeredEntries(sim2d::programRegistries().models); }},
+          {"models", [] { return registeredEntries(programRegistries().models); }},
           {"robots", robotEntries},
-          {"planners", [] { return registeredEntries(sim2d::programRegistries().planners); }},
+          {"planners", [] { return registeredEntries(programRegistries().planners); }},
           {"scenarios", scenarioEntries}};
 }
 
@@ -265,12 +266,11 @@ void printJson(const std::vector<Entry>& entries) {
 
 std::string plannersPage() {
   return parameterPage("Planners", "planner_parameters",
-                       pageSections(sim2d::programRegistries().planners));
+                       pageSections(programRegistries().planners));
 }
 
 std::string modelsPage() {
-  return parameterPage("Models", "model_parameters",
-                       pageSections(sim2d::programRegistries().models));
+  return parameterPage("Models", "model_parameters", pageSections(programRegistries().models));
 }
 
 /// What can be written as a page, by its name on the command line.

@@ -3,6 +3,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -10,10 +13,13 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/MetricPlot.h"
 #include "app/cli/Movie.h"
 #include "app/cli/PictureFiles.h"
 #include "app/cli/RunPicture.h"
+#include "app/cli/RunStrip.h"
 #include "app/report/Page.h"
+#include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
 #include "editor/look/Images.h"
 #include "sim2d/base/Files.h"
@@ -33,6 +39,10 @@ struct RenderOptions {
   std::optional<double> width;  // [mm] of vectors, else [px]
   std::optional<double> fps;    // of a film, frames per second
   std::optional<double> speed;  // of a film, in real time
+  std::vector<std::string> overlays;
+  std::optional<double> timeMarks;  // [s] between two
+  std::string strip;                // a number of instants, or their times
+  std::string plot;                 // keys of metrics
 };
 
 enum class Kind { Picture, Vectors, Film, Page };
@@ -44,7 +54,7 @@ constexpr double kFilmWidth = 1280.0;      // [px]
 constexpr double kMostGifRate = 50.0;      // frames per second that viewers show
 constexpr double kFilmRate = 20.0;         // frames per second
 
-std::optional<Kind> kindOf(const std::string& ending) {
+std::optional<Kind> pictureKindOf(const std::string& ending) {
   if (ending == ".png") {
     return Kind::Picture;
   }
@@ -74,6 +84,11 @@ base::Diagnostics wrongOptions(const RenderOptions& options, Kind kind) {
   tell(options.width.has_value(), kind != Kind::Page, "--width");
   tell(options.fps.has_value(), kind == Kind::Film, "--fps");
   tell(options.speed.has_value(), kind == Kind::Film, "--speed");
+  const bool isPlot = !options.plot.empty();
+  tell(!options.overlays.empty(), kind != Kind::Page && !isPlot, "--overlay");
+  tell(options.timeMarks.has_value(), kind != Kind::Page && !isPlot, "--time-marks");
+  tell(!options.strip.empty(), isPicture && !isPlot && !options.at, "--strip");
+  tell(isPlot, isPicture, "--plot");
   const auto tellNumber = [&](const std::optional<double>& number, const char* option) {
     if (number && !std::isfinite(*number)) {
       problems.push_back(base::error("option.not-positive", {option}));
@@ -82,6 +97,7 @@ base::Diagnostics wrongOptions(const RenderOptions& options, Kind kind) {
   tellNumber(options.width, "--width");
   tellNumber(options.fps, "--fps");
   tellNumber(options.speed, "--speed");
+  tellNumber(options.timeMarks, "--time-marks");
   if (options.at && !(*options.at >= 0.0 && std::isfinite(*options.at))) {
     problems.push_back(base::error("option.at"));
   }
@@ -103,16 +119,91 @@ PictureLayout layoutOf(const RenderOptions& options, Kind kind) {
   } else {
     layout.height = kPictureHeight;
   }
+  for (const std::string& name : options.overlays) {
+    const std::vector<std::string>& names = figureOverlayNames();
+    const auto at = std::find(names.begin(), names.end(), name) - names.begin();
+    layout.options.overlays.insert(static_cast<FigureOverlay>(at));
+  }
+  layout.options.timeMarks = options.timeMarks.value_or(0.0);
   return layout;
 }
 
-std::string bytesOf(const RenderOptions& options, const sim2d::Trace& trace, RunPicture& picture) {
-  const Paint paint = [&](QPainter& painter) { picture.paint(painter, options.at); };
+/// "5": so many at equal distances; "0,2.5,8": these [s].
+std::vector<double> stripTimes(const std::string& words, const sim2d::Trace& trace) {
+  constexpr int kMostInstants = 24;
+  std::vector<double> times;
+  bool isFine = true;
+  for (std::size_t from = 0; from <= words.size();) {
+    const std::size_t comma = std::min(words.find(',', from), words.size());
+    const std::optional<double> time = base::parseDouble(words.substr(from, comma - from));
+    isFine = isFine && time && *time >= 0.0 && std::isfinite(*time);
+    times.push_back(time.value_or(0.0));
+    from = comma + 1;
+  }
+  const bool isCount = times.size() == 1;
+  const bool isWhole = isCount && times.front() == std::floor(times.front());
+  if (!isFine || times.size() > kMostInstants ||
+      (isCount && !(isWhole && times.front() >= 1.0 && times.front() <= kMostInstants))) {
+    requireFine({base::error("option.strip", {words})}, ExitWrongCommandLine);
+  }
+  return isCount ? evenTimes(trace, static_cast<int>(times.front())) : times;
+}
+
+/// The series of these metrics over the run, by the settings of its scenario.
+std::vector<PlotCurve> plotCurves(const std::string& keys, const sim2d::Trace& trace) {
+  MetricsSetup setup;
+  base::Diagnostics wrong;
+  base::Diagnostics problems = readMetricsSetup(trace.header, setup);
+  MetricsWords words;
+  words.metrics = keys;
+  base::append(problems, chooseMetrics(words, setup, wrong));
+  requireFine(wrong, ExitWrongCommandLine);
+  requireFine(problems);
+  setup.selection.behaviors = false;
+  const base::Result<metrics::Evaluation> evaluation =
+      metrics::evaluate(trace, setup.selection, setup.parameters);
+  requireFine(evaluation.diagnostics());
+  std::vector<PlotCurve> curves;
+  for (const metrics::MetricResult& result : evaluation->results) {
+    if (!result.value.series) {
+      problems.push_back(base::error("option.plot-series", {result.info.key}));
+      continue;
+    }
+    curves.push_back({QString::fromStdString(result.info.name),
+                      QString::fromStdString(result.info.unit), evaluation->times,
+                      result.value.series->values});
+  }
+  requireFine(problems, ExitWrongCommandLine);
+  return curves;
+}
+
+/// Of a figure of that size.
+std::string fileOf(const RenderOptions& options, const sim2d::Trace& trace, const QSizeF& size,
+                   const Paint& paint) {
   const std::string ending = endingOf(options);
   if (ending == ".svg") {
-    return svgOf(picture.size(), QString::fromStdString(trace.header.scenario), paint);
+    return svgOf(size, QString::fromStdString(trace.header.scenario), paint);
   }
-  return ending == ".pdf" ? pdfOf(picture.size(), paint) : pngOf(picture.size(), paint);
+  return ending == ".pdf" ? pdfOf(size, paint) : pngOf(size, paint);
+}
+
+std::string bytesOf(const RenderOptions& options, const sim2d::Trace& trace,
+                    const PictureLayout& layout) {
+  if (!options.plot.empty()) {
+    const QString caption = QStringLiteral("%1 · seed %2")
+                                .arg(QString::fromStdString(trace.header.scenario))
+                                .arg(trace.header.seed);
+    const MetricPlot plot(plotCurves(options.plot, trace), layout, caption);
+    return fileOf(options, trace, plot.size(),
+                  [&](QPainter& painter) { plot.paint(painter, options.at); });
+  }
+  if (!options.strip.empty()) {
+    RunStrip strip(trace, layout, stripTimes(options.strip, trace));
+    return fileOf(options, trace, strip.size(), [&](QPainter& painter) { strip.paint(painter); });
+  }
+  RunPicture picture(trace, layout);
+  return fileOf(options, trace, picture.size(),
+                [&](QPainter& painter) { picture.paint(painter, options.at); });
 }
 
 /// Of even sides, as encoders want them.
@@ -152,7 +243,7 @@ bool makeFilm(const RenderOptions& options, const sim2d::Trace& trace, RunPictur
 }
 
 int renderCommand(const RenderOptions& options, const Invocation& given) {
-  const std::optional<Kind> kind = kindOf(endingOf(options));
+  const std::optional<Kind> kind = pictureKindOf(endingOf(options));
   if (!kind) {
     printError(base::error("option.picture-format", {endingOf(options)}, options.output).text());
     return ExitWrongCommandLine;
@@ -164,10 +255,11 @@ int renderCommand(const RenderOptions& options, const Invocation& given) {
     const std::string page = report::playerPage(*trace, trace->header.scenario);
     requireFine(base::writeFileAtomically(options.output, page));
   } else {
-    RunPicture picture(*trace, layoutOf(options, *kind));
+    const PictureLayout layout = layoutOf(options, *kind);
     if (*kind != Kind::Film) {
-      requireFine(base::writeFileAtomically(options.output, bytesOf(options, *trace, picture)));
-    } else if (!makeFilm(options, *trace, picture, given.quiet)) {
+      requireFine(base::writeFileAtomically(options.output, bytesOf(options, *trace, layout)));
+    } else if (RunPicture picture(*trace, layout);
+               !makeFilm(options, *trace, picture, given.quiet)) {
       printError("interrupted: no film was written");
       return ExitRunFailed;
     }
@@ -198,6 +290,19 @@ void addRender(CommandRegistry& commands) {
       .add_option("--width", options.width,
                   "Of .svg and .pdf in mm (170; a column has 85), else in pixels")
       ->check(CLI::Range(50.0, 8000.0));
+  command
+      .add_option(
+          "--overlay", options.overlays,
+          "What lies over the map: density, zones, gaussian, velocities, forces (of runs in "
+          "the window alone), contacts; several with commas")
+      ->delimiter(',')
+      ->check(oneOf(figureOverlayNames()));
+  command.add_option("--time-marks", options.timeMarks, "A dot on the ways every so many seconds")
+      ->check(CLI::Range(0.01, 1e6));
+  command.add_option("--strip", options.strip,
+                     "Instants side by side: how many, or their times with commas [s]");
+  command.add_option("--plot", options.plot,
+                     "Instead of the map: metrics over time, their keys with commas");
   command.add_option("--fps", options.fps, "Frames per second of a film (20)")
       ->check(CLI::Range(1.0, 60.0));
   command.add_option("--speed", options.speed, "Of a film, times as fast as the run was (1)")

@@ -8,6 +8,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/MapImages.h"
+#include "app/cli/RunWords.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
 #include "app/run/RunAgain.h"
@@ -183,44 +184,6 @@ std::unique_ptr<OutputFolder> openOutput(const RunOptions& options, Verdict& ver
   return lost.empty() ? *std::move(opened) : nullptr;
 }
 
-/// Options and arguments of `run`.
-void addAll(CLI::App& command, RunOptions& options) {
-  command.add_option("scenario", options.scenario, "Scenario: a file, or a name of list scenarios")
-      ->transform(scenarioFile);
-  addOutputFolder(command, options.output, "Folder for the files of the run");
-  addRunOptions(command, options);
-  command.add_option("--from", options.from,
-                     "RUN@SECONDS: a recorded run again up to there, then on with these options");
-  command
-      .add_option("--move", options.moves,
-                  "\"NAME X Y HEADING\": with --from, where a person is put then (m, m, rad)")
-      ->allow_extra_args(false);
-  command.add_flag("--counterfactual", options.counterfactual,
-                   "The same seed again without robots: what they did to people");
-  addForce(command, options.force);
-  command.add_flag("--totals", options.totals,
-                   "Only manifest.json and the totals of metrics.json, for many long runs");
-}
-
-/// The words of a run that was made before, without the name of the program.
-base::Result<RunOptions> readRunWords(const std::vector<std::string>& words) {
-  RunOptions options;
-  bool ignored = false;
-  CLI::App root;
-  root.add_flag("-q,--quiet", ignored);
-  CLI::App& command = *root.add_subcommand("run");
-  root.require_subcommand(1);
-  command.add_flag("-q,--quiet", ignored);
-  command.add_flag("--json", ignored);
-  addAll(command, options);
-  try {
-    root.parse(std::vector<std::string>(words.rbegin(), words.rend()));
-  } catch (const CLI::Error&) {
-    return base::error("again.not-told");
-  }
-  return options;
-}
-
 /// What is run, and what is said of it.
 struct Prepared {
   Bundle bundle;
@@ -308,7 +271,7 @@ int runCommand(const RunOptions& options, const Invocation& given) {
 void addRun(CommandRegistry& commands) {
   const auto added = commands.add("run", "Simulate one scenario without a window", runCommand);
   RunOptions& options = added.second;
-  addAll(added.first, options);
+  addRunWords(added.first, options);
   added.first.callback([&options] {
     if (options.scenario.empty() && options.from.empty()) {
       throw CLI::RequiredError("scenario");

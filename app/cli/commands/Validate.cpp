@@ -10,6 +10,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/run/OutputFolder.h"
+#include "app/run/ProgramRegistries.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/world/World.h"
@@ -115,7 +116,7 @@ void printRows(const std::vector<Row>& rows) {
 
 /// The tests that are meant; with unknown names of tests or models the command ends.
 std::vector<const RealismTest*> chosenTests(const ValidateOptions& options) {
-  const std::vector<std::string> known = sim2d::programRegistries().models.names();
+  const std::vector<std::string> known = programRegistries().models.names();
   base::Diagnostics wrong;
   for (const std::string& model : options.models) {
     if (std::find(known.begin(), known.end(), model) == known.end()) {

@@ -61,6 +61,7 @@ const std::vector<Nav2Key<GracefulParameters>>& gracefulKeys() {
 const std::vector<IdleKey>& gracefulIdleKeys() {
   static const std::vector<IdleKey> kKeys = {
       {"transform_tolerance", "no TF here"},
+      {"min_lookahead", "Jazzy's alone looks at it"},
   };
   return kKeys;
 }

@@ -21,6 +21,11 @@ InflationLaw lawOf(const InflationLayerParameters& parameters, const CostmapCont
 constexpr int kBlock = 8;           // columns worked at in one go
 constexpr int kMostRadius16 = 127;  // [cells]; (r + 1)² + r² fits 16 bits
 
+bool isInside(const CellWindow& window, Cell cell) {
+  return cell.column >= window.left && cell.column < window.right && cell.row >= window.bottom &&
+         cell.row < window.top;
+}
+
 int blocksFor(const CellWindow& window) {
   return (window.right - window.left + kBlock - 1) / kBlock;
 }
@@ -41,8 +46,9 @@ InflationLayer::InflationLayer(std::string name, const CostmapContext& context,
       parameters_(parameters),
       law_(lawOf(parameters, context)),
       radius_(Costmap(0, 0, resolution, Vec2::Zero()).cellDistance(parameters.inflationRadius)) {
-  costs_.reserve(static_cast<std::size_t>(radius_ * radius_ + 1));
-  for (int square = 0; square <= radius_ * radius_; ++square) {
+  const int most = radius_ * radius_;
+  costs_.reserve(static_cast<std::size_t>(most) + 1);
+  for (int square = 0; square <= most; ++square) {
     double cells = std::sqrt(static_cast<double>(square));
     if (context.distro == Distro::Main) {
       cells = std::round(cells * kTableSteps) / kTableSteps;
@@ -111,18 +117,7 @@ void InflationLayer::inflateBySpreading(Costmap& master, const CellWindow& windo
     }
   }
   seen_.assign(master.costs().size(), 0);
-  const int most = radius_ * radius_;
   for (std::size_t bin = 0; bin < bins_.size(); ++bin) {
-    const auto enqueue = [&](Cell cell, Cell source) {
-      if (!master.contains(cell) || seen_[master.indexOf(cell)] != 0) {
-        return;
-      }
-      const int across = cell.column - source.column, up = cell.row - source.row;
-      const int square = across * across + up * up;
-      if (square <= most && square >= static_cast<int>(bin)) {
-        bins_[static_cast<std::size_t>(square)].push_back({cell, source});
-      }
-    };
     for (std::size_t i = 0; i < bins_[bin].size(); ++i) {  // may grow meanwhile
       const Spread spread = bins_[bin][i];
       const Cell cell = spread.cell;
@@ -131,16 +126,28 @@ void InflationLayer::inflateBySpreading(Costmap& master, const CellWindow& windo
         continue;
       }
       seen_[index] = 1;
-      if (cell.column >= window.left && cell.column < window.right && cell.row >= window.bottom &&
-          cell.row < window.top) {
+      if (isInside(window, cell)) {
         master.costs()[index] = raised(master.costs()[index], costs_[bin]);
       }
-      enqueue({cell.column - 1, cell.row}, spread.source);
-      enqueue({cell.column, cell.row - 1}, spread.source);
-      enqueue({cell.column + 1, cell.row}, spread.source);
-      enqueue({cell.column, cell.row + 1}, spread.source);
+      enqueue(master, {{cell.column - 1, cell.row}, spread.source}, bin);
+      enqueue(master, {{cell.column, cell.row - 1}, spread.source}, bin);
+      enqueue(master, {{cell.column + 1, cell.row}, spread.source}, bin);
+      enqueue(master, {{cell.column, cell.row + 1}, spread.source}, bin);
     }
     bins_[bin].clear();
+  }
+}
+
+/// Bins before `bin` are done.
+void InflationLayer::enqueue(const Costmap& master, const Spread& spread, std::size_t bin) {
+  if (!master.contains(spread.cell) || seen_[master.indexOf(spread.cell)] != 0) {
+    return;
+  }
+  const int across = spread.cell.column - spread.source.column;
+  const int up = spread.cell.row - spread.source.row;
+  const auto square = static_cast<std::size_t>(across * across + up * up);
+  if (square < bins_.size() && square >= bin) {
+    bins_[square].push_back(spread);
   }
 }
 
@@ -151,7 +158,7 @@ void InflationLayer::findRowDistances(const Costmap& master, const CellWindow& w
                                       const CellWindow& wide, std::vector<Square>& across) const {
   const int stride = blocksFor(window) * kBlock;
   const int far = radius_ + 1;
-  across.assign(static_cast<std::size_t>(stride * (wide.top - wide.bottom)),
+  across.assign(static_cast<std::size_t>(stride) * static_cast<std::size_t>(wide.top - wide.bottom),
                 static_cast<Square>(far * far));
   Square* line = across.data();
   for (int row = wide.bottom; row < wide.top; ++row, line += stride) {

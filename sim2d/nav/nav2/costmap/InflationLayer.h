@@ -34,6 +34,7 @@ class InflationLayer final : public CostmapLayer {
   bool isSource(std::uint8_t cost) const;
   std::uint8_t raised(std::uint8_t old, std::uint8_t cost) const;
   void inflateBySpreading(Costmap& master, const CellWindow& window, const CellWindow& wide);
+  void enqueue(const Costmap& master, const Spread& spread, std::size_t bin);
   template <class Square>
   void inflateExactly(Costmap& master, const CellWindow& window, const CellWindow& wide,
                       std::vector<Square>& across);

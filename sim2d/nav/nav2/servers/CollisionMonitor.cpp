@@ -305,7 +305,8 @@ double CollisionMonitor::timeToCollision(const Shape& shape, const BodyTwist& co
   const base::SinCos turn = base::sinCos(command.angular * step);
   Pose2 pose;
   Vec2 velocity(command.linear, command.lateral);
-  for (double time = 0.0; time <= shape.keys.timeBeforeCollision; time += step) {
+  double time = 0.0;  // summed up as Nav2 does
+  while (time <= shape.keys.timeBeforeCollision) {
     pose.position += step * velocity;
     pose.heading += step * command.angular;
     velocity = Vec2(velocity.x() * turn.cos - velocity.y() * turn.sin,
@@ -319,6 +320,7 @@ double CollisionMonitor::timeToCollision(const Shape& shape, const BodyTwist& co
     if (isTriggered(shape, moved_)) {
       return time;
     }
+    time += step;
   }
   return -1.0;
 }

@@ -17,30 +17,21 @@ class CellIndex {
   explicit CellIndex(const Costmap& costmap)
       : origin_(costmap.origin()),
         resolution_(costmap.resolution()),
-        width_(costmap.width()),
-        height_(costmap.height()) {}
+        size_(costmap.width(), costmap.height()),
+        width_(costmap.width()) {}
   int operator()(const Vec2& place) const {
-    const double column = (place.x() - origin_.x()) / resolution_;
-    const double row = (place.y() - origin_.y()) / resolution_;
-    const bool isInside = column >= 0.0 && row >= 0.0 && column < width_ && row < height_;
-    return isInside ? static_cast<int>(row) * width_ + static_cast<int>(column) : -1;
+    const Vec2 cell = (place - origin_) / resolution_;
+    const bool isInside =
+        cell.x() >= 0.0 && cell.y() >= 0.0 && cell.x() < size_.x() && cell.y() < size_.y();
+    return isInside ? static_cast<int>(cell.y()) * width_ + static_cast<int>(cell.x()) : -1;
   }
 
  private:
   Vec2 origin_;
   double resolution_;
-  int width_, height_;
+  Vec2 size_;  // [cells]
+  int width_;
 };
-
-void locate(const Costmap& costmap, DwbTrajectory& trajectory) {
-  const CellIndex indexOf(costmap);
-  trajectory.cells.resize(trajectory.poses.size());
-  for (std::size_t i = 0; i < trajectory.poses.size(); ++i) {
-    trajectory.cells[i] = indexOf(trajectory.poses[i].position);
-  }
-  const auto off = std::find(trajectory.cells.begin(), trajectory.cells.end(), -1);
-  trajectory.onMap = static_cast<std::size_t>(off - trajectory.cells.begin());
-}
 
 }  // namespace
 
@@ -133,29 +124,39 @@ const std::vector<TrajectoryGenerator::Step>& TrajectoryGenerator::turning(doubl
 }
 
 void TrajectoryGenerator::generate(const BodyTwist& command, DwbTrajectory& trajectory) {
-  const int count = stepCount(*parameters_, command);
-  const double dt = parameters_->simTime / count;
+  const DwbParameters& p = *parameters_;
+  const int count = stepCount(p, command);
+  const double dt = p.simTime / count;
   const std::vector<Step>& turned = turning(command.angular, count);
-  trajectory.velocity = command;
+  const std::size_t size = turned.size() + (p.includesLastPoint ? 2 : 1);
   trajectory.step = dt;
-  trajectory.poses.clear();
-  trajectory.poses.push_back(robot_);
-  BodyTwist velocity = speed_;
-  Pose2 pose = robot_;
-  for (const Step& step : turned) {
-    velocity = next(velocity, command, dt);
-    if (parameters_->limitsCommand && &step == turned.data()) {
-      trajectory.velocity = velocity;
+  trajectory.poses.resize(size);
+  trajectory.cells.resize(size);
+  trajectory.velocity = p.limitsCommand ? next(speed_, command, dt) : command;
+  const bool isRamp = kind_ == Kind::Standard;
+  const CellIndex indexOf(*costmap_);
+  Vec2 place = robot_.position;
+  trajectory.poses[0] = robot_;
+  trajectory.cells[0] = indexOf(place);
+  // Who has reached the command keeps it.
+  double x = isRamp ? speed_.linear : command.linear;
+  double y = isRamp ? speed_.lateral : command.lateral;
+  for (std::size_t i = 0; i < turned.size(); ++i) {
+    const Step& step = turned[i];
+    if (isRamp && (x != command.linear || p.decelLimX > 0.0)) {  // such a "deceleration" drives on
+      x = projectVelocity(x, p.accLimX, p.decelLimX, dt, command.linear);
     }
-    pose.position += dt * Vec2(velocity.linear * step.cos - velocity.lateral * step.sin,
-                               velocity.linear * step.sin + velocity.lateral * step.cos);
-    pose.heading = step.heading;
-    trajectory.poses.push_back(pose);
+    if (isRamp && (y != command.lateral || p.decelLimY > 0.0)) {
+      y = projectVelocity(y, p.accLimY, p.decelLimY, dt, command.lateral);
+    }
+    place += dt * Vec2(x * step.cos - y * step.sin, x * step.sin + y * step.cos);
+    trajectory.poses[i + 1] = {place, step.heading};
+    trajectory.cells[i + 1] = indexOf(place);
   }
-  if (parameters_->includesLastPoint) {
-    trajectory.poses.push_back(pose);
-  }
-  locate(*costmap_, trajectory);
+  trajectory.poses.back() = trajectory.poses[turned.size()];
+  trajectory.cells.back() = trajectory.cells[turned.size()];
+  const auto off = std::find(trajectory.cells.begin(), trajectory.cells.end(), -1);
+  trajectory.onMap = static_cast<std::size_t>(off - trajectory.cells.begin());
 }
 
 }  // namespace sim2d::nav2

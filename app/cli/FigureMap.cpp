@@ -1,0 +1,410 @@
+#include "app/cli/FigureMap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <QPainterPath>
+
+#include "editor/canvas/FrameLayer.h"
+#include "editor/look/Images.h"
+#include "sim2d/trace/ContactMarks.h"
+
+namespace app {
+
+using editor::Role;
+using editor::Theme;
+using sim2d::Vec2;
+
+namespace {
+
+constexpr double kLeastStep = 0.25;  // px between the points of a way
+constexpr double kAround = 0.5;      // [m] of the ground around what is drawn
+constexpr int kFadeSteps = 12;
+constexpr double kMapDetail = 3.0;  // px of its image for each of the picture
+
+}  // namespace
+
+double barLength(double pixelsPerMetre, double longest) {
+  double metres = 1.0;
+  for (const double nice : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
+    metres = nice * pixelsPerMetre <= longest ? nice : metres;
+  }
+  return metres;
+}
+
+FigureMap::FigureMap(const sim2d::Trace& trace, const FigureMeasures& measures,
+                     const FigureText& text, const FigureOptions& options)
+    : trace_(trace),
+      measures_(measures),
+      text_(text),
+      theme_(text.theme()),
+      options_(options),
+      tracks_(tracksOf(trace)),
+      contacts_(sim2d::contactMarks(trace)),
+      figures_(theme_),
+      world_(extent()) {}
+
+void FigureMap::place(const QRectF& room) {
+  frame_.scale = std::min(room.width() / world_.width(), room.height() / world_.height());
+  frame_.origin = room.center() + QPointF(-world_.center().x(), world_.center().y()) * frame_.scale;
+  mapRect_ =
+      QRectF(frame_.at({world_.left(), world_.top()}), frame_.at({world_.right(), world_.bottom()}))
+          .normalized();
+  map_ = drawnMap();
+}
+
+double FigureMap::wallsLeft() const {
+  return mapRect_.left() + kAround * frame_.scale;
+}
+
+double FigureMap::lastTime() const {
+  return trace_.frames.empty() ? 0.0 : trace_.frames.back().time;
+}
+
+void FigureMap::paint(QPainter& painter, std::optional<double> time) {
+  painter_ = &painter;
+  isWhole_ = !time;
+  time_ = std::min(time.value_or(lastTime()), lastTime()) + 1e-9;
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.drawImage(mapRect_, map_);
+  paintObstacles();
+  paintGround();
+  for (const auto& [id, track] : tracks_) {
+    paintTrack(track);
+  }
+  paintGoals();
+  for (const auto& [id, track] : tracks_) {
+    paintStart(track);
+  }
+  if (options_.timeMarks > 0.0) {
+    paintTimeMarks();
+  }
+  for (const auto& [id, track] : tracks_) {
+    paintBody(track);
+  }
+  paintTop();
+  for (const auto& [id, track] : tracks_) {
+    if (options_.names) {
+      label(track);
+    }
+  }
+}
+
+void FigureMap::paintScale(QPainter& painter, const QPointF& left) const {
+  const double metres = barLength(frame_.scale, measures_.isNarrow ? 90.0 : 160.0);
+  const QPointF right(left.x() + metres * frame_.scale, left.y());
+  painter.setPen(QPen(theme_.color(Role::Text), 1.5));
+  painter.drawLine(left, right);
+  painter.drawLine(left + QPointF(0.0, -5.0), left);
+  painter.drawLine(right + QPointF(0.0, -5.0), right);
+  text_.write(painter, right + QPointF(8.0, 1.0), theme_.figureFont(measures_.small()), Role::Text,
+              QStringLiteral("%1 m").arg(metres));
+}
+
+QRectF FigureMap::extent() const {
+  QRectF box;
+  const auto include = [&box](const Vec2& point) {
+    const QRectF dot(point.x() - kAround, point.y() - kAround, 2.0 * kAround, 2.0 * kAround);
+    box = box.isNull() ? dot : box.united(dot);
+  };
+  for (const sim2d::TraceObstacle& obstacle : trace_.header.obstacles) {
+    for (const sim2d::Outline& outline : obstacle.outlines) {
+      std::for_each(outline.points.begin(), outline.points.end(), include);
+    }
+  }
+  for (const auto& [id, track] : tracks_) {
+    std::for_each(track.points.begin(), track.points.end(), include);
+  }
+  return box.isNull() ? QRectF(-5.0, -5.0, 10.0, 10.0) : box;
+}
+
+/// With its walls, cut to its place. An image: not all that draws can cut.
+QImage FigureMap::drawnMap() const {
+  const QSize pixels = (mapRect_.size() * (measures_.isNarrow ? kMapDetail : 1.0)).toSize();
+  QImage drawn = editor::blankImage(pixels.expandedTo(QSize(1, 1)), QImage::Format_RGB32);
+  drawn.fill(theme_.color(Role::MapFree));
+  const sim2d::OccupancyGrid& grid = trace_.header.map;
+  if (grid.isEmpty()) {
+    return drawn;
+  }
+  QPainter painter(&drawn);
+  painter.scale(drawn.width() / mapRect_.width(), drawn.height() / mapRect_.height());
+  painter.translate(frame_.at(grid.origin().position) - mapRect_.topLeft());
+  painter.rotate(-grid.origin().heading * 180.0 / base::kPi);
+  const double width = grid.width() * grid.resolution() * frame_.scale;
+  const double height = grid.height() * grid.resolution() * frame_.scale;
+  painter.drawImage(QRectF(0.0, -height, width, height), cellImage(grid));
+  return drawn;
+}
+
+QImage FigureMap::cellImage(const sim2d::OccupancyGrid& grid) const {
+  QImage image = editor::blankImage({grid.width(), grid.height()}, QImage::Format_RGB32);
+  for (int row = 0; row < grid.height(); ++row) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(grid.height() - 1 - row));
+    for (int column = 0; column < grid.width(); ++column) {
+      const sim2d::Cell cell{column, row};
+      const Role role = grid.isWall(cell)      ? Role::MapOccupied
+                        : grid.isUnknown(cell) ? Role::MapUnknown
+                                               : Role::MapFree;
+      line[column] = theme_.color(role).rgb();
+    }
+  }
+  return image;
+}
+
+void FigureMap::paintObstacles() const {
+  painter_->setPen(QPen(theme_.color(Role::ObstacleEdge), 1.0));
+  painter_->setBrush(theme_.color(Role::ObstacleFill));
+  for (const sim2d::TraceObstacle& obstacle : trace_.header.obstacles) {
+    if (obstacle.name == "map") {
+      continue;
+    }
+    for (const sim2d::Outline& outline : obstacle.outlines) {
+      painter_->drawPolygon(frame_.at(outline.points));
+    }
+  }
+}
+
+/// Of a person.
+editor::Look FigureMap::lookOf(int id) const {
+  const std::vector<sim2d::TraceHuman>& humans = trace_.header.humans;
+  const auto found = std::find_if(humans.begin(), humans.end(),
+                                  [id](const auto& human) { return human.id == id; });
+  return editor::lookOf(found != humans.end() ? static_cast<sim2d::BehaviorType>(found->behavior)
+                                              : sim2d::BehaviorType::Regular);
+}
+QColor FigureMap::colorOf(int id) const {
+  return id < 0 ? theme_.color(Role::RobotLine) : theme_.line(lookOf(id));
+}
+
+/// Up to now, without points that nobody could tell apart.
+QPolygonF FigureMap::lineOf(const Track& track) const {
+  QPolygonF line;
+  const std::size_t count = track.until(time_);
+  for (std::size_t k = 0; k < count; ++k) {
+    const QPointF point = frame_.at(track.points[k]);
+    const QPointF step = line.isEmpty() ? point : point - line.back();
+    if (line.isEmpty() || std::hypot(step.x(), step.y()) >= kLeastStep || k + 1 == count) {
+      line << point;
+    }
+  }
+  return line;
+}
+
+/// Light at the start, full at the end: a few pieces of rising strength.
+void FigureMap::paintTrack(const Track& track) const {
+  const QPolygonF line = lineOf(track);
+  if (line.size() < 2) {
+    return;
+  }
+  const QColor full = colorOf(track.id);
+  const int last = line.size() - 1;
+  for (int piece = 0; piece < kFadeSteps; ++piece) {
+    const auto from = line.begin() + last * piece / kFadeSteps;
+    const auto to = line.begin() + last * (piece + 1) / kFadeSteps;
+    QColor color = full;
+    color.setAlphaF(0.22 + 0.78 * (piece + 1) / kFadeSteps);
+    painter_->setPen(QPen(color, measures_.line() * (track.id < 0 ? 4.0 / 3.0 : 1.0),
+                          track.id < 0 ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter_->drawPolyline(&*from, static_cast<int>(to - from) + 1);
+  }
+}
+
+void FigureMap::paintStart(const Track& track) const {
+  if (track.until(time_) > 0) {
+    const double ring = 0.7 * measures_.body();
+    painter_->setPen(QPen(colorOf(track.id), 1.1 * measures_.line()));
+    painter_->setBrush(theme_.color(Role::MapFree));
+    painter_->drawEllipse(frame_.at(track.points.front()), ring, ring);
+  }
+}
+
+/// Where the body is drawn, counted from 0; none: it has not come yet, or is gone.
+std::optional<std::size_t> FigureMap::placeOf(const Track& track) const {
+  const std::size_t count = track.until(time_);
+  const auto next =
+      std::upper_bound(trace_.frames.begin(), trace_.frames.end(), time_,
+                       [](double time, const sim2d::Frame& frame) { return time < frame.time; });
+  const bool isSeen = count > 0 && next != trace_.frames.begin() &&
+                      (isWhole_ || track.times[count - 1] >= (next - 1)->time);
+  return isSeen ? std::optional(count - 1) : std::nullopt;
+}
+double FigureMap::radiusOf(const Track& track) const {
+  return std::max(measures_.body(), track.radius * frame_.scale);
+}
+
+void FigureMap::paintBody(const Track& track) const {
+  const std::optional<std::size_t> at = placeOf(track);
+  if (!at) {
+    return;
+  }
+  const double heading = track.headings[*at] * 180.0 / base::kPi;
+  painter_->save();
+  painter_->translate(frame_.at(track.points[*at]));
+  if (track.id < 0) {
+    figures_.robot(*painter_, {radiusOf(track), heading, {}});
+  } else {
+    editor::PersonFigure figure;
+    figure.look = lookOf(track.id);
+    figure.radiusPx = radiusOf(track);
+    figure.headingDeg = heading;
+    figures_.person(*painter_, figure);
+  }
+  painter_->restore();
+}
+
+/// The name below the figure, on a halo of the ground.
+void FigureMap::label(const Track& track) const {
+  const std::optional<std::size_t> at = placeOf(track);
+  if (!at) {
+    return;
+  }
+  const QFont font = theme_.font(measures_.small());
+  const QPointF place = frame_.at(track.points[*at]);
+  const QPointF baseline(place.x() - QFontMetricsF(font).horizontalAdvance(track.name) / 2.0,
+                         place.y() + radiusOf(track) + (measures_.isNarrow ? 10.0 : 13.0));
+  const QPainterPath text = editor::textOutline(baseline, font, track.name);
+  painter_->strokePath(text, QPen(theme_.color(Role::MapFree, 0.85), 3.5));
+  painter_->fillPath(text, theme_.color(Role::Text));
+}
+
+void FigureMap::paintGoals() const {
+  std::map<int, Vec2> goals;  // shared goals get one pin
+  for (const sim2d::TraceHuman& human : trace_.header.humans) {
+    for (const sim2d::TraceGoal& goal : human.goals) {
+      goals.emplace(goal.id, goal.position);
+    }
+  }
+  for (const auto& [id, position] : goals) {
+    painter_->save();
+    painter_->translate(frame_.at(position));
+    pin(QString::number(id));
+    painter_->restore();
+  }
+  for (const sim2d::TraceRobot& machine : trace_.header.robots) {
+    for (const sim2d::TraceGoal& goal : machine.goals) {
+      painter_->setPen(QPen(theme_.color(Role::RobotBody), 1.1 * measures_.line()));
+      painter_->setBrush(theme_.color(Role::RobotFront));
+      painter_->drawEllipse(frame_.at(goal.position), 1.15 * measures_.body(),
+                            1.15 * measures_.body());
+    }
+  }
+}
+
+/// At the painter's origin, the number as other text.
+void FigureMap::pin(const QString& number) const {
+  const double scale = measures_.isNarrow ? 0.8 : 1.0;
+  figures_.pin(*painter_, {}, false, scale);
+  QFont font = theme_.figureFont();
+  font.setPixelSize(static_cast<int>((number.size() > 2 ? 8 : 11) * scale));
+  font.setWeight(QFont::DemiBold);
+  const QFontMetricsF metrics(font);
+  text_.write(*painter_,
+              {-0.5 * metrics.horizontalAdvance(number), -17.0 * scale + 0.5 * metrics.capHeight()},
+              font, Role::Text, number);
+}
+
+/// Dots on the ways, with the time beside where there is room.
+void FigureMap::paintTimeMarks() const {
+  const QFont font = theme_.figureFont(measures_.small() - 1.0);
+  const QFontMetricsF metrics(font);
+  std::vector<QRectF> taken;
+  for (const auto& [id, track] : tracks_) {
+    for (int mark = 1; mark * options_.timeMarks <= time_; ++mark) {
+      const double time = mark * options_.timeMarks;
+      const std::size_t count = track.until(time + 1e-9);
+      if (count == 0 || track.times[count - 1] < time - options_.timeMarks ||
+          time > track.times.back() + 1e-9) {
+        continue;
+      }
+      const QPointF at = frame_.at(track.points[count - 1]);
+      painter_->setPen(QPen(colorOf(id), measures_.line()));
+      painter_->setBrush(theme_.color(Role::MapFree));
+      painter_->drawEllipse(at, 1.7 * measures_.line(), 1.7 * measures_.line());
+      const QString words = QString::number(time, 'g', 6);
+      const QRectF box(at.x() + 4.0, at.y() - metrics.ascent() - 1.0,
+                       metrics.horizontalAdvance(words) + 2.0, metrics.height());
+      if (std::none_of(taken.begin(), taken.end(),
+                       [&box](const QRectF& other) { return other.intersects(box); })) {
+        taken.push_back(box);
+        text_.write(*painter_, box.bottomLeft() + QPointF(0.0, -metrics.descent()), font,
+                    Role::TextSecondary, words);
+      }
+    }
+  }
+}
+
+/// Of the time that is painted, else of the last one.
+std::size_t FigureMap::frameNow() const {
+  const auto next =
+      std::upper_bound(trace_.frames.begin(), trace_.frames.end(), time_,
+                       [](double time, const sim2d::Frame& frame) { return time < frame.time; });
+  return next == trace_.frames.begin() ? 0
+                                       : static_cast<std::size_t>(next - trace_.frames.begin()) - 1;
+}
+
+void FigureMap::paintGround() {
+  const bool isAnything =
+      has(FigureOverlay::Density) || has(FigureOverlay::Zones) || has(FigureOverlay::Gaussian);
+  if (!isAnything || trace_.frames.empty()) {
+    return;
+  }
+  const sim2d::HumanColumns& people = trace_.frames[frameNow()].humans;
+  editor::OverlayPainter over(*painter_, theme_, frame_, measures_.line() / 1.8);
+  over.keepWithin(mapRect_);
+  if (has(FigureOverlay::Density)) {
+    std::vector<Vec2> places;
+    for (std::size_t k = 0; k < people.size(); ++k) {
+      places.emplace_back(people.x[k], people.y[k]);
+    }
+    const metrics::DensityField field = metrics::densityField(
+        places, {world_.left(), world_.top()}, {world_.right(), world_.bottom()}, 0.1);
+    densityMost_ = editor::densityScale(field.peak());
+    over.density(field, editor::densityImage(field, theme_, densityMost_));
+  }
+  for (std::size_t k = 0; k < people.size(); ++k) {
+    const base::Pose2 pose{{people.x[k], people.y[k]}, people.heading[k]};
+    if (has(FigureOverlay::Zones)) {
+      over.hallZones(pose.position, theme_.fill(lookOf(people.id[k])), people.size() <= 12);
+    }
+    if (has(FigureOverlay::Gaussian)) {
+      over.gaussian(pose, std::hypot(people.vx[k], people.vy[k]), colorOf(people.id[k]));
+    }
+  }
+}
+
+void FigureMap::paintForces(const editor::OverlayPainter& over) const {
+  const sim2d::Frame& frame = trace_.frames[frameNow()];
+  for (std::size_t k = 0; k < frame.humans.size(); ++k) {
+    const auto track = tracks_.find(frame.humans.id[k]);
+    over.forces({frame.humans.x[k], frame.humans.y[k]}, radiusOf(track->second) + 1.0,
+                editor::forcesOn(frame, frame.humans.id[k]));
+  }
+}
+
+void FigureMap::paintTop() const {
+  const editor::OverlayPainter over(*painter_, theme_, frame_, measures_.line() / 1.8);
+  if (has(FigureOverlay::Velocities)) {
+    std::vector<editor::MovingBody> moving;
+    for (const auto& [id, track] : tracks_) {
+      if (const std::optional<std::size_t> at = placeOf(track)) {
+        moving.push_back(
+            {track.points[*at], track.velocities[*at], radiusOf(track) + 1.0, colorOf(id)});
+      }
+    }
+    over.velocities(moving);
+  }
+  if (has(FigureOverlay::Forces) && !trace_.frames.empty()) {
+    paintForces(over);
+  }
+  if (has(FigureOverlay::Contacts)) {
+    for (const sim2d::ContactMark& mark : contacts_) {
+      if (mark.time <= time_) {
+        over.contact(mark, std::numeric_limits<double>::infinity());
+      }
+    }
+  }
+}
+
+}  // namespace app

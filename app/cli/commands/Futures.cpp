@@ -1,0 +1,180 @@
+#include "app/run/Futures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/CommandRegistry.h"
+#include "app/cli/Console.h"
+#include "app/cli/MapImages.h"
+#include "app/cli/RunWords.h"
+#include "app/run/RunAgain.h"
+#include "app/run/Session.h"
+#include "sim2d/base/JsonText.h"
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace {
+
+struct FuturesWords {
+  std::string moment;  // RUN@SECONDS, or "-": a question on the standard input
+  FuturesOptions futures;
+  std::vector<std::string> moves, set;
+  std::string planner;
+};
+
+constexpr const char* kQuestion = "-";
+
+base::Diagnostics checkFuturesWords(const FuturesWords& words) {
+  base::Diagnostics wrong;
+  const FuturesOptions& futures = words.futures;
+  if (futures.count < 1 || futures.count > kMostFutures) {
+    wrong.push_back(base::error("futures.count", {kMostFutures, futures.count}));
+  }
+  if (!(futures.horizon >= 0.1 && futures.horizon <= kLongestFuture)) {
+    wrong.push_back(base::error("futures.horizon", {kLongestFuture, futures.horizon}));
+  }
+  if (!(futures.spread >= 0.0 && futures.spread <= 1.0)) {
+    wrong.push_back(base::error("futures.spread", {futures.spread}));
+  }
+  if (!runMomentOf(words.moment)) {
+    wrong.push_back(base::error("again.no-moment", {words.moment}));
+  }
+  return wrong;
+}
+
+/// The window asks: a line per future as it comes.
+int answerQuestion() {
+  catchInterrupts();
+  const std::string bytes{std::istreambuf_iterator<char>(std::cin), {}};
+  const base::Result<FuturesQuestion> question = questionOf(bytes);
+  requireFine(question.diagnostics());
+  const auto tell = [](const Future& future) {
+    printLine(futureText(future));
+    std::cout.flush();
+  };
+  requireFine(answer(*question, tell, wasInterrupted));
+  return wasInterrupted() ? ExitRunFailed : ExitFine;
+}
+
+std::vector<Future> futuresOf(RunAgain& again, std::int64_t at, const FuturesWords& words,
+                              const Invocation& given) {
+  std::vector<Future> futures;
+  base::Diagnostics problems;
+  Progress progress(given.quiet);
+  Session session({at + 1, false});
+  sim2d::World& world = *again.verdict().world;
+  const auto tell = [&](const Future& future) {
+    futures.push_back(future);
+    progress.show(std::to_string(futures.size()) + " / " + std::to_string(words.futures.count) +
+                  " futures");
+  };
+  bool isThere = false;
+  const sim2d::RunResult result = session.run(world, nullptr, [&](const sim2d::Frame& frame) {
+    again.look(frame, world, session);
+    if (wasInterrupted()) {
+      session.stop();
+    } else if (frame.step == at) {
+      isThere = true;
+      problems = simulateFutures(world, again.bundle(), words.futures, tell, wasInterrupted);
+      session.stop();
+    }
+  });
+  base::Diagnostics trouble = isThere ? base::Diagnostics() : again.trouble(result);
+  base::append(problems, trouble);
+  requireFine(problems);
+  std::sort(futures.begin(), futures.end(),
+            [](const Future& a, const Future& b) { return a.number < b.number; });
+  return futures;
+}
+
+std::string percentText(double share) {
+  return base::formatDecimals(std::round(100.0 * share), 0) + " %";
+}
+
+/// Once a second.
+void showChances(const std::vector<Future>& futures, double from, double horizon) {
+  std::vector<std::vector<std::string>> rows = {{"time", "contacts", "chance", "95 % interval"}};
+  for (const ContactChance& each : contactChances(futures, from, horizon, 1.0)) {
+    rows.push_back({base::formatDecimals(each.time, 1) + " s",
+                    std::to_string(each.contacts) + " / " + std::to_string(each.futures),
+                    percentText(each.chance),
+                    percentText(each.interval.low) + " to " + percentText(each.interval.high)});
+  }
+  printTable(rows);
+  if (const std::optional<double> moment = decisiveMoment(futures)) {
+    printLine("half of the contacts have happened by " + base::formatDecimals(*moment, 1) + " s");
+  }
+}
+
+void printFutures(const std::vector<Future>& futures) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Future& future : futures) {
+    all.push_back(nlohmann::ordered_json::parse(futureText(future)));
+  }
+  printLine(base::jsonText(all));
+}
+
+int futuresCommand(const FuturesWords& words, const Invocation& given) {
+  if (words.moment == kQuestion) {
+    return answerQuestion();
+  }
+  requireFine(checkFuturesWords(words), ExitWrongCommandLine);
+  RunOptions options;
+  options.from = words.moment;
+  options.set = words.set;
+  if (!words.planner.empty()) {
+    options.planner = words.planner;
+  }
+  base::Result<std::unique_ptr<RunAgain>> again =
+      RunAgain::prepare(options, readRunWords, loadMapImage, interruptStop());
+  requireFine(again.diagnostics());
+  requireFine((*again)->verdict().problems, ExitBadInput, base::Severity::Warning);
+  catchInterrupts();
+  const RunBefore before = (*again)->before();
+  const std::vector<Future> futures = futuresOf(**again, before.step, words, given);
+  if (given.json) {
+    printFutures(futures);
+  } else if (!given.quiet) {
+    const double from = static_cast<double>(before.step) * (*again)->header().dt;
+    showChances(futures, from, words.futures.horizon);
+  }
+  if (wasInterrupted()) {
+    printError("interrupted after " + std::to_string(futures.size()) + " futures");
+  }
+  return wasInterrupted() ? ExitRunFailed : ExitFine;
+}
+
+}  // namespace
+
+void addFutures(CommandRegistry& commands) {
+  const auto added = commands.add(
+      "futures", "The chance of a contact after a moment of a recorded run", futuresCommand);
+  CLI::App& command = added.first;
+  FuturesWords& words = added.second;
+  words.futures.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  command.add_option("moment", words.moment, "RUN@SECONDS: a recorded run, and a time in it")
+      ->required();
+  command.add_option("--seeds", words.futures.count, "How many futures are simulated (20)");
+  command.add_option("--seed", words.futures.seed, "Seed of the first; the others follow (1)");
+  command.add_option("--horizon", words.futures.horizon, "How far they go [s] (10)");
+  command.add_option(
+      "--spread", words.futures.spread,
+      "What nobody knows of people's velocities: sd of a push per second [m/s] (0.2)");
+  command.add_option("--planner", words.planner, "Planner of the first robot from there on");
+  command.add_option("--set", words.set, "PATH=VALUE from there on, as with run --from")
+      ->allow_extra_args(false);
+  command.add_option("-j,--jobs", words.futures.jobs, "Processes at a time (cores)")
+      ->check(CLI::Range(1, 256));
+}
+
+}  // namespace app

@@ -1,0 +1,267 @@
+#include "app/run/Futures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <poll.h>
+#include <utility>
+
+#include "app/run/PlannerFiles.h"
+#include "app/run/Session.h"
+#include "app/run/WorkerProcess.h"
+#include "sim2d/base/Rng.h"
+
+namespace app {
+
+namespace {
+
+constexpr double kPushGap = 1.0;         // [s] between two pushes
+constexpr double kStandingSpeed = 0.05;  // [m/s]; who is slower is not pushed
+constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
+constexpr int kPatienceMs = 100;
+
+/// Of one future: what is seen of it.
+class FutureWatcher {
+ public:
+  FutureWatcher(Future& future, double gap, std::int64_t from)
+      : future_(future), gap_(gap), from_(from) {}
+
+  void look(const sim2d::Frame& frame, double dt) {
+    meetContact(frame);
+    const auto stride = std::max<std::int64_t>(1, std::llround(gap_ / dt));
+    if ((frame.step - from_) % stride != 0) {
+      return;
+    }
+    future_.times.push_back(frame.time);
+    for (const sim2d::BodyColumns* columns :
+         {static_cast<const sim2d::BodyColumns*>(&frame.humans), &frame.robots}) {
+      for (std::size_t k = 0; k < columns->size(); ++k) {
+        std::vector<base::Vec2>& way = future_.ways[columns->id[k]];
+        way.resize(future_.times.size() - 1, {kNowhere, kNowhere});
+        way.emplace_back(columns->x[k], columns->y[k]);
+      }
+    }
+    for (auto& [id, way] : future_.ways) {
+      way.resize(future_.times.size(), {kNowhere, kNowhere});
+    }
+  }
+
+ private:
+  void meetContact(const sim2d::Frame& frame) {
+    if (future_.contact || frame.step == from_) {
+      return;
+    }
+    const bool hasRobots = frame.robots.size() > 0;
+    for (const sim2d::Event& event : frame.events) {
+      const bool isOfTwo = event.kind == sim2d::EventKind::Contact && event.hasOther;
+      const bool counts = hasRobots ? (event.id < 0) != (event.other < 0) : event.id != event.other;
+      if (isOfTwo && counts) {
+        future_.contact =
+            FutureContact{frame.time, event.id, event.other, placeOf(frame, event.id)};
+        return;
+      }
+    }
+  }
+
+  static base::Vec2 placeOf(const sim2d::Frame& frame, int id) {
+    const sim2d::BodyColumns& columns =
+        id < 0 ? frame.robots : static_cast<const sim2d::BodyColumns&>(frame.humans);
+    const auto found = std::find(columns.id.begin(), columns.id.end(), id);
+    if (found == columns.id.end()) {
+      return {kNowhere, kNowhere};
+    }
+    const auto k = static_cast<std::size_t>(found - columns.id.begin());
+    return {columns.x[k], columns.y[k]};
+  }
+
+  Future& future_;
+  const double gap_;
+  const std::int64_t from_;
+};
+
+sim2d::StepInputs pushesOf(const sim2d::Frame& frame, double spread, long long seed) {
+  sim2d::StepInputs pushes;
+  for (std::size_t k = 0; k < frame.humans.size(); ++k) {
+    if (std::hypot(frame.humans.vx[k], frame.humans.vy[k]) < kStandingSpeed) {
+      continue;
+    }
+    const base::AgentRng rng(static_cast<std::uint64_t>(seed), frame.humans.id[k],
+                             static_cast<std::uint64_t>(frame.step));
+    const std::array<double, 2> drawn = rng.normalPair(base::Draw::Variation);
+    sim2d::Input& push = pushes.emplace_back();
+    push.kind = sim2d::InputKind::Push;
+    push.id = frame.humans.id[k];
+    push.velocity = spread * base::Vec2(drawn[0], drawn[1]);
+  }
+  return pushes;
+}
+
+/// Processes, each with the number of its future.
+using Working = std::vector<std::pair<WorkerProcess, int>>;
+
+Future brokenFuture(const FuturesOptions& options, int number, const std::string& why) {
+  Future future;
+  future.number = number;
+  future.seed = options.seed + number;
+  future.failure = why;
+  return future;
+}
+
+/// Waits a little for answers and tells them.
+void hearAll(Working& working, const FuturesOptions& options,
+             const std::function<void(const Future&)>& tell) {
+  std::vector<pollfd> sockets;
+  for (const auto& each : working) {
+    sockets.push_back({each.first.descriptor(), POLLIN, 0});
+  }
+  if (::poll(sockets.data(), sockets.size(), kPatienceMs) <= 0) {
+    return;
+  }
+  for (std::size_t k = working.size(); k-- > 0;) {
+    if (sockets[k].revents == 0) {
+      continue;
+    }
+    std::string text;
+    const WorkerProcess::Heard heard = working[k].first.hear(text);
+    if (heard == WorkerProcess::Heard::Part) {
+      continue;
+    }
+    const int number = working[k].second;
+    const std::optional<Future> future =
+        heard == WorkerProcess::Heard::Answer ? futureOf(text) : std::nullopt;
+    tell(future ? *future : brokenFuture(options, number, "its process has ended"));
+    working.erase(working.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+}
+
+}  // namespace
+
+Future simulateFuture(sim2d::World& world, const Bundle& bundle, const FuturesOptions& options,
+                      int number) {
+  Future future = brokenFuture(options, number, {});
+  const Verdict verdict = check(bundle);
+  if (!verdict.world) {
+    future.failure = verdict.problems.empty() ? "no world" : verdict.problems.front().message;
+    return future;
+  }
+  world.goOnAs(*verdict.world, static_cast<std::uint64_t>(future.seed));
+  const std::int64_t from = world.stepIndex();
+  const double dt = world.dt();
+  const auto steps = std::max<std::int64_t>(1, std::llround(options.horizon / dt));
+  const auto between = std::max<std::int64_t>(1, std::llround(kPushGap / dt));
+  FutureWatcher watcher(future, options.sampleGap, from);
+  watcher.look(world.frame(), dt);
+  while (world.stepIndex() < from + steps) {
+    const bool isPushed = options.spread > 0.0 && (world.stepIndex() - from) % between == 0;
+    if (!world.step(isPushed ? pushesOf(world.frame(), options.spread, future.seed)
+                             : sim2d::StepInputs())) {
+      future.failure = world.failure();
+      break;
+    }
+    watcher.look(world.frame(), dt);
+  }
+  return future;
+}
+
+base::Diagnostics simulateFutures(sim2d::World& world, const Bundle& bundle,
+                                  const FuturesOptions& options,
+                                  const std::function<void(const Future&)>& tell,
+                                  const std::function<bool()>& wantsStop) {
+  if (!foreignCodeOf(*bundle.scenario).empty()) {
+    return {base::error("futures.foreign-code", {}, bundle.path)};
+  }
+  Working working;
+  int next = 0;
+  while ((next < options.count || !working.empty()) && !wantsStop()) {
+    while (next < options.count && working.size() < static_cast<std::size_t>(options.jobs)) {
+      std::optional<WorkerProcess> process =
+          WorkerProcess::start([&world, &bundle, &options, next](const std::string& /*go*/) {
+            return futureText(simulateFuture(world, bundle, options, next));
+          });
+      if (!process) {
+        break;
+      }
+      process->ask({});
+      working.emplace_back(*std::move(process), next++);
+    }
+    if (working.empty()) {
+      return {base::error("futures.no-process", {}, bundle.path)};
+    }
+    hearAll(working, options, tell);
+  }
+  return {};
+}
+
+std::vector<ContactChance> contactChances(const std::vector<Future>& futures, double from,
+                                          double horizon, double gap) {
+  std::vector<ContactChance> chances;
+  const auto n = static_cast<int>(futures.size());
+  const auto last = static_cast<int>(std::floor(horizon / gap + 1e-9));
+  for (int k = 0; k <= last; ++k) {
+    ContactChance chance;
+    chance.time = from + k * gap;
+    chance.futures = n;
+    chance.contacts =
+        static_cast<int>(std::count_if(futures.begin(), futures.end(), [&](const Future& each) {
+          return each.contact && each.contact->time <= chance.time + 1e-9;
+        }));
+    chance.chance = n > 0 ? static_cast<double>(chance.contacts) / n : 0.0;
+    chance.interval = statistics::wilsonInterval(chance.contacts, n);
+    chances.push_back(chance);
+  }
+  return chances;
+}
+
+std::optional<double> decisiveMoment(const std::vector<Future>& futures) {
+  std::vector<double> times;
+  for (const Future& each : futures) {
+    if (each.contact) {
+      times.push_back(each.contact->time);
+    }
+  }
+  std::sort(times.begin(), times.end());
+  return times.empty() ? std::nullopt : std::optional(times[(times.size() - 1) / 2]);
+}
+
+base::Diagnostics answer(const FuturesQuestion& question,
+                         const std::function<void(const Future&)>& tell,
+                         const std::function<bool()>& wantsStop) {
+  const base::Result<Bundle> last = goingOnAs(question.bundle, question.stages);
+  const base::Result<std::shared_ptr<StagedRun>> made =
+      StagedRun::make(question.bundle, question.stages);
+  if (!last || !made) {
+    return last ? made.diagnostics() : last.diagnostics();
+  }
+  const std::unique_ptr<sim2d::World> world = (*made)->takeWorld();
+  base::Diagnostics problems;
+  Session session({question.at + 1, false});
+  session.repeat(question.inputs, question.at);
+  session.changeWith(
+      [&](const sim2d::Frame& frame, sim2d::World& changing) { (*made)->look(frame, changing); });
+  bool isThere = false;
+  const sim2d::RunResult result = session.run(*world, nullptr, [&](const sim2d::Frame& frame) {
+    if (wantsStop()) {
+      session.stop();
+      return;
+    }
+    if (frame.step != question.at) {
+      return;
+    }
+    isThere = true;
+    std::string rows;
+    sim2d::appendTrajectoryRows(rows, frame);
+    if (!question.state.empty() && rows != question.state) {
+      problems.push_back(base::error("futures.goes-elsewhere", {frame.time}, question.bundle.path));
+    } else {
+      base::append(problems, simulateFutures(*world, *last, question.options, tell, wantsStop));
+    }
+    session.stop();
+  });
+  if (!isThere && result.status == sim2d::RunStatus::Failed) {
+    problems.push_back(base::error("run.ended", {result.reason}, question.bundle.path));
+  }
+  return problems;
+}
+
+}  // namespace app

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/run/Bundle.h"
+#include "app/run/Fork.h"
+#include "metrics/statistics/Rates.h"
+#include "sim2d/trace/Recording.h"
+
+namespace app {
+
+/// How many ways a run may go on from a moment are looked at, and how far.
+struct FuturesOptions {
+  int count = 20;          // of futures
+  double horizon = 10.0;   // [s]
+  double spread = 0.2;     // sd of what nobody knows of people's velocities [m/s], each axis
+  int jobs = 1;            // processes at a time
+  long long seed = 1;      // of future k: this + k
+  double sampleGap = 0.2;  // [s] between two points of a way
+};
+constexpr int kMostFutures = 1000;
+constexpr double kLongestFuture = 600.0;  // [s]
+
+/// The first time that a robot touches a person; in a run without robots, a person another.
+struct FutureContact {
+  double time = 0.0;  // of the run [s]
+  int id = 0, other = 0;
+  base::Vec2 where = base::Vec2::Zero();  // of `id` [m]
+};
+
+/// One way in which a run may go on.
+struct Future {
+  int number = 0;  // 0, 1 … in the order of their seeds
+  long long seed = 1;
+  std::vector<double> times;                    // of the points [s], the moment first
+  std::map<int, std::vector<base::Vec2>> ways;  // by id; NaN while somebody is not there [m]
+  std::optional<FutureContact> contact;
+  std::string failure;  // why the world stopped before the horizon; empty: it did not
+};
+
+/// From a world that stands at the moment, `bundle` being what it is by then. Each future is a copy
+/// of the process that draws all that is drawn by its own seed, and in which, once a second,
+/// everybody who walks gets a velocity beside the own: normal on both axes, of `spread`. `tell`
+/// hears of each as it ends; `wantsStop` is asked ten times a second. Of this process only one
+/// thread may be running. Errors: programs of others in the scenario, no more processes.
+base::Diagnostics simulateFutures(sim2d::World& world, const Bundle& bundle,
+                                  const FuturesOptions& options,
+                                  const std::function<void(const Future&)>& tell,
+                                  const std::function<bool()>& wantsStop);
+/// The same in this process, one future; the world has no use afterwards.
+Future simulateFuture(sim2d::World& world, const Bundle& bundle, const FuturesOptions& options,
+                      int number);
+
+/// A line of JSON, without a line end; reading gives equal values.
+std::string futureText(const Future& future);
+std::optional<Future> futureOf(const std::string& text);
+
+/// How many futures had met with a contact by a time.
+struct ContactChance {
+  double time = 0.0;  // [s]
+  int contacts = 0, futures = 0;
+  double chance = 0.0;
+  statistics::Interval interval;  // Wilson's, 95 %
+};
+/// Every `gap` [s] from the moment to the horizon. Those that failed before count as far as they
+/// came: as free of contact when they met with none.
+std::vector<ContactChance> contactChances(const std::vector<Future>& futures, double from,
+                                          double horizon, double gap = 0.2);
+/// The time by which half of all contacts have happened [s]: where it is decided; none without
+/// contacts.
+std::optional<double> decisiveMoment(const std::vector<Future>& futures);
+
+/// What another process of this program needs to look into the future of a run.
+struct FuturesQuestion {
+  Bundle bundle;  // from its beginning
+  std::vector<ForkStage> stages;
+  sim2d::RecordedInputs inputs;
+  std::int64_t at = 0;  // step of the moment
+  std::string state;    // rows of the state there, as in trajectory.csv: it is to be met again
+  FuturesOptions options;
+};
+/// All of it as bytes, for the same program alone.
+std::string questionBytes(const FuturesQuestion& question);
+base::Result<FuturesQuestion> questionOf(const std::string& bytes);
+/// Makes the run again up to the moment, then its futures. Errors: those of the run; it goes
+/// another way than it did; those of `simulateFutures`.
+base::Diagnostics answer(const FuturesQuestion& question,
+                         const std::function<void(const Future&)>& tell,
+                         const std::function<bool()>& wantsStop);
+
+}  // namespace app

@@ -1,0 +1,105 @@
+#include "app/run/Nav2Robots.h"
+
+#include <memory>
+#include <utility>
+
+#include "app/run/DataPaths.h"
+#include "app/run/PlannerFiles.h"
+#include "bt/robot/Nav2Report.h"
+#include "bt/robot/Nav2Servers.h"
+#include "sim2d/nav/Planner.h"
+#include "sim2d/nav/nav2/params/ParameterFile.h"
+
+namespace app {
+
+namespace {
+
+bool isNav2(const sim2d::Robot& robot) {
+  return robot.planner == sim2d::kNav2Planner;
+}
+
+sim2d::Nav2Choice choiceOf(const sim2d::Robot& robot) {
+  return {robot.nav2Params.value_or(""), robot.nav2Tree.value_or(""), robot.nav2Distro,
+          robot.nav2Values};
+}
+
+bt::Nav2Loaded loadedFor(const sim2d::Robot& robot, const std::string& scenarioPath) {
+  return bt::loadNav2(choiceOf(robot), folderOfPlanners(scenarioPath), robot.name, shippedNav2());
+}
+
+}  // namespace
+
+bt::Nav2Folders shippedNav2() {
+  return {shippedResources("nav2_params"), shippedResources("nav2_trees")};
+}
+
+base::Diagnostics wrongNav2Values(const sim2d::Scenario& scenario,
+                                  const std::string& scenarioPath) {
+  base::Diagnostics wrong;
+  sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
+    if (isNav2(robot) && !robot.nav2Values.empty()) {
+      base::append(wrong, loadedFor(robot, scenarioPath).wrongValues);
+    }
+  });
+  return wrong;
+}
+
+std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
+    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath) {
+  std::shared_ptr<sim2d::Scenario> changed;
+  for (std::size_t i = 0; i < scenario->robots.size(); ++i) {
+    const sim2d::Robot& robot = scenario->robots[i];
+    if (!robot.listed || !isNav2(robot) || robot.goalRadius) {
+      continue;
+    }
+    const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
+    if (loaded.ok()) {
+      changed = changed != nullptr ? changed : std::make_shared<sim2d::Scenario>(*scenario);
+      changed->robots[i].goalRadius = sim2d::nav2::xyGoalTolerance(loaded.parameters);
+    }
+  }
+  return changed != nullptr ? changed : scenario;
+}
+
+std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
+                                     const std::string& scenarioPath) {
+  std::vector<std::string> files;
+  sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
+    if (!isNav2(robot)) {
+      return;
+    }
+    const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
+    for (const std::string& file : {loaded.paramsFile, loaded.treeFile}) {
+      if (!file.empty()) {
+        files.push_back(file);
+      }
+    }
+  });
+  return files;
+}
+
+base::Diagnostics checkNav2File(const std::string& path) {
+  const auto file = sim2d::nav2::ParameterFile::read(path);
+  base::Diagnostics found = file.diagnostics();
+  if (!file) {
+    return found;
+  }
+  const sim2d::nav2::Nav2Reading reading = readNav2Parameters(*file);
+  base::append(found, reading.problems);
+  base::append(found, bt::nav2Contradictions(reading.parameters, nullptr));
+  if (!base::hasErrors(found)) {  // what the servers say of it when they are made
+    const auto servers = bt::Nav2Servers::make({reading.parameters, {}, {}, {}, 1, -1});
+    for (const base::Diagnostic& problem : servers.diagnostics()) {
+      found.push_back(problem);
+      found.back().file = path;
+    }
+  }
+  base::append(found, bt::nav2Remarks(reading.parameters));
+  return found;
+}
+
+base::Diagnostics checkNavigatorTree(const std::string& path) {
+  return bt::loadNavigatorTree(path, {}).problems;
+}
+
+}  // namespace app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bt/robot/Nav2Files.h"
+#include "sim2d/scenario/Scenario.h"
+
+/// What planner `nav2` needs beside the scenario: files, and values that only they know of.
+namespace app {
+
+/// Shipped parameter files and trees.
+bt::Nav2Folders shippedNav2();
+
+/// Values given instead of those of a file (`nav2.FollowPath.temperature`) that no parameter fits.
+/// Problems of the files are told where the world is made.
+base::Diagnostics wrongNav2Values(const sim2d::Scenario& scenario, const std::string& scenarioPath);
+/// The scenario as a world takes it: robots of `nav2` without a `goal_radius` have that of their
+/// file's goal checker.
+std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
+    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath);
+
+/// The parameter files and trees that they read.
+std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
+                                     const std::string& scenarioPath);
+
+/// A `nav2_params.yaml` by itself: everything that is wrong with it, and what deserves a word.
+base::Diagnostics checkNav2File(const std::string& path);
+/// A navigator's tree by itself.
+base::Diagnostics checkNavigatorTree(const std::string& path);
+
+}  // namespace app

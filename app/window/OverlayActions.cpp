@@ -1,0 +1,95 @@
+#include "app/window/OverlayActions.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "editor/look/Form.h"
+
+namespace app {
+
+using editor::CanvasOptions;
+
+OverlayActions::OverlayActions(Workspace& workspace, QObject* parent)
+    : QObject(parent), workspace_(workspace) {
+  density = toggle(tr("&Density of people"), &CanvasOptions::density, Qt::Key_H,
+                   tr("How many people stand per m², as colours"));
+  sight = toggle(tr("&Field of view"), &CanvasOptions::sight, Qt::Key_E,
+                 tr("What the people that are selected see; walls hide the rest"));
+  gaussian = toggle(tr("&Gaussian spaces"), &CanvasOptions::gaussian, Qt::Key_X,
+                    tr("Personal space that is longer ahead of who walks"));
+  velocities = toggle(tr("&Velocities"), &CanvasOptions::velocities, Qt::Key_V,
+                      tr("An arrow for each body, its length the speed"));
+  plans = toggle(tr("&Ways of people"), &CanvasOptions::plans, Qt::Key_P,
+                 tr("What people follow from here on; only of the newest moment"));
+  contacts = toggle(tr("&Contacts"), &CanvasOptions::contacts, Qt::Key_C,
+                    tr("Where bodies touched, and who ran into whom"));
+  thoughts = toggle(tr("&Thoughts"), &CanvasOptions::thoughts, Qt::Key_T,
+                    tr("What people do and why, below their names"));
+  speech = toggle(tr("&Speech"), &CanvasOptions::speech, Qt::Key_B,
+                  tr("What people say, and who hears it"));
+}
+
+QAction* OverlayActions::toggle(const QString& text, bool CanvasOptions::*option, int letter,
+                                const QString& says) {
+  auto* action = new QAction(text, this);
+  action->setShortcut(int{Qt::SHIFT} | letter);
+  editor::describe(*action, says);
+  action->setCheckable(true);
+  editor::MapScene& scene = workspace_.scene();
+  action->setChecked(scene.options().*option);
+  connect(action, &QAction::toggled, &scene, [&scene, option](bool on) {
+    CanvasOptions options = scene.options();
+    options.*option = on;
+    scene.setOptions(options);
+  });
+  connect(&scene, &editor::MapScene::optionsChanged, action,
+          [action, &scene, option] { action->setChecked(scene.options().*option); });
+  all << action;
+  return action;
+}
+
+namespace {
+
+using Named = std::pair<const char*, bool CanvasOptions::*>;
+constexpr Named kOverlayNames[] = {
+    {"density", &CanvasOptions::density},   {"sight", &CanvasOptions::sight},
+    {"gaussian", &CanvasOptions::gaussian}, {"velocities", &CanvasOptions::velocities},
+    {"plans", &CanvasOptions::plans},       {"contacts", &CanvasOptions::contacts},
+    {"thoughts", &CanvasOptions::thoughts}, {"zones", &CanvasOptions::proxemics},
+    {"forces", &CanvasOptions::forces}};
+
+}  // namespace
+
+std::vector<std::string> OverlayActions::names() {
+  std::vector<std::string> all;
+  for (const auto& [name, option] : kOverlayNames) {
+    all.emplace_back(name);
+  }
+  return all;
+}
+
+void OverlayActions::show(const std::vector<std::string>& names) {
+  CanvasOptions options = workspace_.scene().options();
+  for (const auto& [name, option] : kOverlayNames) {
+    const bool isWanted = std::find(names.begin(), names.end(), name) != names.end();
+    options.*option = options.*option || isWanted;
+  }
+  workspace_.scene().setOptions(options);
+}
+
+void OverlayActions::remember(Memory& memory) {
+  const std::pair<QAction*, const char*> kept[] = {
+      {density, "map/density"},   {sight, "map/sight"},       {gaussian, "map/gaussian"},
+      {plans, "map/plans"},       {contacts, "map/contacts"}, {velocities, "map/velocities"},
+      {thoughts, "map/thoughts"}, {speech, "map/speech"}};
+  for (const auto& [action, key] : kept) {
+    const QVariant before = memory.value(key);
+    if (before.isValid()) {
+      action->setChecked(before.toBool());
+    }
+    connect(action, &QAction::toggled, this,
+            [&memory, where = key](bool on) { memory.setValue(where, on); });
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,143 @@
+#include "bt/human/ActiveBranch.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <map>
+#include <string_view>
+
+namespace bt {
+
+namespace {
+
+using base::NodeStatus;
+
+/// What a node means while it runs, or where it held.
+const std::map<std::string, std::string, std::less<>>& nodeWords() {
+  static const std::map<std::string, std::string, std::less<>> kWords = {
+      {"RegularNav", "walks to the goal"},
+      {"GoTo", "walks to a place"},
+      {"UseObject", "uses something"},
+      {"WanderInArea", "wanders about"},
+      {"GoToNearestExit", "walks to the exit"},
+      {"WaitInQueue", "waits in a queue"},
+      {"SetGroupWalk", "walks with the group"},
+      {"ConversationFormation", "talks with others"},
+      {"SurprisedNav", "stops and looks at the robot"},
+      {"CuriousNav", "approaches the robot"},
+      {"ScaredNav", "flees from the robot"},
+      {"ThreateningNav", "blocks the robot"},
+      {"ApproachRobot", "approaches the robot"},
+      {"AvoidRobot", "flees from the robot"},
+      {"BlockRobot", "blocks the robot"},
+      {"YieldToRobot", "lets the robot pass"},
+      {"PassOnSide", "passes the robot"},
+      {"ApproachAgent", "approaches somebody"},
+      {"FollowAgent", "follows somebody"},
+      {"BlockAgent", "blocks somebody"},
+      {"FleeFrom", "flees from somebody"},
+      {"WaitForAgent", "waits for somebody"},
+      {"LookAtRobot", "looks at the robot"},
+      {"LookAtAgent", "looks at somebody"},
+      {"LookAtPoint", "looks at a place"},
+      {"SaySomething", "speaks"},
+      {"StopMovement", "stops"},
+      {"StopAndWaitTimerAction", "stands and waits"},
+      {"TimeDelay", "waits"},
+      {"IsRobotVisible", "the robot is in sight"},
+      {"IsRobotClose", "the robot is close"},
+      {"IsRobotFacingAgent", "the robot faces them"},
+      {"IsAgentVisible", "somebody is in sight"},
+      {"IsAgentClose", "somebody is close"},
+      {"IsAgentGroupFormed", "the group is together"},
+      {"IsCrowded", "it is crowded"},
+      {"IsGoalReached", "the goal is reached"},
+      {"IsAtPosition", "they are at the place"},
+      {"IsSpeaking", "somebody speaks"},
+      {"IsAnyoneSpeaking", "somebody speaks"},
+      {"IsLookingAtMe", "somebody looks at them"},
+      {"IsAnyoneLookingAtMe", "somebody looks at them"},
+      {"IsTimeBetween", "it is time"},
+      {"TimeExpiredCondition", "the time is up"},
+      {"RandomChanceCondition", "chance has it"}};
+  return kWords;
+}
+
+/// "MainFallback/SetGoals/RunOnce[2]" -> "RunOnce".
+std::string_view ownName(std::string_view path) {
+  const std::size_t slash = path.rfind('/');
+  std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);
+  const std::size_t bracket = name.rfind('[');
+  return bracket != std::string_view::npos && name.back() == ']' ? name.substr(0, bracket) : name;
+}
+
+std::string_view branchAbove(std::string_view path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);
+}
+
+bool isBelowBranch(std::string_view path, std::string_view ancestor) {
+  return path.size() > ancestor.size() && path[ancestor.size()] == '/' &&
+         path.substr(0, ancestor.size()) == ancestor;
+}
+
+bool isConditionName(std::string_view name) {
+  const auto found = nodeWords().find(name);
+  const bool isKnown = found != nodeWords().end();
+  return name.substr(0, 2) == "Is" || (isKnown && name.find("Condition") != std::string_view::npos);
+}
+
+}  // namespace
+
+std::string wordsOfNode(const std::string& name) {
+  const auto found = nodeWords().find(name);
+  if (found != nodeWords().end()) {
+    return found->second;
+  }
+  if (name.find(' ') != std::string::npos) {
+    return name;
+  }
+  std::string words;
+  for (const char letter : name) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (std::isupper(code) != 0 && !words.empty() && words.back() != ' ') {
+      words += ' ';
+    }
+    words += letter == '_' ? ' ' : static_cast<char>(std::tolower(code));
+  }
+  return words;
+}
+
+ActiveBranch activeBranchOf(const sim2d::TreeStatuses& tree) {
+  ActiveBranch branch;
+  if (tree.paths == nullptr) {
+    return branch;
+  }
+  const std::vector<std::string>& paths = *tree.paths;
+  const std::size_t count = std::min(paths.size(), tree.statuses.size());
+  const auto hasStatus = [&tree](std::size_t node, NodeStatus status) {
+    return tree.statuses[node] == status;
+  };
+  std::size_t leaf = count;
+  for (std::size_t node = 0; node < count; ++node) {
+    const bool hasChild = node + 1 < count && isBelowBranch(paths[node + 1], paths[node]);
+    if (!hasChild && hasStatus(node, NodeStatus::Running)) {
+      leaf = node;
+    }
+  }
+  if (leaf == count) {
+    return branch;
+  }
+  branch.doing = wordsOfNode(std::string(ownName(paths[leaf])));
+  for (std::size_t node = 0; node < leaf; ++node) {
+    const std::string_view name = ownName(paths[node]);
+    const bool isOnTheWay = isBelowBranch(paths[leaf], paths[node]) ||
+                            isBelowBranch(paths[leaf], branchAbove(paths[node]));
+    if (isOnTheWay && isConditionName(name) && hasStatus(node, NodeStatus::Success)) {
+      branch.because += (branch.because.empty() ? "" : " and ") + wordsOfNode(std::string(name));
+    }
+  }
+  return branch;
+}
+
+}  // namespace bt

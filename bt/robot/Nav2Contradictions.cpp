@@ -1,0 +1,260 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "bt/robot/Nav2Report.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/DistroGuess.h"
+
+namespace bt {
+namespace {
+
+using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
+using base::Diagnostics;
+
+/// A controller of the file: its name and class.
+struct Named {
+  std::string name, plugin;
+};
+
+class Contradictions {
+ public:
+  Contradictions(const Nav2Parameters& parameters, const sim2d::PlannerSetup* setup)
+      : parameters_(parameters), setup_(setup) {}
+
+  Diagnostics all() {
+    for (const auto& [node, costmap] : {std::pair("local_costmap", &parameters_.localCostmap),
+                                        std::pair("global_costmap", &parameters_.globalCostmap)}) {
+      checkShape(node, costmap->parameters);
+    }
+    for (const Named& controller : controllers()) {
+      checkScaling(controller);
+      checkPeriod(controller);
+      checkSpeed(controller);
+      checkReach(controller);
+    }
+    checkRates();
+    if (setup_ != nullptr && setup_->goalRadius < xyGoalTolerance(parameters_) - 1e-9) {
+      add({}, "nav2.goal-radius",
+          {setup_->robot, setup_->goalRadius, xyGoalTolerance(parameters_)});
+    }
+    return std::move(found_);
+  }
+
+ private:
+  template <class T>
+  T value(const std::string& key, T otherwise) const {
+    return controllerValue(parameters_, key, otherwise);
+  }
+
+  std::vector<Named> controllers() const {
+    std::vector<Named> all;
+    for (const std::string& name :
+         value<std::vector<std::string>>("controller_plugins", {"FollowPath"})) {
+      all.push_back(
+          {name, pluginName(value<std::string>(name + ".plugin", "dwb_core::DWBLocalPlanner"))});
+    }
+    return all;
+  }
+
+  /// At the place of the key, if the file has it.
+  void add(const std::string& path, const char* code, base::ProblemValues values,
+           base::Severity severity = base::Severity::Warning) {
+    base::Diagnostic problem = base::problem(severity, code, std::move(values), parameters_.file);
+    for (const KeyNote& key : parameters_.notes.keys) {
+      if (key.path == path && key.line > 0) {
+        problem.line = key.line;
+        problem.column = key.column;
+      }
+    }
+    found_.push_back(std::move(problem));
+  }
+  bool isGiven(const std::string& path) const {
+    return std::any_of(parameters_.notes.keys.begin(), parameters_.notes.keys.end(),
+                       [&](const KeyNote& key) { return key.path == path; });
+  }
+
+  void checkShape(const std::string& node, const CostmapParameters& costmap) {
+    const bool hasFootprint = !costmap.footprint.empty() && costmap.footprint != "[]";
+    if (hasFootprint && isGiven(node + ".robot_radius")) {
+      add(node + ".robot_radius", "nav2.two-shapes", {});
+    }
+  }
+
+  const InflationLayerParameters* inflation() const {
+    for (const CostmapPlugin& plugin : parameters_.localCostmap.plugins) {
+      if (const auto* layer = std::get_if<InflationLayerParameters>(&plugin.parameters)) {
+        return layer;
+      }
+    }
+    return nullptr;
+  }
+
+  static bool isPursuit(const Named& controller) {
+    return controller.plugin.find("RegulatedPurePursuit") != std::string::npos;
+  }
+  static bool isMppi(const Named& controller) {
+    return controller.plugin.find("MPPI") != std::string::npos;
+  }
+  static bool isDwb(const Named& controller) {
+    return controller.plugin.find("DWB") != std::string::npos;
+  }
+
+  void checkScaling(const Named& controller) {
+    const std::string key = controller.name + ".inflation_cost_scaling_factor";
+    const double scaling = value(key, 3.0);
+    const InflationLayerParameters* const layer = inflation();
+    const bool regulates =
+        value(controller.name + ".use_cost_regulated_linear_velocity_scaling", true);
+    if (isPursuit(controller) && regulates && layer != nullptr &&
+        layer->costScalingFactor != scaling) {
+      add("controller_server." + key, "nav2.scaling-differs",
+          {controller.name, scaling, layer->costScalingFactor});
+    }
+  }
+
+  void checkPeriod(const Named& controller) {
+    const double period = 1.0 / value("controller_frequency", 20.0);
+    const double step = value(controller.name + ".model_dt", 0.05);
+    const std::string place = "controller_server." + controller.name + ".model_dt";
+    if (isMppi(controller) && period > step + 1e-6) {
+      add(place, "nav2.period-too-long", {controller.name, period, step}, base::Severity::Error);
+    } else if (isMppi(controller) && period < step - 1e-6) {
+      add(place, "nav2.period-shorter", {controller.name, period, step});
+    }
+  }
+
+  /// Key and value of its highest speed [m/s].
+  std::pair<std::string, double> topSpeed(const Named& controller) const {
+    const auto pick = [&](const char* key, double usual) {
+      return std::pair(controller.name + "." + key, value(controller.name + "." + key, usual));
+    };
+    if (isMppi(controller)) {
+      return pick("vx_max", 0.5);
+    }
+    if (isDwb(controller)) {
+      return pick("max_vel_x", 0.0);
+    }
+    if (isPursuit(controller)) {
+      return parameters_.distro == Distro::Main &&
+                     !isGiven("controller_server." + controller.name + ".desired_linear_vel")
+                 ? pick("max_linear_vel", 0.5)
+                 : pick("desired_linear_vel", 0.5);
+    }
+    return pick("v_linear_max", 0.0);
+  }
+
+  void checkSpeed(const Named& controller) {
+    const auto [key, speed] = topSpeed(controller);
+    const std::vector<double>& most = parameters_.velocitySmoother.maxVelocity;
+    if (!most.empty() && speed > most.front() + 1e-9) {
+      add("controller_server." + key, "nav2.faster-than",
+          {key, speed, most.front(), "velocity_smoother (max_velocity)"});
+    }
+    if (setup_ != nullptr && speed > setup_->body.limits.maxVel + 1e-9) {
+      add("controller_server." + key, "nav2.faster-than",
+          {key, speed, setup_->body.limits.maxVel, "robot '" + setup_->robot + "' (max_vel)"});
+    }
+  }
+
+  /// How far it looks [m], and what of [key].
+  std::pair<double, std::string> reachOf(const Named& controller) const {
+    const std::string& name = controller.name;
+    const double speed = topSpeed(controller).second;
+    if (isMppi(controller)) {
+      return {speed * value(name + ".time_steps", 56) * value(name + ".model_dt", 0.05),
+              "vx_max * time_steps * model_dt"};
+    }
+    if (isDwb(controller)) {
+      return {speed * value(name + ".sim_time", 1.7), "max_vel_x * sim_time"};
+    }
+    if (isPursuit(controller)) {
+      const bool isScaled = value(name + ".use_velocity_scaled_lookahead_dist", false);
+      return isScaled
+                 ? std::pair(value(name + ".max_lookahead_dist", 0.9),
+                             std::string("max_lookahead_dist"))
+                 : std::pair(value(name + ".lookahead_dist", 0.6), std::string("lookahead_dist"));
+    }
+    return {0.0, {}};
+  }
+
+  void checkReach(const Named& controller) {
+    const CostmapParameters& local = parameters_.localCostmap.parameters;
+    const double half = 0.5 * std::min(local.width, local.height);
+    const auto [reach, what] = reachOf(controller);
+    if (local.rollingWindow && reach > half + 1e-9) {
+      add("local_costmap.width", "nav2.map-too-small", {half, controller.name, reach, what});
+    }
+  }
+
+  /// Nothing is done more than once in a step.
+  void checkRates() {
+    if (setup_ == nullptr) {
+      return;
+    }
+    const double most = 1.0 / setup_->dt;
+    for (const auto& [key, rate] :
+         {std::pair<std::string, double>("controller_server.controller_frequency",
+                                         value("controller_frequency", 20.0)),
+          {"behavior_server.cycle_frequency", parameters_.behaviors.server.cycleFrequency},
+          {"velocity_smoother.smoothing_frequency",
+           parameters_.velocitySmoother.smoothingFrequency}}) {
+      if (rate > most + 1e-6) {
+        add(key, "nav2.frequency-rounded", {key, rate, setup_->dt, most});
+      }
+    }
+  }
+
+  const Nav2Parameters& parameters_;
+  const sim2d::PlannerSetup* setup_;
+  Diagnostics found_;
+};
+
+}  // namespace
+
+Diagnostics nav2Contradictions(const Nav2Parameters& parameters, const sim2d::PlannerSetup* setup) {
+  return Contradictions(parameters, setup).all();
+}
+
+Diagnostics nav2Remarks(const Nav2Parameters& parameters) {
+  Diagnostics remarks;
+  std::vector<std::string> reasons = parameters.distroReasons;
+  constexpr std::size_t kShown = 4;
+  reasons.resize(std::min(reasons.size(), kShown));
+  if (parameters.isGuessed) {
+    remarks.push_back(base::problem(base::Severity::Info, "nav2.distro-guessed",
+                                    {distroName(parameters.distro), base::join(reasons, "; ")},
+                                    parameters.file));
+  }
+  std::map<std::pair<std::string, std::string>, std::vector<const KeyNote*>> idle;
+  for (const KeyNote& key : parameters.notes.keys) {
+    if (key.use == KeyUse::Idle) {
+      idle[{key.path.substr(0, key.path.find('.')), key.why}].push_back(&key);
+    } else if (key.use == KeyUse::OtherDistro) {
+      remarks.push_back(base::warning("nav2.other-distro",
+                                      {key.path, key.why, distroName(parameters.distro)},
+                                      parameters.file, key.line, key.column));
+    }
+  }
+  for (const auto& [group, keys] : idle) {
+    std::vector<std::string> names;
+    for (const KeyNote* const key : keys) {
+      names.push_back(key->path.substr(key->path.find('.') + 1));
+    }
+    const std::string count = std::to_string(names.size()) + (names.size() == 1 ? " key" : " keys");
+    constexpr std::size_t kNamed = 6;
+    const bool isLong = names.size() > kNamed;
+    names.resize(std::min(names.size(), kNamed));
+    remarks.push_back(base::problem(
+        base::Severity::Info, "nav2.idle-keys",
+        {group.first, count, base::join(names, ", ") + (isLong ? " …" : ""), group.second},
+        parameters.file, keys.front()->line, keys.front()->column));
+  }
+  return remarks;
+}
+
+}  // namespace bt

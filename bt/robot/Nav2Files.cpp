@@ -1,0 +1,199 @@
+#include "bt/robot/Nav2Files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "bt/robot/RobotNodes.h"
+#include "bt/tree/TreeXml.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/DistroGuess.h"
+#include "sim2d/nav/nav2/params/ParameterFile.h"
+
+namespace bt {
+namespace {
+
+namespace fs = std::filesystem;
+using sim2d::nav2::Distro;
+using sim2d::nav2::Nav2Parameters;
+
+bool isFile(const fs::path& path) {
+  std::error_code none;
+  return fs::is_regular_file(path, none);
+}
+
+std::string inFolder(const std::string& file, const std::string& folder) {
+  return (fs::path(folder) / file).lexically_normal().string();
+}
+
+std::string known(const std::string& folder, const std::string& extension) {
+  std::set<std::string> names;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, none)) {
+    if (entry.path().extension() == extension) {
+      names.insert(entry.path().stem().string());
+    }
+  }
+  return base::join({names.begin(), names.end()}, ", ");
+}
+
+/// With the values that are given instead of the file's.
+sim2d::nav2::Nav2Reading readWith(sim2d::nav2::ParameterFile file, const sim2d::Nav2Choice& choice,
+                                  const std::string& robot, base::Diagnostics& wrong) {
+  sim2d::nav2::Nav2ReadOptions options{choice.distro, robot};
+  sim2d::nav2::Nav2Reading reading = readNav2Parameters(file, options);
+  if (choice.values.empty()) {
+    return reading;
+  }
+  for (const auto& [path, yaml] : choice.values) {
+    base::append(wrong, setNav2Value(file, reading, path, yaml));
+  }
+  const bool isGuessed = reading.parameters.isGuessed;
+  std::vector<std::string> reasons = std::move(reading.parameters.distroReasons);
+  options.distro = reading.parameters.distro;  // by the file as it is
+  reading = readNav2Parameters(file, options);
+  reading.parameters.isGuessed = isGuessed;
+  reading.parameters.distroReasons = std::move(reasons);
+  return reading;
+}
+
+std::string distroWords(unsigned distros) {
+  std::vector<std::string> names;
+  for (const Distro distro : {Distro::Humble, Distro::Jazzy, Distro::Main}) {
+    if (sim2d::nav2::isIn(distros, distro)) {
+      names.emplace_back(sim2d::nav2::distroName(distro));
+    }
+  }
+  return base::join(names, ", ");
+}
+
+/// Tells of nodes that are not in the branch, always fail, or have one answer.
+void lookAtNodes(const NodeSpec& node, const std::string& file, Distro distro, NavigatorTree& to) {
+  const unsigned distros = distrosOfNode(node.id);
+  if (!sim2d::nav2::isIn(distros, distro)) {
+    to.problems.push_back(base::warning(
+        "nav2.node-of-others", {node.id, distroWords(distros), sim2d::nav2::distroName(distro)},
+        file, node.line));
+  }
+  const std::string unsupported(unsupportedNode(node.id)), constant(constantNode(node.id));
+  if (!unsupported.empty()) {
+    to.unsupported.push_back(node.id + ": " + unsupported);
+    to.problems.push_back(
+        base::warning("nav2.node-unsupported", {node.id, unsupported}, file, node.line));
+  }
+  if (!constant.empty()) {
+    to.constants.push_back(node.id + ": " + constant);
+  }
+  for (const NodeSpec& child : node.children) {
+    lookAtNodes(child, file, distro, to);
+  }
+}
+
+void sortOnce(std::vector<std::string>& words) {
+  std::sort(words.begin(), words.end());
+  words.erase(std::unique(words.begin(), words.end()), words.end());
+}
+
+}  // namespace
+
+std::string nav2ParamsFile(const std::string& named, const std::string& folder,
+                           const Nav2Folders& shipped) {
+  const std::string name = named.empty() ? kUsualNav2Params : named;
+  const std::string beside = inFolder(name, folder);
+  if (!named.empty() && isFile(beside)) {
+    return beside;
+  }
+  const fs::path own = fs::path(shipped.params) / (name + ".yaml");
+  return isFile(own) ? own.string() : std::string();
+}
+
+std::string nav2TreeFile(const std::string& named, const std::string& folder, Distro distro,
+                         const Nav2Folders& shipped) {
+  const std::string name = named.empty() ? kUsualNav2Tree : named;
+  const std::string beside = inFolder(name, folder);
+  if (!named.empty() && isFile(beside)) {
+    return beside;
+  }
+  fs::path file = fs::path(name).filename();
+  file = file.extension() == ".xml" ? file : fs::path(file.string() + ".xml");
+  const std::string own = sim2d::nav2::distroName(distro);
+  for (const std::string& branch :
+       {own, std::string("main"), std::string("jazzy"), std::string("humble")}) {
+    const fs::path found = fs::path(shipped.trees) / branch / file;
+    if (isFile(found)) {
+      return found.string();
+    }
+  }
+  return {};
+}
+
+bool looksLikeNavigatorTree(const std::string& xml) {
+  return xml.find("ComputePath") != std::string::npos ||
+         xml.find("FollowPath") != std::string::npos ||
+         xml.find("DriveOnHeading") != std::string::npos || xml.find("<Spin") != std::string::npos;
+}
+
+NavigatorTree loadNavigatorTree(const std::string& file, const Nav2Parameters& parameters) {
+  NavigatorTree tree;
+  const base::Result<TreeTable> table = loadTrees(file);
+  for (const base::Diagnostic& problem : table.diagnostics()) {
+    const bool isUsual = problem.code == "tree.no-format" || problem.code == "tree.converted";
+    if (!isUsual) {  // format 3 is what Humble's trees are written in
+      tree.problems.push_back(problem);
+    }
+  }
+  if (!table) {
+    return tree;
+  }
+  CompileOptions options;
+  options.mainTree = table->mainTree;
+  options.hostEntries = {{parameters.btNavigator.goalBlackboardId, PortType::Any},
+                         {parameters.btNavigator.goalsBlackboardId, PortType::Any},
+                         {"number_recoveries", PortType::Int}};
+  auto program = compile(*table, robotNodes(), options);
+  base::append(tree.problems, program.diagnostics());
+  for (const auto& [id, entry] : table->entries) {
+    lookAtNodes(entry.tree.root, entry.file, parameters.distro, tree);
+  }
+  sortOnce(tree.constants);
+  sortOnce(tree.unsupported);
+  tree.program = program ? *program : nullptr;
+  return tree;
+}
+
+Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
+                    const std::string& robot, const Nav2Folders& shipped) {
+  Nav2Loaded loaded;
+  loaded.paramsFile = nav2ParamsFile(choice.params, folder, shipped);
+  if (loaded.paramsFile.empty()) {
+    const std::string named = choice.params.empty() ? kUsualNav2Params : choice.params;
+    loaded.problems.push_back(
+        base::error("nav2.no-file", {known(shipped.params, ".yaml")}, inFolder(named, folder)));
+    return loaded;
+  }
+  const auto file = sim2d::nav2::ParameterFile::read(loaded.paramsFile);
+  loaded.problems = file.diagnostics();
+  if (!file) {
+    return loaded;
+  }
+  sim2d::nav2::Nav2Reading reading = readWith(*file, choice, robot, loaded.wrongValues);
+  base::append(loaded.problems, reading.problems);
+  loaded.parameters = std::move(reading.parameters);
+  const std::string named =
+      choice.tree.empty() ? loaded.parameters.btNavigator.defaultNavToPoseBtXml : choice.tree;
+  loaded.treeFile = nav2TreeFile(named, folder, loaded.parameters.distro, shipped);
+  if (loaded.treeFile.empty()) {
+    loaded.problems.push_back(base::error("nav2.no-file", {known(shipped.trees, ".xml")}, named));
+    return loaded;
+  }
+  NavigatorTree tree = loadNavigatorTree(loaded.treeFile, loaded.parameters);
+  base::append(loaded.problems, tree.problems);
+  loaded.program = std::move(tree.program);
+  loaded.constants = std::move(tree.constants);
+  loaded.unsupported = std::move(tree.unsupported);
+  return loaded;
+}
+
+}  // namespace bt

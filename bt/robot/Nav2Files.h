@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bt/engine/Program.h"
+#include "sim2d/nav/Planner.h"
+#include "sim2d/nav/nav2/params/Nav2Parameters.h"
+
+namespace bt {
+
+/// Where the program's own parameter files and trees lie; empty: there are none.
+struct Nav2Folders {
+  std::string params;  // NAME.yaml
+  std::string trees;   // humble/NAME.xml …
+};
+
+/// What drives when a robot names no parameter file: a shipped one.
+constexpr const char* kUsualNav2Params = "generic";
+constexpr const char* kUsualNav2Tree = "navigate_to_pose_w_replanning_and_recovery";
+
+/// Which files count: a path relative to `folder`, else the name of a shipped one ("turtlebot3").
+/// Empty: there is none.
+std::string nav2ParamsFile(const std::string& named, const std::string& folder,
+                           const Nav2Folders& shipped);
+/// The same; a path that is not there is looked for by its last part, as those in the files of ROS
+/// lie in /opt/ros. Trees of the own branch come first.
+std::string nav2TreeFile(const std::string& named, const std::string& folder,
+                         sim2d::nav2::Distro distro, const Nav2Folders& shipped);
+
+/// All that a robot's choice comes to.
+struct Nav2Loaded {
+  std::string paramsFile, treeFile;
+  sim2d::nav2::Nav2Parameters parameters;
+  std::shared_ptr<const Program> program;
+  std::vector<std::string> constants;    // nodes of the tree with one answer here, and which
+  std::vector<std::string> unsupported;  // nodes that always fail here, and why
+  base::Diagnostics problems;            // of both files
+  base::Diagnostics wrongValues;         // of the choice's values that no parameter fits
+  bool ok() const {
+    return !base::hasErrors(problems) && !base::hasErrors(wrongValues) && program != nullptr;
+  }
+};
+/// `robot`: its name, whose namespace counts first in the file.
+Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
+                    const std::string& robot, const Nav2Folders& shipped);
+
+/// A navigator tree by itself: its nodes in that branch, ports, references.
+struct NavigatorTree {
+  std::shared_ptr<const Program> program;  // null: with errors
+  std::vector<std::string> constants, unsupported;
+  base::Diagnostics problems;
+};
+NavigatorTree loadNavigatorTree(const std::string& file,
+                                const sim2d::nav2::Nav2Parameters& parameters);
+/// Whether nodes of Nav2 are in the text of a tree.
+bool looksLikeNavigatorTree(const std::string& xml);
+
+}  // namespace bt

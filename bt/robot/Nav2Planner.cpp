@@ -1,0 +1,183 @@
+#include "bt/robot/Nav2Planner.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bt/engine/TreeState.h"
+#include "bt/robot/Nav2Report.h"
+#include "bt/robot/Nav2Servers.h"
+#include "sim2d/base/Math.h"
+
+namespace bt {
+namespace {
+
+using base::NodeStatus;
+using sim2d::BodyTwist;
+using sim2d::Observation;
+
+constexpr double kLongestTurn = 2.0;  // [s], in which a lidar that is there has turned once
+
+base::ParameterTable<Nav2Latencies> latencyTable() {
+  constexpr base::Range kSteps{0.0, 100.0};
+  base::ParameterTable<Nav2Latencies> table;
+  table.addCount(&Nav2Latencies::scan, "latency_scan", kSteps,
+                 "Steps from the lidar to the costmaps.");
+  table.addCount(&Nav2Latencies::planner, "latency_planner", kSteps,
+                 "Steps from a request to its path.");
+  table.addCount(&Nav2Latencies::command, "latency_command", kSteps,
+                 "Steps from the last server to the wheels.");
+  return table;
+}
+
+class Nav2Planner final : public sim2d::Planner {
+ public:
+  Nav2Planner(const sim2d::PlannerSetup& setup, Nav2Loaded loaded, const Nav2Latencies& latencies)
+      : setup_(setup),
+        loaded_(std::move(loaded)),
+        latencies_(latencies),
+        tree_(loaded_.program),
+        driving_{loaded_.program->paths(), {}} {
+    driving_.statuses.resize(static_cast<std::size_t>(loaded_.program->nodeCount()),
+                             NodeStatus::Idle);
+  }
+
+  bool wantsMap() const override { return true; }
+  base::Diagnostics takeMap(const sim2d::OccupancyGrid& map) override {
+    auto servers = Nav2Servers::make(
+        {loaded_.parameters, setup_.body, map, latencies_, setup_.seed, setup_.robotId});
+    base::Diagnostics problems;
+    for (const base::Diagnostic& problem : servers.diagnostics()) {
+      problems.push_back(
+          base::problem(problem.severity, "nav2.drive", {setup_.robot, problem.message}));
+    }
+    servers_ = servers ? *std::move(servers) : nullptr;
+    return problems;
+  }
+
+  base::Result<BodyTwist> command(const Observation& observation) override {
+    if (observation.scan == nullptr && !hasScan_) {  // the lidar has not turned yet
+      setOut_ = setOut_.value_or(observation.time);
+      if (observation.time - *setOut_ > kLongestTurn) {
+        return base::error("nav2.needs-lidar", {setup_.robot});
+      }
+      return BodyTwist();
+    }
+    hasScan_ = true;
+    servers_->sense(observation);
+    if (!goal_ || *goal_ != observation.goal) {
+      beginRun(observation);
+    }
+    tick(observation);
+    if (const TreeFault* const fault = tree_.fault()) {
+      return base::error("nav2.tree", {setup_.robot, fault->path + ": " + fault->message});
+    }
+    return servers_->act();
+  }
+
+  std::vector<base::Vec2> path() const override {
+    std::vector<base::Vec2> points;
+    if (servers_ != nullptr && servers_->controller() != nullptr) {
+      for (const base::Pose2& pose : servers_->shownPath()) {
+        points.push_back(pose.position);
+      }
+    }
+    return points;
+  }
+  std::vector<sim2d::Candidate> candidates() const override {
+    std::vector<sim2d::Candidate> ways;
+    if (servers_ == nullptr || servers_->controller() == nullptr) {
+      return ways;
+    }
+    const sim2d::nav2::ControlView& view = servers_->controller()->view();
+    for (const sim2d::nav2::WeighedTrajectory& trajectory : view.trajectories) {
+      sim2d::Candidate& way = ways.emplace_back();
+      for (const base::Pose2& pose : trajectory.poses) {
+        way.points.push_back(pose.position);
+      }
+      way.cost =
+          trajectory.refusal.empty() ? trajectory.total : std::numeric_limits<double>::infinity();
+      way.isChosen = trajectory.isChosen;
+    }
+    return ways;
+  }
+  bool takeReplanned() override { return servers_ != nullptr && servers_->takeReplanned(); }
+  const sim2d::DrivingTree* tree() const override { return &driving_; }
+  std::string reportJson() const override {
+    return servers_ == nullptr ? std::string()
+                               : nav2Report(loaded_, servers_->counts(), latencies_, setup_);
+  }
+
+ private:
+  TickInput input() { return {step_, setup_.dt, static_cast<NavigatorHost*>(servers_.get())}; }
+
+  /// The goal has no heading of its own: that of the straight way there.
+  void beginRun(const Observation& observation) {
+    goal_ = observation.goal;
+    const base::Vec2 way = observation.goal - observation.pose.position;
+    const base::Pose2 pose{observation.goal, base::atan2(way.y(), way.x())};
+    tree_.halt(input());
+    servers_->restart();
+    const PathId goal = servers_->paths().add({pose});
+    servers_->setGoal(goal);
+    tree_.set(loaded_.program->hostSlot(0), static_cast<int>(goal));
+    tree_.set(loaded_.program->hostSlot(1), static_cast<int>(goal));
+    tree_.set(loaded_.program->hostSlot(2), 0);
+    isDone_ = false;
+  }
+
+  void tick(const Observation& /*observation*/) {
+    ++step_;
+    if (isDone_) {
+      std::fill(driving_.statuses.begin(), driving_.statuses.end(), NodeStatus::Idle);
+      return;
+    }
+    const NodeStatus status = tree_.tickOnce(input());
+    driving_.statuses.assign(tree_.statuses().begin(), tree_.statuses().end());
+    isDone_ = status == NodeStatus::Success || status == NodeStatus::Failure;
+    if (isDone_) {
+      tree_.halt(input());
+    }
+  }
+
+  sim2d::PlannerSetup setup_;
+  Nav2Loaded loaded_;
+  Nav2Latencies latencies_;
+  TreeState tree_;
+  sim2d::DrivingTree driving_;
+  std::unique_ptr<Nav2Servers> servers_;
+  std::optional<base::Vec2> goal_;
+  std::optional<double> setOut_;  // [s], first asked
+  std::int64_t step_ = 0;         // ticks
+  bool isDone_ = false, hasScan_ = false;
+};
+
+base::Result<std::shared_ptr<sim2d::Planner>> makeNav2(const sim2d::PlannerSetup& setup,
+                                                       const Nav2Folders& shipped) {
+  Nav2Latencies latencies;
+  latencyTable().set(latencies, setup.parameters);
+  Nav2Loaded loaded = loadNav2(setup.nav2, setup.folder, setup.robot, shipped);
+  base::Diagnostics problems = loaded.problems;
+  base::append(problems, loaded.wrongValues);
+  base::append(problems, nav2Contradictions(loaded.parameters, &setup));
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {std::shared_ptr<sim2d::Planner>(
+              std::make_shared<Nav2Planner>(setup, std::move(loaded), latencies)),
+          std::move(problems)};
+}
+
+}  // namespace
+
+void addNav2(sim2d::PlannerRegistry& to, const Nav2Folders& shipped) {
+  to.add(
+      sim2d::kNav2Planner, latencyTable().specs(),
+      [shipped](const sim2d::PlannerSetup& setup) { return makeNav2(setup, shipped); },
+      "Nav2 without ROS: your own nav2_params.yaml and navigator tree.");
+}
+
+}  // namespace bt

@@ -1,0 +1,119 @@
+#include "bt/robot/Nav2Report.h"
+
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "sim2d/nav/nav2/params/DistroGuess.h"
+
+namespace bt {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
+
+/// Of github.com/ros-navigation/navigation2: what the formulas were taken from.
+const char* commitOf(Distro distro) {
+  static constexpr const char* kCommits[] = {"3c3db59", "f4108e5", "a3a9704"};
+  return kCommits[static_cast<std::size_t>(distro)];
+}
+
+/// Every so many steps, as it comes out [Hz].
+Json rate(double wanted, double dt) {
+  return {{"wanted", wanted}, {"got", std::fmin(wanted, 1.0 / dt)}};
+}
+
+Json keysJson(const ReadingNotes& notes) {
+  Json keys = Json::array();
+  for (const KeyNote& key : notes.keys) {
+    Json json = {{"key", key.path}, {"value", key.value}, {"use", keyUseName(key.use)}};
+    if (!key.why.empty()) {
+      json["why"] = key.why;
+    }
+    keys.push_back(std::move(json));
+  }
+  return keys;
+}
+
+Json defaultsJson(const ReadingNotes& notes) {
+  Json defaults = Json::object();
+  for (const DefaultNote& each : notes.defaults) {
+    defaults[each.path] = each.value;
+  }
+  return defaults;
+}
+
+Json pluginsJson(const Nav2Parameters& parameters) {
+  Json plugins = Json::object();
+  for (const KeyNote& key : parameters.notes.keys) {
+    const std::string end = ".plugin";
+    const bool isPlugin = key.path.size() > end.size() &&
+                          key.path.compare(key.path.size() - end.size(), end.size(), end) == 0;
+    if (isPlugin && key.use != KeyUse::Unknown) {
+      plugins[key.path.substr(0, key.path.size() - end.size())] = key.value;
+    }
+  }
+  return plugins;
+}
+
+/// Layers that are not quite what they are called.
+Json replacedJson(const Nav2Parameters& parameters) {
+  Json replaced = Json::array();
+  for (const auto& [node, costmap] : {std::pair("local_costmap", &parameters.localCostmap),
+                                      std::pair("global_costmap", &parameters.globalCostmap)}) {
+    for (const CostmapPlugin& plugin : costmap->plugins) {
+      if (std::holds_alternative<VoxelLayerParameters>(plugin.parameters)) {
+        replaced.push_back(
+            {{"layer", std::string(node) + "." + plugin.name},
+             {"is", "an obstacle layer whose rays end two cells before what they hit"}});
+      }
+    }
+  }
+  return replaced;
+}
+
+Json ratesJson(const Nav2Parameters& parameters, double dt) {
+  return {{"controller", rate(controllerValue(parameters, "controller_frequency", 20.0), dt)},
+          {"behaviors", rate(parameters.behaviors.server.cycleFrequency, dt)},
+          {"velocity_smoother", rate(parameters.velocitySmoother.smoothingFrequency, dt)},
+          {"local_costmap", rate(parameters.localCostmap.parameters.updateFrequency, dt)},
+          {"global_costmap", rate(parameters.globalCostmap.parameters.updateFrequency, dt)},
+          {"tree", rate(1.0 / dt, dt)}};
+}
+
+}  // namespace
+
+std::string nav2Report(const Nav2Loaded& loaded, const Nav2Counts& counts,
+                       const Nav2Latencies& latencies, const sim2d::PlannerSetup& setup) {
+  const Nav2Parameters& parameters = loaded.parameters;
+  Json json;
+  json["distro"] = distroName(parameters.distro);
+  json["navigation2_commit"] = commitOf(parameters.distro);
+  json["distro_guessed"] = parameters.isGuessed;
+  json["distro_reasons"] = parameters.distroReasons;
+  json["params"] = loaded.paramsFile;
+  json["tree"] = loaded.treeFile;
+  json["tree_nodes_with_one_answer"] = loaded.constants;
+  json["tree_nodes_that_fail"] = loaded.unsupported;
+  json["plugins"] = pluginsJson(parameters);
+  json["treated_as"] = replacedJson(parameters);
+  json["collision_monitor"] = parameters.collisionMonitor.has_value();
+  json["frequencies"] = ratesJson(parameters, setup.dt);
+  json["latency_steps"] = {
+      {"scan", latencies.scan}, {"planner", latencies.planner}, {"command", latencies.command}};
+  json["noise"] = {{"seed", setup.seed}, {"robot", setup.robotId}};
+  json["counts"] = {{"replans", counts.replans},
+                    {"plan_failures", counts.planFailures},
+                    {"no_valid_control", counts.noValidControl},
+                    {"progress_failures", counts.progressFailures},
+                    {"recoveries", counts.recoveries},
+                    {"costmap_clears", counts.clears},
+                    {"commands_cut_by_the_robot", counts.cutCommands}};
+  json["keys"] = keysJson(parameters.notes);
+  json["code_defaults"] = defaultsJson(parameters.notes);
+  return json.dump();
+}
+
+}  // namespace bt

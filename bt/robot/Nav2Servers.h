@@ -1,0 +1,146 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bt/robot/NavigatorHost.h"
+#include "sim2d/nav/Planner.h"
+#include "sim2d/nav/nav2/control/ControllerServer.h"
+#include "sim2d/nav/nav2/costmap/LayeredCostmap.h"
+#include "sim2d/nav/nav2/params/Nav2Parameters.h"
+#include "sim2d/nav/nav2/servers/OdometrySmoother.h"
+
+namespace bt {
+
+/// What the chain of a real robot takes in whole steps, as Nav2's servers here answer at once.
+struct Nav2Latencies {
+  double scan = 0.0;     // steps from the lidar to the costmaps
+  double planner = 0.0;  // steps from the request to the path
+  double command = 1.0;  // steps from the last server to the wheels
+};
+
+/// What happened in a run, for the manifest.
+struct Nav2Counts {
+  int replans = 0;           // paths planned after the first of a goal
+  int planFailures = 0;      // of planners
+  int noValidControl = 0;    // cycles of a controller without a command
+  int progressFailures = 0;  // FAILED_TO_MAKE_PROGRESS
+  int recoveries = 0;        // as Nav2's feedback counts them
+  int clears = 0;            // of costmaps
+  int cutCommands = 0;       // steps in which the robot's limits left less of a command
+};
+
+/// Nav2's servers round one robot: costmaps, planners, smoothers, controllers, behaviours, velocity
+/// smoother, collision monitor. In each step: `sense`, then the tree is ticked, then `act`. Rates
+/// are counted in whole steps: something is due when floor(t f) has grown.
+class Nav2Servers final : public NavigatorHost {
+ public:
+  struct Setup {
+    sim2d::nav2::Nav2Parameters parameters;
+    sim2d::RobotBody body;
+    sim2d::OccupancyGrid map;  // known
+    Nav2Latencies latencies;
+    std::uint64_t seed = 1;
+    int robotId = -1;
+  };
+  /// Problems of costmaps, controllers and the rest; with errors there are no servers.
+  static base::Result<std::unique_ptr<Nav2Servers>> make(Setup setup);
+  ~Nav2Servers() override;
+
+  /// Takes in the step's observation, which must live until `act` is done; costmaps are updated.
+  void sense(const sim2d::Observation& observation);
+  /// What the tree began is done, and what is due; the command for the wheels.
+  sim2d::BodyTwist act();
+  void setGoal(PathId goal) { goal_ = goal; }
+  /// A new run of the tree begins: nothing is asked for any more.
+  void restart();
+  static const std::array<RobotAction, 4>& behaviorActions();
+
+  const Nav2Counts& counts() const { return counts_; }
+  bool takeReplanned() { return std::exchange(hasReplanned_, false); }
+  const sim2d::nav2::Path& shownPath() const { return shownPath_; }
+  const sim2d::nav2::LayeredCostmap& localCostmap() const { return *local_; }
+  const sim2d::nav2::LayeredCostmap& globalCostmap() const { return *global_; }
+  sim2d::nav2::Controller* controller() const { return controllers_->controller(); }
+  const sim2d::nav2::Nav2Parameters& parameters() const { return setup_.parameters; }
+
+  // NavigatorHost
+  sim2d::nav2::Distro distro() const override { return setup_.parameters.distro; }
+  base::Pose2 pose() const override { return observation_->pose; }
+  double speed() const override;
+  double goalReachedTolerance() const override {
+    return setup_.parameters.btNavigator.goalReachedTol;
+  }
+  PathId newestGoal() const override { return goal_; }
+  bool isPathValid(PathId path, int maxCost, bool unknownBlocks) const override;
+  void begin(RobotAction action, const RobotRequest& request) override;
+  RobotOutcome outcome(RobotAction action) const override;
+  void cancel(RobotAction action) override;
+  bool clear(const ClearRequest& request) override;
+  void countRecovery() override { ++counts_.recoveries; }
+
+ private:
+  /// A request to a server that answers once.
+  struct Asked {
+    RobotRequest request;
+    std::int64_t step = 0;  // in which it was asked
+    bool isWaiting = false;
+    double waitsSince = -1.0;  // for a current costmap [s]
+  };
+  class Motions;  // behaviours, velocity smoother, collision monitor
+
+  explicit Nav2Servers(Setup setup);
+  base::Diagnostics build();
+
+  Asked& asked(RobotAction action) { return asked_[static_cast<std::size_t>(action)]; }
+  RobotOutcome& result(RobotAction action) { return results_[static_cast<std::size_t>(action)]; }
+  bool isDue(double frequency) const;
+  void finish(RobotAction action, int errorCode, PathId path = 0);
+  void planIfAsked(RobotAction action);
+  void planNow(RobotAction action, Asked& asked);
+  bool waitsForCostmap(Asked& asked);
+  void smoothIfAsked();
+  void smoothNow(const RobotRequest& request);
+  void control();
+  void takeFeedback(const sim2d::nav2::FollowFeedback& feedback);
+  sim2d::nav2::ControlCycle cycle() const;
+  sim2d::nav2::PlanRequest planRequest(const base::Pose2& from, const base::Pose2& to) const;
+  sim2d::BodyTwist delayed(const sim2d::BodyTwist& command);
+  void delayScan(const sim2d::Observation& observation);
+
+  Setup setup_;
+  std::unique_ptr<sim2d::nav2::LayeredCostmap> local_, global_;
+  std::map<std::string, std::unique_ptr<sim2d::nav2::GlobalPlanner>> planners_;
+  std::map<std::string, std::unique_ptr<sim2d::nav2::PathSmoother>> smoothers_;
+  std::unique_ptr<sim2d::nav2::ControllerServer> controllers_;
+  std::unique_ptr<Motions> motions_;
+  sim2d::nav2::ControlledShape shape_;
+
+  const sim2d::Observation* observation_ = nullptr;
+  sim2d::Observation sensed_;                                    // with the scan that has arrived
+  std::deque<std::pair<std::int64_t, sim2d::LaserScan>> scans_;  // under way, by step
+  std::optional<sim2d::LaserScan> scan_;                         // the last that has arrived
+  double newestScan_ = -1.0;                                     // [s]
+  std::int64_t step_ = 0;                                        // calls of sense
+  double time_ = 0.0, timeBefore_ = -1.0;                        // [s]
+  sim2d::nav2::OdometrySmoother odometry_{0.3};                  // of bt_navigator
+  std::array<Asked, kRobotActions> asked_;
+  std::array<RobotOutcome, kRobotActions> results_;
+  std::optional<sim2d::nav2::FollowPathGoal> nextFollow_;  // once the cancelled one has ended
+  bool isCancelling_ = false;
+  std::optional<sim2d::BodyTwist> command_;  // published in this step
+  std::deque<sim2d::BodyTwist> underWay_;    // commands, oldest first
+  PathId goal_ = 0;
+  bool hasPlanned_ = false, hasReplanned_ = false;
+  sim2d::nav2::Path shownPath_;
+  Nav2Counts counts_;
+};
+
+}  // namespace bt

@@ -1,0 +1,74 @@
+#include "bt/robot/RobotNodes.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace bt {
+namespace {
+
+using sim2d::nav2::kEveryDistro;
+using sim2d::nav2::kMain;
+using sim2d::nav2::kSinceJazzy;
+
+struct NodeFact {
+  std::string_view id;
+  unsigned distros;
+};
+/// Of those that are not in all branches.
+constexpr std::array<NodeFact, 16> kLater = {{{"NonblockingSequence", kMain},
+                                              {"ValidatePath", kMain},
+                                              {"IsGoalNearby", kMain},
+                                              {"PathHandlerSelector", kMain},
+                                              {"ComputeRoute", kMain},
+                                              {"ComputeAndTrackRoute", kMain},
+                                              {"AreErrorCodesPresent", kSinceJazzy},
+                                              {"WouldAControllerRecoveryHelp", kSinceJazzy},
+                                              {"WouldAPlannerRecoveryHelp", kSinceJazzy},
+                                              {"WouldASmootherRecoveryHelp", kSinceJazzy},
+                                              {"ArePosesNear", kSinceJazzy},
+                                              {"ProgressCheckerSelector", kSinceJazzy},
+                                              {"ClearCostmapAroundPose", kSinceJazzy},
+                                              {"DockRobot", kSinceJazzy},
+                                              {"UndockRobot", kSinceJazzy},
+                                              {"IsBatteryCharging", kSinceJazzy}}};
+
+struct NodeReason {
+  std::string_view id, why;
+};
+constexpr std::array<NodeReason, 6> kUnsupported = {
+    {{"AssistedTeleop", "nobody steers here"},
+     {"ReinitializeGlobalLocalization", "the robot knows where it is"},
+     {"ComputeRoute", "there is no route server here"},
+     {"ComputeAndTrackRoute", "there is no route server here"},
+     {"DockRobot", "there are no docks here"},
+     {"UndockRobot", "there are no docks here"}}};
+constexpr std::array<NodeReason, 4> kConstant = {
+    {{"InitialPoseReceived", "SUCCESS: the robot knows where it is"},
+     {"TransformAvailable", "SUCCESS: there are no frames here"},
+     {"IsBatteryLow", "FAILURE: batteries are full here"},
+     {"IsBatteryCharging", "FAILURE: batteries are full here"}}};
+
+template <class Facts>
+auto factOf(const Facts& facts, std::string_view id) {
+  return std::find_if(facts.begin(), facts.end(), [id](const auto& fact) { return fact.id == id; });
+}
+
+}  // namespace
+
+unsigned distrosOfNode(std::string_view id) {
+  const auto* const fact = factOf(kLater, id);
+  return fact == kLater.end() ? kEveryDistro : fact->distros;
+}
+
+std::string_view unsupportedNode(std::string_view id) {
+  const auto* const reason = factOf(kUnsupported, id);
+  return reason == kUnsupported.end() ? std::string_view() : reason->why;
+}
+
+std::string_view constantNode(std::string_view id) {
+  const auto* const reason = factOf(kConstant, id);
+  return reason == kConstant.end() ? std::string_view() : reason->why;
+}
+
+}  // namespace bt

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string_view>
+
+#include "bt/engine/NodeLibrary.h"
+#include "bt/robot/NavigatorHost.h"
+
+namespace bt {
+
+void addAllRobotNodes(NodeLibrary& to);  // written by CMake from the files in nodes/
+
+/// The nodes of BehaviorTree.CPP and those of Nav2: what a navigator tree may use. Its host is a
+/// NavigatorHost.
+inline NodeLibrary robotNodes() {
+  NodeLibrary library;
+  addAllRobotNodes(library);
+  return library;
+}
+
+/// In which of Nav2's branches a node exists, as `sim2d::nav2::isIn` takes it; those of
+/// BehaviorTree.CPP in all.
+unsigned distrosOfNode(std::string_view id);
+/// A node that is read and always fails, as there is nothing here that it could ask: docking,
+/// routes, teleoperation. Empty: it works. Else why.
+std::string_view unsupportedNode(std::string_view id);
+/// A condition that has one answer here, as nothing here makes the other one true. Empty: it looks.
+std::string_view constantNode(std::string_view id);
+
+inline NavigatorHost& robotOf(const LeafContext& leaf) {
+  return leaf.host<NavigatorHost>();
+}
+
+/// The path that an input names; 0 when it is missing.
+inline PathId pathOf(const LeafContext& leaf, int port) {
+  return leaf.get<int>(port).value_or(0);
+}
+
+}  // namespace bt

@@ -1,0 +1,281 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bt/robot/RobotNodes.h"
+#include "sim2d/base/Text.h"
+
+/// Conditions of Nav2 (nav2_behavior_tree/plugins/condition).
+namespace bt {
+namespace {
+
+using base::NodeStatus;
+using base::Pose2;
+using base::Vec2;
+
+NodeStatus whether(bool holds) {
+  return holds ? NodeStatus::Success : NodeStatus::Failure;
+}
+
+bool isStarting(const LeafContext& leaf) {
+  return leaf.before() == NodeStatus::Idle;
+}
+
+template <NodeStatus answer>
+NodeStatus constant(LeafContext& /*leaf*/) {
+  return answer;
+}
+
+struct GoalMemory {
+  PathId goal, goals;
+  bool hasLooked;
+};
+
+bool takeNewGoal(const LeafContext& leaf, GoalMemory& memory) {
+  const PathId goal = pathOf(leaf, 0), goals = pathOf(leaf, 1);
+  const bool isNew = goal != memory.goal || goals != memory.goals;
+  memory.goal = goal;
+  memory.goals = goals;
+  return isNew;
+}
+
+NodeStatus goalUpdated(LeafContext& leaf) {
+  const bool isNew = takeNewGoal(leaf, leaf.memory<GoalMemory>());
+  return whether(isNew && !isStarting(leaf));
+}
+
+/// Once it has looked it remembers for ever; the first time it says yes.
+NodeStatus globalUpdatedGoal(LeafContext& leaf) {
+  auto& memory = leaf.memory<GoalMemory>();
+  const bool isFirst = !memory.hasLooked;
+  memory.hasLooked = true;
+  return whether(takeNewGoal(leaf, memory) || isFirst);
+}
+
+/// Ports 0: path, 1: highest cost, 2: unknown counts as an obstacle.
+NodeStatus isPathValid(LeafContext& leaf) {
+  const int most = leaf.getOr<int>(1, 254);
+  const bool unknownBlocks = leaf.getOr<bool>(2, false);
+  return whether(robotOf(leaf).isPathValid(pathOf(leaf, 0), most, unknownBlocks));
+}
+
+struct ClockMemory {
+  std::int64_t since;  // step
+  PathId path;
+  bool hasLooked;
+};
+
+/// Port 0: time [s].
+NodeStatus timeExpired(LeafContext& leaf) {
+  auto& memory = leaf.memory<ClockMemory>();
+  const bool isOver = !isStarting(leaf) && leaf.hasElapsed(memory.since, leaf.require<double>(0));
+  if (isStarting(leaf) || isOver) {
+    memory.since = leaf.step();
+  }
+  return whether(isOver);
+}
+
+/// Ports 0: time [s], 1: path. It looks once for the first time, whatever is halted.
+NodeStatus pathExpiringTimer(LeafContext& leaf) {
+  auto& memory = leaf.memory<ClockMemory>();
+  const PathId path = pathOf(leaf, 1);
+  const bool isOther = !memory.hasLooked || path != memory.path;
+  const bool isOver = !isOther && leaf.hasElapsed(memory.since, leaf.require<double>(0));
+  memory.path = path;
+  memory.hasLooked = true;
+  if (isOther || isOver) {
+    memory.since = leaf.step();
+  }
+  return whether(isOver);
+}
+
+struct PlaceMemory {
+  double x, y;  // [m]
+};
+
+/// Port 0: distance [m].
+NodeStatus distanceTraveled(LeafContext& leaf) {
+  auto& memory = leaf.memory<PlaceMemory>();
+  const Vec2 place = robotOf(leaf).pose().position;
+  const double travelled = (place - Vec2(memory.x, memory.y)).norm();
+  const bool isFar = !isStarting(leaf) && travelled >= leaf.require<double>(0);
+  if (isStarting(leaf) || isFar) {
+    memory = {place.x(), place.y()};
+  }
+  return whether(isFar);
+}
+
+/// The last pose of a path; none: it is empty.
+std::optional<Pose2> endOf(const LeafContext& leaf, int port) {
+  const sim2d::nav2::Path& path = robotOf(leaf).paths().get(pathOf(leaf, port));
+  return path.empty() ? std::nullopt : std::optional<Pose2>(path.back());
+}
+
+/// Port 0: goal.
+NodeStatus goalReached(LeafContext& leaf) {
+  const std::optional<Pose2> goal = endOf(leaf, 0);
+  const NavigatorHost& robot = robotOf(leaf);
+  return whether(goal &&
+                 (goal->position - robot.pose().position).norm() <= robot.goalReachedTolerance());
+}
+
+struct SpeedMemory {
+  double speed;  // [m/s]
+  std::int64_t step;
+};
+
+/// It brakes by more than 10 m/s2, as who bumps into something does.
+NodeStatus isStuck(LeafContext& leaf) {
+  constexpr double kHardest = -10.0;  // [m/s2]
+  auto& memory = leaf.memory<SpeedMemory>();
+  const double speed = robotOf(leaf).speed();
+  const double time = leaf.elapsedSince(memory.step);
+  const bool stops = memory.step > 0 && time > 0.0 && (speed - memory.speed) / time < kHardest;
+  memory = {speed, leaf.step()};
+  return whether(stops);
+}
+
+std::vector<int> numbersOf(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ';');
+  std::vector<int> numbers;
+  for (const std::string& word : base::split(text, ';')) {
+    if (const auto number = base::parseInt(base::trimmed(word))) {
+      numbers.push_back(static_cast<int>(*number));
+    }
+  }
+  return numbers;
+}
+
+bool isAmong(int code, const std::vector<int>& codes) {
+  return std::find(codes.begin(), codes.end(), code) != codes.end();
+}
+
+/// Ports 0: code, 1: codes.
+NodeStatus errorCodesPresent(LeafContext& leaf) {
+  return whether(isAmong(leaf.getOr<int>(0, 0), numbersOf(leaf.text(1).value_or(""))));
+}
+
+// Codes of Nav2's actions that trying once more may mend: unknown, patience exceeded, no progress,
+// no valid control; unknown, timeout, no valid path; unknown, timeout, in collision, failed.
+constexpr std::array<int, 4> kOfController = {100, 104, 105, 106};
+constexpr std::array<int, 3> kOfPlanner = {200, 207, 208};
+constexpr std::array<int, 4> kOfSmoother = {500, 502, 503, 504};
+
+template <const auto& codes>
+NodeStatus recoveryHelps(LeafContext& leaf) {
+  const int code = leaf.getOr<int>(0, 0);
+  return whether(std::find(codes.begin(), codes.end(), code) != codes.end());
+}
+
+/// Ports 0, 1: poses, 2: tolerance [m].
+NodeStatus posesNear(LeafContext& leaf) {
+  const std::optional<Pose2> from = endOf(leaf, 0), to = endOf(leaf, 1);
+  return whether(from && to && (from->position - to->position).norm() <= leaf.require<double>(2));
+}
+
+/// Length of a path from the pose nearest to the robot on [m].
+double restOf(const sim2d::nav2::Path& path, const Vec2& robot) {
+  const auto nearest =
+      std::min_element(path.begin(), path.end(), [&](const Pose2& a, const Pose2& b) {
+        return (a.position - robot).squaredNorm() < (b.position - robot).squaredNorm();
+      });
+  return lengthOf(sim2d::nav2::Path(nearest, path.end()));
+}
+
+/// Ports 0: path, 1: distance [m].
+NodeStatus goalNearby(LeafContext& leaf) {
+  const NavigatorHost& robot = robotOf(leaf);
+  const sim2d::nav2::Path& path = robot.paths().get(pathOf(leaf, 0));
+  return whether(!path.empty() && restOf(path, robot.pose().position) < leaf.require<double>(1));
+}
+
+constexpr const char* kNodes = R"(
+Condition GoalUpdated|Navigation|There is a new goal since it was first asked.
+goal any default {goal}|The goal.
+goals any default {goals}|Several of them.
+Condition GlobalUpdatedGoal|Navigation|There is a new goal since it was asked before; the first time, yes.
+goal goals
+Condition IsPathValid|Navigation|No obstacle of the global costmap lies on the rest of the path.
+path any needed suggest {path}|The path.
+max_cost int default 254|Cost from which a cell is in the way (Main).
+consider_unknown_as_obstacle bool default false|Unknown cells are in the way (Main).
+server_timeout int default 20|No servers to wait for here.
+layer_name text|Layers are not asked one by one here.
+footprint text|That of the costmap counts.
+stop_at_first_collision bool default true|One is enough.
+Condition ValidatePath|Navigation|IsPathValid as Main names it.
+path max_cost consider_unknown_as_obstacle server_timeout layer_name footprint stop_at_first_collision
+Condition TimeExpired|Navigation|So much time has passed since it last said so.
+seconds number default 1.0 unit s|How long.
+Condition PathExpiringTimer|Navigation|So much time has passed since it last said so or the path changed.
+seconds
+path any needed suggest {path}|The path.
+Condition DistanceTraveled|Navigation|The robot has come this far since it last said so.
+distance length default 1.0|How far, straight.
+global_frame text default map|No frames here.
+robot_base_frame text default base_link|No frames here.
+Condition GoalReached|Navigation|The robot is at the goal (goal_reached_tol).
+goal any needed suggest {goal}|The goal.
+robot_base_frame
+Condition IsStuck|Navigation|The robot was stopped at once by something.
+Condition InitialPoseReceived|Navigation|The robot knows where it is: always here.
+initial_pose_received any|Not looked at.
+Condition TransformAvailable|Navigation|Frames are known: always here.
+parent text|No frames here.
+child text|No frames here.
+Condition IsBatteryLow|Navigation|The battery is low: never here.
+min_battery number default 0.0|Not looked at.
+battery_topic text default /battery_status|No topics here.
+is_voltage bool default false|Not looked at.
+Condition IsBatteryCharging|Navigation|The battery is charging: never here.
+battery_topic
+Condition AreErrorCodesPresent|Navigation|The code is one of these.
+error_code int default {error_code}|The code.
+error_codes_to_check text needed suggest 0|The codes, with ';' between them.
+Condition WouldAControllerRecoveryHelp|Navigation|The controller failed for a reason that may pass.
+error_code
+Condition WouldAPlannerRecoveryHelp|Navigation|The planner failed for a reason that may pass.
+error_code
+Condition WouldASmootherRecoveryHelp|Navigation|The smoother failed for a reason that may pass.
+error_code
+Condition ArePosesNear|Navigation|Two poses are near each other.
+ref_pose any needed suggest {goal}|One.
+target_pose any needed suggest {goal}|The other one.
+tolerance length default 0.5|This near.
+global_frame
+Condition IsGoalNearby|Navigation|The rest of the path is short.
+path
+proximity_threshold length default 3.0|Shorter than this.
+max_robot_pose_search_dist number default -1.0 unit m|The whole path is looked at.
+)";
+
+}  // namespace
+
+void addRobotConditions(NodeLibrary& to);
+void addRobotConditions(NodeLibrary& to) {
+  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
+  to.addRemembering<GoalMemory>(manifest("GoalUpdated"), goalUpdated);
+  to.addRemembering<GoalMemory>(manifest("GlobalUpdatedGoal"), globalUpdatedGoal);
+  to.addCondition(manifest("IsPathValid"), isPathValid);
+  to.addCondition(manifest("ValidatePath"), isPathValid);
+  to.addRemembering<ClockMemory>(manifest("TimeExpired"), timeExpired);
+  to.addRemembering<ClockMemory>(manifest("PathExpiringTimer"), pathExpiringTimer);
+  to.addRemembering<PlaceMemory>(manifest("DistanceTraveled"), distanceTraveled);
+  to.addCondition(manifest("GoalReached"), goalReached);
+  to.addCondition<SpeedMemory>(manifest("IsStuck"), isStuck);
+  to.addCondition(manifest("InitialPoseReceived"), constant<NodeStatus::Success>);
+  to.addCondition(manifest("TransformAvailable"), constant<NodeStatus::Success>);
+  to.addCondition(manifest("IsBatteryLow"), constant<NodeStatus::Failure>);
+  to.addCondition(manifest("IsBatteryCharging"), constant<NodeStatus::Failure>);
+  to.addCondition(manifest("AreErrorCodesPresent"), errorCodesPresent);
+  to.addCondition(manifest("WouldAControllerRecoveryHelp"), recoveryHelps<kOfController>);
+  to.addCondition(manifest("WouldAPlannerRecoveryHelp"), recoveryHelps<kOfPlanner>);
+  to.addCondition(manifest("WouldASmootherRecoveryHelp"), recoveryHelps<kOfSmoother>);
+  to.addCondition(manifest("ArePosesNear"), posesNear);
+  to.addCondition(manifest("IsGoalNearby"), goalNearby);
+}
+
+}  // namespace bt

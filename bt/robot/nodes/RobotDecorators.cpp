@@ -1,0 +1,242 @@
+#include <algorithm>
+#include <cmath>
+
+#include "bt/robot/RobotNodes.h"
+
+/// Decorators of Nav2 (nav2_behavior_tree/plugins/decorator). Clocks are simulated time.
+namespace bt {
+namespace {
+
+using base::NodeStatus;
+using base::Vec2;
+
+bool isStarting(const LeafContext& node) {
+  return node.before() == NodeStatus::Idle;
+}
+
+/// The memory of the nodes that tick their child the first time, while it runs, and when something
+/// is due.
+struct GateMemory {
+  std::int64_t since;  // step
+  double x, y;         // [m], where the child last succeeded
+  double period;       // [s]
+  PathId goal, goals;
+  bool isFirst;    // the child has not been ticked yet
+  bool childRuns;  // it returned RUNNING last
+};
+
+NodeStatus tickGated(ParentContext& node, GateMemory& memory) {
+  memory.isFirst = false;
+  const NodeStatus status = node.tickChild();
+  memory.childRuns = status == NodeStatus::Running;
+  return status;
+}
+
+/// Halted while RUNNING: its child does not run any more.
+void closeGate(ParentContext& node) {
+  node.memory<GateMemory>().childRuns = false;
+}
+
+void setOut(GateMemory& memory, const LeafContext& node) {
+  memory.since = node.step();
+  const Vec2 place = robotOf(node).pose().position;
+  memory.x = place.x();
+  memory.y = place.y();
+}
+
+/// Port 0: rate [Hz].
+NodeStatus rateController(ParentContext& node) {
+  auto& memory = node.memory<GateMemory>();
+  if (isStarting(node)) {
+    memory.since = node.step();
+    memory.isFirst = true;
+  }
+  const double rate = node.require<double>(0);
+  const bool isDue = rate > 0.0 && node.hasElapsed(memory.since, 1.0 / rate);
+  if (!memory.isFirst && !memory.childRuns && !isDue) {
+    return NodeStatus::Running;
+  }
+  const NodeStatus status = tickGated(node, memory);
+  if (status == NodeStatus::Success) {
+    memory.since = node.step();
+  }
+  return status;
+}
+
+/// Port 0: distance [m].
+NodeStatus distanceController(ParentContext& node) {
+  auto& memory = node.memory<GateMemory>();
+  if (isStarting(node)) {
+    setOut(memory, node);
+    memory.isFirst = true;
+  }
+  const Vec2 place = robotOf(node).pose().position;
+  const double travelled = (place - Vec2(memory.x, memory.y)).norm();
+  if (!memory.isFirst && !memory.childRuns && travelled < node.require<double>(0)) {
+    return NodeStatus::Running;
+  }
+  const NodeStatus status = tickGated(node, memory);
+  if (status == NodeStatus::Success) {
+    setOut(memory, node);
+  }
+  return status;
+}
+
+/// The goals of the blackboard are others than those that were noted; they are noted now.
+template <class Memory>
+bool takeNewGoal(const LeafContext& node, Memory& memory, int goalPort) {
+  const PathId goal = pathOf(node, goalPort), goals = pathOf(node, goalPort + 1);
+  const bool isNew = goal != memory.goal || goals != memory.goals;
+  memory.goal = goal;
+  memory.goals = goals;
+  return isNew;
+}
+
+/// Ports 0 to 3: lowest and highest rate [Hz] and speed [m/s]; 4, 5: goal, goals. The child is
+/// ticked the more often the faster the robot drives.
+double speedPeriod(ParentContext& node) {
+  const double leastRate = node.require<double>(0), mostRate = node.require<double>(1);
+  const double leastSpeed = node.require<double>(2), mostSpeed = node.require<double>(3);
+  const double share = (robotOf(node).speed() - leastSpeed) / (mostSpeed - leastSpeed);
+  const double rate = share * (mostRate - leastRate) + leastRate;
+  return 1.0 / std::clamp(rate, std::min(leastRate, mostRate), std::max(leastRate, mostRate));
+}
+
+NodeStatus speedController(ParentContext& node) {
+  auto& memory = node.memory<GateMemory>();
+  const double mostRate = node.require<double>(1);
+  if (!(node.require<double>(0) > 0.0 && mostRate > 0.0 &&
+        node.require<double>(3) > node.require<double>(2))) {
+    return node.fault("rates must be above 0 and max_speed above min_speed");
+  }
+  const bool isNew = takeNewGoal(node, memory, 4);
+  if (isStarting(node) || isNew) {
+    memory.since = node.step();
+    memory.period = 1.0 / mostRate;
+    memory.isFirst = true;
+  }
+  const bool isDue = node.hasElapsed(memory.since, memory.period);
+  if (!memory.isFirst && !memory.childRuns && !isDue) {
+    return NodeStatus::Running;
+  }
+  if (isDue) {
+    memory.period = speedPeriod(node);
+    memory.since = node.step();
+  }
+  return tickGated(node, memory);
+}
+
+/// Ports 0, 1: goal, goals.
+NodeStatus goalUpdatedController(ParentContext& node) {
+  auto& memory = node.memory<GateMemory>();
+  const bool isNew = takeNewGoal(node, memory, 0);
+  memory.isFirst = memory.isFirst || isNew || isStarting(node);
+  if (!memory.isFirst && !memory.childRuns) {
+    return NodeStatus::Running;
+  }
+  return tickGated(node, memory);
+}
+
+/// Ports 0: goal, 1: goal to use. The newest one wins, as that of a topic does in Nav2.
+NodeStatus goalUpdater(ParentContext& node) {
+  const PathId newest = robotOf(node).newestGoal();
+  node.set<int>(1, static_cast<int>(newest != 0 ? newest : pathOf(node, 0)));
+  return node.tickChild();
+}
+
+struct OnApproachMemory {
+  PathId old;
+  bool isFirst;
+};
+
+bool hasSameEnd(const sim2d::nav2::Path& a, const sim2d::nav2::Path& b) {
+  return !a.empty() && !b.empty() && a.back().position == b.back().position &&
+         a.back().heading == b.back().heading;
+}
+
+/// Ports 0: path, 1: length of the old path [m] below which it looks, 2: factor.
+NodeStatus pathLongerOnApproach(ParentContext& node) {
+  auto& memory = node.memory<OnApproachMemory>();
+  const PathStore& paths = robotOf(node).paths();
+  const PathId now = pathOf(node, 0);
+  const sim2d::nav2::Path& path = paths.get(now);
+  const sim2d::nav2::Path& old = paths.get(memory.old);
+  const bool isSameGoal = hasSameEnd(path, old);
+  memory.isFirst = memory.isFirst || isStarting(node) || !isSameGoal;
+  const double before = lengthOf(old);
+  const bool isLonger = now != memory.old && isSameGoal && before < node.require<double>(1) &&
+                        lengthOf(path) > node.require<double>(2) * before;
+  if (isLonger && !memory.isFirst) {
+    const NodeStatus status = node.tickChild();
+    if (status == NodeStatus::Success || status == NodeStatus::Failure) {
+      memory.old = now;
+    }
+    return status;
+  }
+  memory.old = now;
+  memory.isFirst = false;
+  return NodeStatus::Success;
+}
+
+struct TriggerMemory {
+  bool isUsed;
+};
+
+NodeStatus singleTrigger(ParentContext& node) {
+  bool& isUsed = node.memory<TriggerMemory>().isUsed;
+  isUsed = isUsed && !isStarting(node);
+  if (isUsed) {
+    return NodeStatus::Failure;
+  }
+  const NodeStatus status = node.tickChild();
+  isUsed = status == NodeStatus::Success || status == NodeStatus::Failure;
+  return status;
+}
+
+constexpr const char* kNodes = R"(
+Decorator RateController|Navigation|Ticks the child at most this often, and while it runs.
+hz number default 10.0 unit Hz|How often.
+Decorator DistanceController|Navigation|Ticks the child whenever the robot has come this far, and while it runs.
+distance length default 1.0|Straight, from where the child last succeeded.
+global_frame text default map|No frames here.
+robot_base_frame text default base_link|No frames here.
+Decorator SpeedController|Navigation|Ticks the child the more often the faster the robot drives.
+min_rate number default 0.1 unit Hz|At the lowest speed.
+max_rate number default 1.0 unit Hz|At the highest speed.
+min_speed number default 0.0 unit m/s|Lowest speed.
+max_speed number default 0.5 unit m/s|Highest speed.
+goal any default {goal}|Goal; a new one begins with the highest rate.
+goals any default {goals}|Several of them.
+Decorator GoalUpdatedController|Navigation|Ticks the child at first and whenever there is a new goal.
+goal goals
+Decorator GoalUpdater|Navigation|Hands the newest goal to the child.
+input_goal any needed suggest {goal}|Goal that was given.
+output_goal any output suggest {updated_goal}|Newest goal.
+input_goals any|Several of them.
+output_goals any output|Several of them.
+goal_updater_topic text default goal_update|No topics here: the robot's goal is looked at.
+goals_updater_topic text default goals_update|No topics here.
+Decorator PathLongerOnApproach|Navigation|Ticks the child when a new path to the same goal is much longer, close to the goal.
+path any needed suggest {path}|The path.
+prox_len length default 3.0|Looks where the old path is shorter than this.
+length_factor number default 2.0|So many times longer is much longer.
+Decorator SingleTrigger|Navigation|Runs the child once, then fails until it is halted.
+)";
+
+}  // namespace
+
+void addRobotDecorators(NodeLibrary& to);
+void addRobotDecorators(NodeLibrary& to) {
+  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  to.addDecorator<GateMemory>(*nodes.find("RateController"), {rateController, closeGate});
+  to.addDecorator<GateMemory>(*nodes.find("DistanceController"), {distanceController, closeGate});
+  to.addDecorator<GateMemory>(*nodes.find("SpeedController"), {speedController, closeGate});
+  to.addDecorator<GateMemory>(*nodes.find("GoalUpdatedController"),
+                              {goalUpdatedController, closeGate});
+  to.addDecorator(*nodes.find("GoalUpdater"), {goalUpdater, nullptr});
+  to.addDecorator<OnApproachMemory>(*nodes.find("PathLongerOnApproach"),
+                                    {pathLongerOnApproach, nullptr});
+  to.addDecorator<TriggerMemory>(*nodes.find("SingleTrigger"), {singleTrigger, nullptr});
+}
+
+}  // namespace bt

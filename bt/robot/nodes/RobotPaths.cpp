@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "bt/robot/RobotNodes.h"
+#include "sim2d/base/Math.h"
+
+/// Actions of Nav2 that work on paths and goals, and those that choose a server by name.
+namespace bt {
+namespace {
+
+using base::NodeStatus;
+using base::Pose2;
+using base::Vec2;
+using sim2d::nav2::Path;
+
+struct OutputMemory {
+  PathId last;  // that the node wrote
+};
+
+/// An output that does not change keeps its number: who follows it has nothing new.
+NodeStatus put(LeafContext& leaf, int port, Path path) {
+  PathId& last = leaf.memory<OutputMemory>().last;
+  last = robotOf(leaf).paths().addUnlessEqual(std::move(path), last);
+  leaf.set<int>(port, static_cast<int>(last));
+  return NodeStatus::Success;
+}
+
+/// Ports 0: distance [m], 1: path, 2: result. What lies within the distance (straight) of the end
+/// is cut off; the new end looks at the old one.
+NodeStatus truncatePath(LeafContext& leaf) {
+  Path path = robotOf(leaf).paths().get(pathOf(leaf, 1));
+  if (path.empty()) {
+    return put(leaf, 2, {});
+  }
+  const double distance = leaf.require<double>(0);
+  const Vec2 end = path.back().position;
+  while (path.size() > 2 && (path.back().position - end).norm() < distance) {
+    path.pop_back();
+  }
+  const Vec2 towards = end - path.back().position;
+  path.back().heading = base::atan2(towards.y(), towards.x());
+  return put(leaf, 2, std::move(path));
+}
+
+/// Ports 0: path, 1: result, 2, 3: length kept ahead and behind [m], 4: pose, 5: weight of angles,
+/// 6: how far along the path the robot is looked for [m].
+Path stretchRound(LeafContext& leaf, const Path& path, const Pose2& pose) {
+  const double ahead = leaf.getOr<double>(2, 8.0), behind = leaf.getOr<double>(3, 4.0);
+  const double weight = leaf.getOr<double>(5, 0.0);
+  const double search = leaf.getOr<double>(6, std::numeric_limits<double>::infinity());
+  const auto distanceTo = [&](const Pose2& at) {
+    const double turn = weight * base::wrapToPi(at.heading - pose.heading);
+    return std::sqrt((at.position - pose.position).squaredNorm() + turn * turn);
+  };
+  std::size_t nearest = 0;
+  double way = 0.0;  // [m] from the beginning
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    way += (path[i].position - path[i - 1].position).norm();
+    if (way > search) {
+      break;
+    }
+    nearest = distanceTo(path[i]) < distanceTo(path[nearest]) ? i : nearest;
+  }
+  std::size_t first = nearest, end = nearest + 1;
+  for (double length = 0.0; end < path.size(); ++end) {
+    length += (path[end].position - path[end - 1].position).norm();
+    if (length > ahead) {
+      break;
+    }
+  }
+  for (double length = 0.0; first > 0; --first) {
+    length += (path[first].position - path[first - 1].position).norm();
+    if (length > behind) {
+      break;
+    }
+  }
+  return Path(path.begin() + static_cast<std::ptrdiff_t>(first),
+              path.begin() + static_cast<std::ptrdiff_t>(end));
+}
+
+NodeStatus truncatePathLocal(LeafContext& leaf) {
+  const NavigatorHost& robot = robotOf(leaf);
+  const Path& path = robot.paths().get(pathOf(leaf, 0));
+  if (path.empty()) {
+    return NodeStatus::Failure;
+  }
+  const Path& given = robot.paths().get(pathOf(leaf, 4));
+  const Pose2 pose = given.empty() ? robot.pose() : given.front();
+  return put(leaf, 1, stretchRound(leaf, path, pose));
+}
+
+/// Ports 0: goals, 1: radius [m], 2: result. The last goal always stays.
+NodeStatus removePassedGoals(LeafContext& leaf) {
+  const NavigatorHost& robot = robotOf(leaf);
+  const PathId from = pathOf(leaf, 0);
+  const Path& goals = robot.paths().get(from);
+  const double radius = leaf.require<double>(1);
+  const Vec2 place = robot.pose().position;
+  std::size_t passed = 0;
+  while (passed + 1 < goals.size() && (goals[passed].position - place).norm() <= radius) {
+    ++passed;
+  }
+  if (passed == 0) {
+    leaf.set<int>(2, static_cast<int>(from));
+    return NodeStatus::Success;
+  }
+  return put(leaf, 2, Path(goals.begin() + static_cast<std::ptrdiff_t>(passed), goals.end()));
+}
+
+/// Ports 0: topic, 1: default, 2: what is chosen. Nobody writes topics here.
+NodeStatus chooseDefault(LeafContext& leaf) {
+  const std::string chosen = leaf.text(1).value_or("");
+  leaf.set<std::string_view>(2, chosen);
+  return NodeStatus::Success;
+}
+
+constexpr const char* kNodes = R"(
+Action TruncatePath|Navigation|Cuts off the end of a path.
+distance length default 1.0|How near to the end, straight.
+input_path any needed suggest {path}|The path.
+output_path any output suggest {truncated_path}|What is left.
+Action TruncatePathLocal|Navigation|Keeps the stretch of a path round the robot.
+input_path any needed suggest {path}|The path.
+output_path any output suggest {truncated_path}|What is left.
+distance_forward number default 8.0 unit m|Length kept ahead.
+distance_backward number default 4.0 unit m|Length kept behind.
+pose any|Instead of the robot's.
+angular_distance_weight number default 0.0|Weight of a difference of headings against one of places.
+max_robot_pose_search_dist number unit m|How far along the path the robot is looked for; all of it when absent.
+transform_tolerance number default 0.2|No frames here.
+robot_frame text default base_link|No frames here.
+Action RemovePassedGoals|Navigation|Takes goals away that the robot has passed.
+input_goals any needed suggest {goals}|The goals.
+radius number default 0.5 unit m|Passed within this.
+output_goals any output suggest {goals}|The rest, never empty.
+global_frame text default map|No frames here.
+robot_base_frame text default base_link|No frames here.
+input_waypoint_statuses any|Not looked at.
+output_waypoint_statuses any output|Not written.
+Action PlannerSelector|Navigation|Chooses the planner: always the default here.
+topic_name text default planner_selector|No topics here.
+default_planner text needed suggest GridBased|What is chosen.
+selected_planner text output suggest {selected_planner}|The choice.
+Action ControllerSelector|Navigation|Chooses the controller: always the default here.
+topic_name text default controller_selector|No topics here.
+default_controller text needed suggest FollowPath|What is chosen.
+selected_controller text output suggest {selected_controller}|The choice.
+Action GoalCheckerSelector|Navigation|Chooses the goal checker: always the default here.
+topic_name text default goal_checker_selector|No topics here.
+default_goal_checker text needed suggest goal_checker|What is chosen.
+selected_goal_checker text output suggest {selected_goal_checker}|The choice.
+Action SmootherSelector|Navigation|Chooses the smoother: always the default here.
+topic_name text default smoother_selector|No topics here.
+default_smoother text needed suggest simple_smoother|What is chosen.
+selected_smoother text output suggest {selected_smoother}|The choice.
+Action ProgressCheckerSelector|Navigation|Chooses the progress checker: always the default here.
+topic_name text default progress_checker_selector|No topics here.
+default_progress_checker text needed suggest progress_checker|What is chosen.
+selected_progress_checker text output suggest {selected_progress_checker}|The choice.
+Action PathHandlerSelector|Navigation|Chooses the path handler: always the default here.
+topic_name text default path_handler_selector|No topics here.
+default_path_handler text needed suggest PathHandler|What is chosen.
+selected_path_handler text output suggest {selected_path_handler}|The choice.
+)";
+
+}  // namespace
+
+void addRobotPaths(NodeLibrary& to);
+void addRobotPaths(NodeLibrary& to) {
+  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
+  to.addAction<OutputMemory>(manifest("TruncatePath"), truncatePath);
+  to.addAction<OutputMemory>(manifest("TruncatePathLocal"), truncatePathLocal);
+  to.addAction<OutputMemory>(manifest("RemovePassedGoals"), removePassedGoals);
+  for (const char* id : {"PlannerSelector", "ControllerSelector", "GoalCheckerSelector",
+                         "SmootherSelector", "ProgressCheckerSelector", "PathHandlerSelector"}) {
+    to.addAction(manifest(id), chooseDefault);
+  }
+}
+
+}  // namespace bt

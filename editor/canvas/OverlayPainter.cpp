@@ -1,0 +1,266 @@
+#include "editor/canvas/OverlayPainter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <QObject>
+
+#include "editor/canvas/PixelFrame.h"
+#include "editor/look/Images.h"
+#include "metrics/GaussianSpace.h"
+
+namespace editor {
+
+using base::Vec2;
+
+namespace {
+
+constexpr double kArrowHeadPx = 6.0;   // of an arrow
+constexpr double kFreshContact = 2.0;  // [s]
+constexpr double kLeastShare = 0.03;   // of the scale of the density that is painted
+constexpr std::size_t kShades = 64;
+
+struct Shade {
+  double share;
+  const char* color;
+  double alpha;
+};
+/// Lightness falls on the light ground and rises on the dark one; both pass yellow and red, so that
+/// no two of them are alike to who sees no red or no green.
+constexpr Shade kLightShades[] = {{0.0, "#F0E442", 0.0},
+                                  {0.25, "#F0C541", 0.45},
+                                  {0.5, "#E69F00", 0.62},
+                                  {0.75, "#C65600", 0.72},
+                                  {1.0, "#7A1F10", 0.80}};
+constexpr Shade kDarkShades[] = {{0.0, "#6B2A12", 0.0},
+                                 {0.25, "#8C3A12", 0.50},
+                                 {0.5, "#C65600", 0.62},
+                                 {0.75, "#E69F00", 0.70},
+                                 {1.0, "#F7E87A", 0.80}};
+
+QColor mixedShade(const QColor& a, const QColor& b, double share) {
+  const auto part = [share](double from, double to) { return from + share * (to - from); };
+  return QColor::fromRgbF(part(a.redF(), b.redF()), part(a.greenF(), b.greenF()),
+                          part(a.blueF(), b.blueF()), part(a.alphaF(), b.alphaF()));
+}
+
+QColor shadeColor(const Shade& shade) {
+  QColor color(shade.color);
+  color.setAlphaF(shade.alpha);
+  return color;
+}
+
+}  // namespace
+
+QPolygonF PictureFrame::at(const std::vector<Vec2>& world) const {
+  QPolygonF points;
+  points.reserve(static_cast<int>(world.size()));
+  for (const Vec2& point : world) {
+    points << at(point);
+  }
+  return points;
+}
+
+QColor densityColor(const Theme& theme, double share) {
+  const Shade* const shades = theme.isDark() ? kDarkShades : kLightShades;
+  const Shade* const end = shades + std::size(kLightShades);
+  const double place = std::clamp(share, 0.0, 1.0);
+  const Shade* const next =
+      std::find_if(shades + 1, end - 1, [place](const Shade& each) { return place <= each.share; });
+  const Shade& last = *(next - 1);
+  return mixedShade(shadeColor(last), shadeColor(*next),
+                    (place - last.share) / (next->share - last.share));
+}
+
+double densityScale(double peak, double before) {
+  double scale = std::max(0.5, before);
+  while (scale < peak) {
+    scale *= 2.0;
+  }
+  return scale;
+}
+
+QImage densityImage(const metrics::DensityField& field, const Theme& theme, double most) {
+  std::array<QRgb, kShades + 1> shades{};
+  for (std::size_t k = 0; k <= kShades; ++k) {
+    const double share = static_cast<double>(k) / kShades;
+    shades.at(k) = share < kLeastShare ? 0 : qPremultiply(densityColor(theme, share).rgba());
+  }
+  QImage image = blankImage({field.columns, field.rows}, QImage::Format_ARGB32_Premultiplied);
+  for (int row = 0; row < field.rows; ++row) {
+    auto* line = reinterpret_cast<QRgb*>(image.scanLine(field.rows - 1 - row));
+    for (int column = 0; column < field.columns; ++column) {
+      const double share = std::min(1.0, static_cast<double>(field.at(column, row)) / most);
+      line[column] = shades.at(static_cast<std::size_t>(std::lround(share * kShades)));
+    }
+  }
+  return image;
+}
+
+QColor contactColor(const Theme& theme, ContactCause cause) {
+  return cause == ContactCause::Robot    ? theme.color(Role::Error)
+         : cause == ContactCause::Person ? theme.line(Look::Regular)
+                                         : theme.color(Role::WarningMark);
+}
+
+QString contactWords(ContactCause cause) {
+  return cause == ContactCause::Robot    ? QObject::tr("Robot ran into it")
+         : cause == ContactCause::Person ? QObject::tr("Person ran into it")
+                                         : QObject::tr("Both did");
+}
+
+void OverlayPainter::density(const metrics::DensityField& field, const QImage& image) const {
+  const Vec2 high = field.low + field.cell * Vec2(field.columns, field.rows);
+  const QRectF place = QRectF(frame_.at(field.low), frame_.at(high)).normalized();
+  painter_.save();
+  painter_.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter_.drawImage(place, image);
+  painter_.restore();
+}
+
+void OverlayPainter::hallZones(const Vec2& at, QColor color, bool withSocial) const {
+  const std::pair<double, double> zones[] = {{3.6, 0.05}, {1.2, 0.10}, {0.45, 0.18}};
+  for (const auto& [reach, alpha] : zones) {
+    if (reach > 2.0 && !withSocial) {
+      continue;
+    }
+    color.setAlphaF(2.6 * alpha);
+    const QPen rim(color, 0.8 * line_);
+    color.setAlphaF(alpha);
+    setInk(painter_, rim, color);
+    QPainterPath zone;
+    zone.addEllipse(frame_.at(at), reach * frame_.scale, reach * frame_.scale);
+    shape(zone);
+  }
+}
+
+void OverlayPainter::gaussian(const base::Pose2& person, double speed, const QColor& color) const {
+  const metrics::GaussianSpace space = metrics::gaussianSpaceOf(speed);
+  QColor fill = color;
+  fill.setAlphaF(0.10);
+  QColor rim = color;
+  rim.setAlphaF(0.55);
+  setInk(painter_, QPen(rim, line_), fill);
+  for (const double level : kGaussianLevels) {
+    QPainterPath contour;
+    contour.addPolygon(frame_.at(metrics::contourOf(space, person, level, 36)));
+    contour.closeSubpath();
+    shape(contour);
+  }
+}
+
+void OverlayPainter::sight(const std::vector<Vec2>& polygon, const QColor& color) const {
+  QColor fill = color;
+  fill.setAlphaF(theme_.isDark() ? 0.20 : 0.16);
+  QColor rim = color;
+  rim.setAlphaF(0.6);
+  setInk(painter_, QPen(rim, line_, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin), fill);
+  painter_.drawPolygon(frame_.at(polygon));
+}
+
+void OverlayPainter::shape(const QPainterPath& path) const {
+  if (box_.isNull() || box_.contains(path.boundingRect())) {
+    painter_.drawPath(path);
+  } else {
+    QPainterPath box;
+    box.addRect(box_);
+    painter_.drawPath(path.intersected(box));
+  }
+}
+
+void OverlayPainter::arrow(const QPointF& from, const QPointF& to, const QPen& pen) const {
+  const QPointF way = to - from;
+  const double length = std::hypot(way.x(), way.y());
+  if (length < 2.0) {
+    return;
+  }
+  const QPointF along = way / length;
+  const QPointF across(-along.y(), along.x());
+  const double head = std::min(kArrowHeadPx * line_, 0.7 * length);
+  painter_.setPen(pen);
+  painter_.drawLine(from, to - 0.7 * head * along);
+  setInk(painter_, Qt::NoPen, pen.color());
+  painter_.drawPolygon(QPolygonF(
+      {to, to - head * along + 0.5 * head * across, to - head * along - 0.5 * head * across}));
+}
+
+void OverlayPainter::velocities(const std::vector<MovingBody>& bodies) const {
+  for (const MovingBody& body : bodies) {
+    const double speed = body.velocity.norm();
+    if (speed < 0.05) {
+      continue;
+    }
+    const QPointF along(body.velocity.x() / speed, -body.velocity.y() / speed);
+    const QPointF from = frame_.at(body.position) + body.radiusPx * along;
+    const QPointF to = from + speed * kMetresPerVelocity * frame_.scale * along;
+    arrow(from, to, QPen(body.color, 1.6 * line_, Qt::SolidLine, Qt::FlatCap));
+  }
+}
+
+void OverlayPainter::forces(const Vec2& at, double radiusPx,
+                            const std::vector<ForceArrow>& forces) const {
+  for (const ForceArrow& term : forces) {
+    const double strength = term.force.norm();
+    const double length = strength * kMetresPerForce * frame_.scale;
+    if (length < 2.0) {
+      continue;
+    }
+    const QPointF along(term.force.x() / strength, -term.force.y() / strength);
+    const QPointF from = frame_.at(at) + radiusPx * along;
+    arrow(from, from + length * along,
+          QPen(theme_.color(term.color), 2.2 * line_, Qt::SolidLine, Qt::RoundCap));
+  }
+}
+
+void OverlayPainter::plan(const Vec2& from, const std::vector<Vec2>& points, const QColor& color,
+                          bool isOfCrowd) const {
+  if (points.empty()) {
+    return;
+  }
+  QPolygonF line = frame_.at(points);
+  line.prepend(frame_.at(from));
+  QPen pen(color, (isOfCrowd ? 0.8 : 1.4) * line_, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
+  if (!isOfCrowd) {
+    pen.setDashPattern({4.0, 2.5});
+  }
+  setInk(painter_, pen);
+  painter_.drawPolyline(line);
+  if (isOfCrowd) {
+    return;
+  }
+  setInk(painter_, Qt::NoPen, color);
+  painter_.drawEllipse(line.back(), 2.6 * line_, 2.6 * line_);
+}
+
+void OverlayPainter::contactSign(const QPointF& centre, ContactCause cause) const {
+  const double r = 6.0 * line_;
+  setInk(painter_, QPen(theme_.color(Role::MapFree), 1.2 * line_), contactColor(theme_, cause));
+  if (cause == ContactCause::Robot) {  // by shape as well as colour
+    painter_.drawRect(
+        QRectF(centre - QPointF(r, r), centre + QPointF(r, r)).adjusted(1, 1, -1, -1));
+  } else if (cause == ContactCause::Person) {
+    painter_.drawEllipse(centre, r, r);
+  } else {
+    painter_.drawPolygon(
+        QPolygonF({centre + QPointF(0.0, -1.25 * r), centre + QPointF(1.25 * r, 0.0),
+                   centre + QPointF(0.0, 1.25 * r), centre + QPointF(-1.25 * r, 0.0)}));
+  }
+  const double x = 0.42 * r;
+  setInk(painter_, QPen(theme_.color(Role::MapFree), 1.7 * line_, Qt::SolidLine, Qt::RoundCap));
+  painter_.drawLine(centre + QPointF(-x, -x), centre + QPointF(x, x));
+  painter_.drawLine(centre + QPointF(-x, x), centre + QPointF(x, -x));
+}
+
+void OverlayPainter::contact(const sim2d::ContactMark& mark, double age) const {
+  const QPointF at = frame_.at(mark.position);
+  if (age < kFreshContact) {
+    QColor ring = contactColor(theme_, mark.cause);
+    ring.setAlphaF(0.7 * (1.0 - age / kFreshContact));
+    paintRing(painter_, QPen(ring, 2.0 * line_), (10.0 + 8.0 * age / kFreshContact) * line_, at);
+  }
+  contactSign(at, mark.cause);
+}
+
+}  // namespace editor

@@ -1,0 +1,230 @@
+#include "editor/canvas/RunOverlays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "bt/human/Perception.h"
+#include "editor/canvas/PixelFrame.h"
+#include "metrics/SightPolygon.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kAroundSight = 6.0;          // [m] beside what is seen of the map
+constexpr double kLongestNotice = 30.0;       // [m]
+constexpr double kUsualNotice = 5.0;          // [m], of runs that do not tell it
+constexpr std::size_t kMostSocialZones = 30;  // more would be one fog
+constexpr std::size_t kMostDashedPlans = 100;
+constexpr std::ptrdiff_t kMostContacts = 500;  // the newest ones
+constexpr double kFieldMargin = 3.0;           // [m] round people
+
+/// Of who is chosen, or of all when nobody is.
+bool isAskedFor(const ShownBody& body, bool anyChosen) {
+  return body.isChosen || !anyChosen;
+}
+
+}  // namespace
+
+void RunOverlays::end() {
+  frame_.reset();
+  header_.reset();
+  field_.reset();
+  most_ = 0.0;
+  contacts_.clear();
+  thoughts_.clear();
+}
+
+void RunOverlays::show(std::shared_ptr<const sim2d::Frame> frame,
+                       const sim2d::Recording* recording) {
+  if (recording != nullptr && recording->size() > 0) {
+    header_ = recording->header();
+  }
+  frame_ = std::move(frame);
+  field_.reset();
+}
+
+QString RunOverlays::thoughtOf(int id) const {
+  const auto found = thoughts_.find(id);
+  return found == thoughts_.end() ? QString() : found->second;
+}
+
+bool RunOverlays::hasForces() const {
+  return frame_ != nullptr && frame_->forces.goal.size() == frame_->humans.size() &&
+         frame_->humans.size() > 0;
+}
+
+std::size_t RunOverlays::contactsSoFar(ContactCause cause) const {
+  const double now = frame_ != nullptr ? frame_->time : 0.0;
+  return static_cast<std::size_t>(
+      std::count_if(contacts_.begin(), contacts_.end(), [&](const sim2d::ContactMark& mark) {
+        return mark.cause == cause && mark.time <= now + 1e-9;
+      }));
+}
+
+double RunOverlays::noticeDistance(int id) const {
+  const sim2d::TraceHuman* const human = header_ != nullptr ? header_->human(id) : nullptr;
+  if (human == nullptr) {
+    return kUsualNotice;
+  }
+  const auto found = std::find_if(human->parameters.begin(), human->parameters.end(),
+                                  [](const auto& each) { return each.first == "dist"; });
+  return found != human->parameters.end() && found->second > 0.0
+             ? std::min(found->second, kLongestNotice)
+             : kUsualNotice;
+}
+
+std::vector<ShownBody> RunOverlays::bodiesIn(const QRectF& exposed) const {
+  const QRectF seen = exposed.adjusted(-kAroundSight, -kAroundSight, kAroundSight, kAroundSight);
+  std::vector<ShownBody> bodies = scene_.frameLayer().shownBodies();
+  bodies.erase(std::remove_if(bodies.begin(), bodies.end(),
+                              [&](const ShownBody& body) {
+                                return !seen.contains(toScene(body.pose.position));
+                              }),
+               bodies.end());
+  return bodies;
+}
+
+void RunOverlays::paintGround(QPainter& painter, const QRectF& exposed) {
+  const CanvasOptions& options = scene_.options();
+  const bool isAnything =
+      options.density || options.proxemics || options.gaussian || options.sight || options.plans;
+  if (frame_ == nullptr || !isAnything) {
+    return;
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double scale = pixelsPerMetreOf(painter);
+  const PixelFrame pixels(painter, {});
+  const OverlayPainter over(painter, scene_.theme(), {QPointF(), scale});
+  const std::vector<ShownBody> bodies = bodiesIn(exposed);
+  if (options.density) {
+    paintDensity(over);
+  }
+  paintSpaces(over, bodies);
+  if (options.sight) {
+    paintSight(over, bodies);
+  }
+  if (options.plans) {
+    paintPlans(over, bodies);
+  }
+}
+
+void RunOverlays::paintDensity(const OverlayPainter& over) {
+  if (!field_) {
+    std::vector<Vec2> people;
+    people.reserve(frame_->humans.size());
+    for (std::size_t k = 0; k < frame_->humans.size(); ++k) {
+      people.emplace_back(frame_->humans.x[k], frame_->humans.y[k]);
+    }
+    if (people.empty()) {
+      return;
+    }
+    Vec2 low = people.front();
+    Vec2 high = low;
+    for (const Vec2& person : people) {
+      low = low.cwiseMin(person);
+      high = high.cwiseMax(person);
+    }
+    const Vec2 margin(kFieldMargin, kFieldMargin);
+    Field made;
+    made.field = metrics::densityField(people, low - margin, high + margin);
+    most_ = densityScale(made.field.peak(), most_);
+    made.image = densityImage(made.field, scene_.theme(), most_);
+    field_ = std::move(made);
+  }
+  over.density(field_->field, field_->image);
+}
+
+void RunOverlays::paintSpaces(const OverlayPainter& over,
+                              const std::vector<ShownBody>& bodies) const {
+  const CanvasOptions& options = scene_.options();
+  const bool anyChosen = scene_.frameLayer().isAnybodyChosen();
+  for (const ShownBody& body : bodies) {
+    if (body.id < 0 || !isAskedFor(body, anyChosen)) {
+      continue;
+    }
+    if (options.proxemics) {
+      over.hallZones(body.pose.position, scene_.theme().fill(body.look),
+                     body.isChosen || bodies.size() <= kMostSocialZones);
+    }
+    if (options.gaussian) {
+      over.gaussian(body.pose, body.velocity.norm(), scene_.theme().line(body.look));
+    }
+  }
+}
+
+void RunOverlays::paintSight(const OverlayPainter& over,
+                             const std::vector<ShownBody>& bodies) const {
+  for (const ShownBody& body : bodies) {
+    if (body.id < 0 || !body.isChosen || header_ == nullptr) {
+      continue;
+    }
+    const double range = noticeDistance(body.id);
+    const Vec2& eye = body.pose.position;
+    over.sight(metrics::sightPolygon(body.pose, bt::kNaturalHalfView, range,
+                                     metrics::wallsAround(*header_, frame_->doorOpen, eye, range)),
+               scene_.theme().line(body.look));
+  }
+}
+
+void RunOverlays::paintPlans(const OverlayPainter& over,
+                             const std::vector<ShownBody>& bodies) const {
+  if (frame_->humanPaths == nullptr) {
+    return;
+  }
+  const bool anyChosen = scene_.frameLayer().isAnybodyChosen();
+  std::map<int, std::size_t> rows;
+  for (std::size_t k = 0; k < std::min(frame_->humans.size(), frame_->humanPaths->size()); ++k) {
+    rows.emplace(frame_->humans.id[k], k);
+  }
+  for (const ShownBody& body : bodies) {
+    const auto row = rows.find(body.id);
+    if (row == rows.end()) {
+      continue;
+    }
+    QColor color = scene_.theme().line(body.look);
+    color.setAlphaF(isAskedFor(body, anyChosen) ? 0.9 : 0.35);
+    over.plan(body.pose.position, (*frame_->humanPaths)[row->second], color,
+              bodies.size() > kMostDashedPlans && !body.isChosen);
+  }
+}
+
+void RunOverlays::paintTop(QPainter& painter, const QRectF& exposed) const {
+  const CanvasOptions& options = scene_.options();
+  if (frame_ == nullptr || (!options.velocities && !options.contacts)) {
+    return;
+  }
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double scale = pixelsPerMetreOf(painter);
+  const PixelFrame pixels(painter, {});
+  const OverlayPainter over(painter, scene_.theme(), {QPointF(), scale});
+  if (options.velocities) {
+    std::vector<MovingBody> moving;
+    for (const ShownBody& body : bodiesIn(exposed)) {
+      const bool isRobot = body.id < 0;
+      moving.push_back(
+          {body.pose.position, body.velocity, body.radiusPx + 1.0,
+           isRobot ? scene_.theme().color(Role::RobotLine) : scene_.theme().line(body.look)});
+    }
+    over.velocities(moving);
+  }
+  if (options.contacts) {
+    const auto end = std::partition_point(
+        contacts_.begin(), contacts_.end(),
+        [this](const sim2d::ContactMark& mark) { return mark.time <= frame_->time + 1e-9; });
+    const auto count = std::min<std::ptrdiff_t>(end - contacts_.begin(), kMostContacts);
+    for (auto mark = end - count; mark != end; ++mark) {
+      over.contact(*mark, frame_->time - mark->time);
+    }
+  }
+}
+
+void OverlayLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem* option,
+                         QWidget* widget) {
+  const QRectF seen = shownRect(*painter, *option, widget);
+  isGround_ ? overlays_.paintGround(*painter, seen) : overlays_.paintTop(*painter, seen);
+}
+
+}  // namespace editor

@@ -1,0 +1,132 @@
+#include "editor/panels/ChancePlot.h"
+
+#include <QVBoxLayout>
+#include <qwt_plot.h>
+#include <qwt_plot_canvas.h>
+#include <qwt_plot_curve.h>
+#include <qwt_plot_grid.h>
+#include <qwt_plot_intervalcurve.h>
+#include <qwt_plot_marker.h>
+#include <qwt_scale_div.h>
+#include <qwt_scale_draw.h>
+#include <qwt_scale_widget.h>
+
+#include "editor/look/Form.h"
+
+namespace editor {
+
+namespace {
+
+class UnitDraw : public QwtScaleDraw {
+ public:
+  UnitDraw(double factor, QString unit) : factor_(factor), unit_(std::move(unit)) {}
+  QwtText label(double value) const override {
+    return QwtText(QStringLiteral("%1 %2").arg(factor_ * value).arg(unit_));
+  }
+
+ private:
+  double factor_;
+  QString unit_;
+};
+
+}  // namespace
+
+void layOutPlot(QwtPlot& plot) {
+  constexpr int kRightMargin = 20;  // half of the last time stands there [px]
+  plot.setMinimumSize(120, 60);
+  plot.setFrameShape(QFrame::NoFrame);
+  static_cast<QwtPlotCanvas*>(plot.canvas())->setFrameStyle(QFrame::NoFrame);
+  plot.setAxisScaleDraw(QwtPlot::xBottom, new UnitDraw(1.0, QStringLiteral("s")));
+  plot.setAxisMaxMajor(QwtPlot::xBottom, 5);
+  plot.setAxisMaxMajor(QwtPlot::yLeft, 4);
+  plot.setAxisMaxMinor(QwtPlot::xBottom, 0);
+  plot.setAxisMaxMinor(QwtPlot::yLeft, 0);
+  for (const int axis : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) {
+    plot.axisScaleDraw(axis)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
+    plot.axisScaleDraw(axis)->setTickLength(QwtScaleDiv::MajorTick, 3);
+  }
+  plot.setContentsMargins(0, 0, kRightMargin, 0);
+}
+
+void stylePlot(QwtPlot& plot, const Theme& theme) {
+  plot.setCanvasBackground(theme.color(Role::Panel));
+  QPalette colors = plot.palette();
+  colors.setColor(QPalette::Window, theme.color(Role::Panel));
+  colors.setColor(QPalette::WindowText, theme.color(Role::FieldEdge));
+  colors.setColor(QPalette::Text, theme.color(Role::TextSecondary));
+  plot.setPalette(colors);
+  plot.setAutoFillBackground(true);
+  for (const int axis : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)}) {
+    plot.axisWidget(axis)->setPalette(colors);
+    plot.setAxisFont(axis, theme.font(8.0));
+  }
+}
+
+ChancePlot::ChancePlot(const Theme& theme)
+    : plot_(new QwtPlot(this)),
+      grid_(new QwtPlotGrid),
+      band_(new QwtPlotIntervalCurve),
+      curve_(new QwtPlotCurve),
+      cursor_(new QwtPlotMarker),
+      decisive_(new QwtPlotMarker) {
+  arranged(new QVBoxLayout(this), {0, 4, 0, 4}, 0, {plot_});
+  layOutPlot(*plot_);
+  plot_->setAxisScaleDraw(QwtPlot::yLeft, new UnitDraw(100.0, QStringLiteral("%")));
+  plot_->axisScaleDraw(QwtPlot::yLeft)->enableComponent(QwtAbstractScaleDraw::Backbone, false);
+  plot_->axisScaleDraw(QwtPlot::yLeft)->setTickLength(QwtScaleDiv::MajorTick, 3);
+  plot_->setAxisScale(QwtPlot::yLeft, 0.0, 1.0, 0.5);
+  grid_->enableX(false);
+  grid_->attach(plot_);
+  band_->setStyle(QwtPlotIntervalCurve::Tube);
+  band_->attach(plot_);
+  curve_->setStyle(QwtPlotCurve::Steps);
+  curve_->setCurveAttribute(QwtPlotCurve::Inverted, true);  // it rises when a contact has happened
+  curve_->setRenderHint(QwtPlotItem::RenderAntialiased);
+  curve_->attach(plot_);
+  for (QwtPlotMarker* marker : {cursor_, decisive_}) {
+    marker->setLineStyle(QwtPlotMarker::VLine);
+    marker->attach(plot_);
+  }
+  setTheme(theme);
+  setMinimumWidth(220);
+  setAccessibleName(tr("Chance of contact over time"));
+}
+
+void ChancePlot::setTheme(const Theme& theme) {
+  stylePlot(*plot_, theme);
+  grid_->setPen(theme.color(Role::Line), 1.0);
+  band_->setPen(QPen(Qt::NoPen));
+  band_->setBrush(theme.color(Role::Error, 0.18));
+  curve_->setPen(theme.color(Role::Error), 2.0);
+  cursor_->setLinePen(theme.color(Role::TextSecondary), 1.0, Qt::DashLine);
+  decisive_->setLinePen(theme.color(Role::WarningMark), 2.0, Qt::DotLine);
+  plot_->replot();
+}
+
+void ChancePlot::show(const std::vector<app::ContactChance>& chances,
+                      std::optional<double> decisive) {
+  QVector<QPointF> points;
+  QVector<QwtIntervalSample> band;
+  for (const app::ContactChance& each : chances) {
+    points.push_back({each.time, each.chance});
+    if (each.interval.isDefined()) {
+      band.push_back({each.time, each.interval.low, each.interval.high});
+    }
+  }
+  curve_->setSamples(points);
+  band_->setSamples(band);
+  if (!points.isEmpty()) {
+    plot_->setAxisScale(QwtPlot::xBottom, points.front().x(),
+                        std::max(points.back().x(), points.front().x() + 0.1));
+  }
+  decisive_->setVisible(decisive.has_value());
+  decisive_->setXValue(decisive.value_or(0.0));
+  plot_->replot();
+}
+
+void ChancePlot::setCursor(double time) {
+  cursor_->setXValue(time);
+  plot_->replot();
+}
+
+}  // namespace editor

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "editor/canvas/FanLayer.h"
+#include "editor/look/Fields.h"
+#include "editor/panels/ChancePlot.h"
+#include "editor/panels/PanelRegistry.h"
+#include "editor/run/FuturesProcess.h"
+
+namespace editor {
+
+/// What may come after the moment that is shown: the same run with other draws, simulated beside
+/// the window; the chance of a contact over time, and the ways on the map while it is open.
+class FuturesPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit FuturesPanel(PanelContext& context);
+  ~FuturesPanel() override;
+
+  void start();  // from the moment that is shown
+  void cancel();
+  bool isRunning() const { return process_.isRunning(); }
+  const std::vector<app::Future>& futures() const { return *futures_; }
+  QPushButton& button() const { return *start_; }
+  QSpinBox& count() const { return *count_; }
+  NumberField& horizon() const { return *horizon_; }
+  NumberField& spread() const { return *spread_; }
+  QString summary() const { return says_->text(); }
+  FuturesProcess& process() { return process_; }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  QWidget* makeHead();
+  void take(const app::Future& future);
+  void finish(const QString& problems);
+  void forget();
+  void follow();
+  void showAll();
+  QString countText() const;
+
+  PanelContext& context_;
+  FuturesProcess process_;
+  FanLayer* fan_;  // of the scene
+  QPushButton* start_;
+  QSpinBox* count_;
+  NumberField *horizon_, *spread_;
+  QProgressBar* progress_;
+  QLabel* says_;
+  ChancePlot* plot_;
+  std::shared_ptr<std::vector<app::Future>> futures_ = std::make_shared<std::vector<app::Future>>();
+  app::FuturesOptions asked_;
+  double from_ = 0.0;        // [s]
+  RecordingPtr of_;          // the run that they belong to
+  bool isComplete_ = false;  // else cancelled, or going on
+};
+
+}  // namespace editor

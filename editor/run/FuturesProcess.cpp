@@ -1,0 +1,81 @@
+#include "editor/run/FuturesProcess.h"
+
+#include <utility>
+
+#include "app/run/DataPaths.h"
+
+namespace editor {
+
+FuturesProcess::FuturesProcess(QObject* parent)
+    : QObject(parent), program_(QString::fromStdString(app::programPath())) {}
+
+FuturesProcess::~FuturesProcess() {
+  cancel();
+}
+
+void FuturesProcess::ask(const app::FuturesQuestion& question) {
+  cancel();
+  process_ = new QProcess(this);
+  connect(process_, &QProcess::readyReadStandardOutput, this, &FuturesProcess::read);
+  connect(process_, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this,
+          &FuturesProcess::tellEnd);
+  connect(process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+    if (error == QProcess::FailedToStart) {
+      const QString why = process_->errorString();
+      cancel();
+      Q_EMIT ended(why);
+    }
+  });
+  process_->start(program_, {QStringLiteral("futures"), QStringLiteral("-")});
+  if (process_ != nullptr) {  // else it has not started, which is told
+    process_->write(QByteArray::fromStdString(app::questionBytes(question)));
+    process_->closeWriteChannel();
+  }
+}
+
+/// Its copies end with it: nobody waits for them.
+void FuturesProcess::cancel() {
+  rest_.clear();
+  QProcess* const process = std::exchange(process_, nullptr);
+  if (process == nullptr) {
+    return;
+  }
+  constexpr int kKilledMs = 1000;
+  process->disconnect(this);
+  process->kill();
+  process->waitForFinished(kKilledMs);  // which takes no time
+  process->deleteLater();               // it may be what speaks just now
+}
+
+void FuturesProcess::read() {
+  rest_ += process_->readAllStandardOutput();
+  int begin = 0;
+  for (int end = rest_.indexOf('\n'); end >= 0; end = rest_.indexOf('\n', begin)) {
+    const std::optional<app::Future> future =
+        app::futureOf(rest_.mid(begin, end - begin).toStdString());
+    begin = end + 1;
+    if (future) {
+      Q_EMIT came(*future);
+      if (process_ == nullptr) {  // whoever heard of it wants no more
+        return;
+      }
+    }
+  }
+  rest_.remove(0, begin);
+}
+
+void FuturesProcess::tellEnd(int code, QProcess::ExitStatus status) {
+  read();
+  if (process_ == nullptr) {
+    return;
+  }
+  const QString said = QString::fromUtf8(process_->readAllStandardError()).trimmed();
+  const bool isFine = status == QProcess::NormalExit && code == 0;
+  process_->deleteLater();
+  process_ = nullptr;
+  Q_EMIT ended(isFine           ? QString()
+               : said.isEmpty() ? tr("The simulation of futures has crashed.")
+                                : said);
+}
+
+}  // namespace editor

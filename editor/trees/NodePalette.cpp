@@ -1,0 +1,237 @@
+#include "editor/trees/NodePalette.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QVBoxLayout>
+
+#include "bt/human/Blocks.h"
+#include "editor/document/TreeFiles.h"
+#include "editor/look/FigurePainter.h"
+#include "editor/look/Icons.h"
+#include "editor/panels/RowDelegate.h"
+#include "editor/trees/TreeCanvas.h"
+#include "editor/trees/TreeEdits.h"
+
+namespace editor {
+
+namespace {
+
+constexpr int kXmlRole = Qt::UserRole;
+constexpr int kHelpRole = Qt::UserRole + 1;
+constexpr int kHelpHeight = 96;
+constexpr int kPaletteWidth = 220;
+
+QString qtText(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+/// Rows that are dragged as XML.
+class NodeList : public QTreeWidget {
+ protected:
+  QStringList mimeTypes() const override { return {QString::fromLatin1(TreeCanvas::kMime)}; }
+  QMimeData* mimeData(const QList<QTreeWidgetItem*> rows) const override {
+    const QString xml = rows.isEmpty() ? QString() : NodePalette::xmlOf(rows.front());
+    if (xml.isEmpty()) {
+      return nullptr;
+    }
+    auto* dragged = new QMimeData;
+    dragged->setData(QString::fromLatin1(TreeCanvas::kMime), xml.toUtf8());
+    dragged->setText(xml);
+    return dragged;
+  }
+};
+
+class PaletteDelegate : public RowDelegate {
+ public:
+  using RowDelegate::RowDelegate;
+
+ protected:
+  bool isHeading(const QModelIndex& index) const override { return !index.parent().isValid(); }
+};
+
+/// What a node takes, one port per line.
+QString portsText(const bt::NodeManifest& manifest) {
+  QStringList lines;
+  for (const bt::PortSpec& port : manifest.ports) {
+    QString line = QStringLiteral("%1 (%2").arg(
+        qtText(port.key), QString::fromLatin1(bt::portTypeName(port.portType)));
+    line += port.unit.empty() ? QString() : QStringLiteral(", ") + qtText(port.unit);
+    line += port.fallbackText() == nullptr || port.fallbackText()->empty()
+                ? QString()
+                : QObject::tr(", else %1").arg(qtText(*port.fallbackText()));
+    lines << line + QStringLiteral("): ") + qtText(port.help);
+  }
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
+NodePalette::NodePalette(const Theme& theme)
+    : theme_(theme), search_(new QLineEdit(this)), list_(new NodeList), help_(new QLabel(this)) {
+  searchMark_ = search_->addAction(QIcon(), QLineEdit::LeadingPosition);
+  search_->setPlaceholderText(tr("Find a node"));
+  search_->setAccessibleName(tr("Find a node"));
+  search_->setToolTip(tr("By name, or by what it does"));
+  search_->setClearButtonEnabled(true);
+  styleList(*list_, tr("Nodes"));
+  list_->header()->hide();
+  list_->setIndentation(14);
+  list_->setUniformRowHeights(true);
+  list_->setItemDelegate(new PaletteDelegate(list_));
+  list_->setDragEnabled(true);
+  list_->setDragDropMode(QAbstractItemView::DragOnly);
+  nothing_ = new NothingFound(*search_, *list_, this);
+  help_->setWordWrap(true);
+  help_->setTextFormat(Qt::PlainText);
+  help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  help_->setFixedHeight(kHelpHeight);
+  help_->setContentsMargins(12, 6, 12, 6);
+  help_->setForegroundRole(QPalette::PlaceholderText);
+  auto* top = new QWidget(this);
+  arranged(new QVBoxLayout(top), {12, 8, 12, 6}, 0, {search_});
+  auto* layout = arranged(new QVBoxLayout(this), {}, 0, {top, nothing_});
+  layout->addWidget(list_, 1);
+  layout->addWidget(dividerLine(this));
+  layout->addWidget(help_);
+  setMinimumWidth(kPaletteWidth - 60);
+  addRows();
+  connect(search_, &QLineEdit::textChanged, this, &NodePalette::filter);
+  connect(search_, &QLineEdit::returnPressed, this, [this] {
+    for (QTreeWidgetItemIterator row(list_); *row != nullptr; ++row) {
+      if (!(*row)->isHidden() && !xmlOf(*row).isEmpty()) {
+        Q_EMIT wanted(xmlOf(*row));
+        return;
+      }
+    }
+  });
+  connect(list_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
+    if (!xmlOf(row).isEmpty()) {
+      Q_EMIT wanted(xmlOf(row));
+    }
+  });
+  connect(list_, &QTreeWidget::currentItemChanged, this, &NodePalette::explain);
+  setTheme(theme);
+  explain();
+}
+
+void NodePalette::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  help_->setVisible(height() > 3 * kHelpHeight);
+}
+
+QString NodePalette::xmlOf(const QTreeWidgetItem* row) {
+  return row->data(0, kXmlRole).toString();
+}
+
+QTreeWidgetItem* NodePalette::addGroup(const QString& title) {
+  auto* group = new QTreeWidgetItem(list_, {title});
+  group->setFlags(Qt::ItemIsEnabled);
+  return group;
+}
+
+void NodePalette::addNode(QTreeWidgetItem& group, const bt::NodeSpec& node, const QString& title,
+                          const QString& help) {
+  auto* row = new QTreeWidgetItem(&group, {title});
+  row->setData(0, kXmlRole, qtText(nodeText(node)));
+  row->setData(0, kHelpRole, help);
+  row->setToolTip(0, help);
+  row->setIcon(0, drawnIcon(16, [&](QPainter& painter) {
+                 paintNodeSign(painter, node, {}, theme_.color(Role::TextSecondary));
+               }));
+  group.setData(0, kSideTextRole, QString::number(group.childCount()));
+}
+
+void NodePalette::addRows() {
+  const std::pair<bt::NodeKind, QString> kinds[] = {{bt::NodeKind::Control, tr("Control")},
+                                                    {bt::NodeKind::Decorator, tr("Decorators")},
+                                                    {bt::NodeKind::Condition, tr("Conditions")},
+                                                    {bt::NodeKind::Action, tr("Actions")}};
+  for (const auto& [kind, title] : kinds) {
+    QTreeWidgetItem* group = addGroup(title);
+    for (const bt::NodeManifest& manifest : treeCatalogue().all()) {
+      if (manifest.kind == kind) {
+        const QString ports = portsText(manifest);
+        addNode(*group, freshNode(manifest.id), qtText(manifest.id),
+                qtText(manifest.description) +
+                    (ports.isEmpty() ? QString() : QLatin1Char('\n') + ports));
+      }
+    }
+    group->sortChildren(0, Qt::AscendingOrder);
+    group->setExpanded(true);
+  }
+  trees_ = addGroup(tr("Subtrees"));
+  QTreeWidgetItem* templates = addGroup(tr("Templates"));
+  for (const bt::BlockKind& kind : bt::blockKinds()) {
+    bt::Block block;
+    block.id = kind.id;
+    addNode(*templates, bt::makeBlock(block), qtText(kind.title), qtText(kind.description));
+  }
+}
+
+void NodePalette::showTrees(const QStringList& ids) {
+  qDeleteAll(trees_->takeChildren());
+  for (const QString& id : ids) {
+    bt::NodeSpec node;
+    node.id = "SubTree";
+    node.subTree = id.toStdString();
+    node.autoRemap = true;
+    addNode(*trees_, node, id, tr("Runs the tree %1 with all entries of this one.").arg(id));
+  }
+  trees_->setHidden(ids.isEmpty());
+  filter();
+}
+
+void NodePalette::setTheme(const Theme& theme) {
+  theme_ = theme;
+  searchMark_->setIcon(tintedIcon(QStringLiteral("search"), theme.color(Role::TextSecondary)));
+  for (QTreeWidgetItemIterator row(list_); *row != nullptr; ++row) {
+    bt::TreeFile alone;
+    const QString xml = xmlOf(*row);
+    const base::Result<bt::NodeSpec> node = xml.isEmpty()
+                                                ? base::Result<bt::NodeSpec>(bt::NodeSpec())
+                                                : nodeFromText(xml.toStdString(), alone);
+    if (!xml.isEmpty() && node) {
+      (*row)->setIcon(0, drawnIcon(16, [&](QPainter& painter) {
+                        paintNodeSign(painter, *node, {}, theme_.color(Role::TextSecondary));
+                      }));
+    }
+  }
+}
+
+void NodePalette::filter() {
+  const QString text = search_->text().trimmed();
+  bool found = false;
+  for (int k = 0; k < list_->topLevelItemCount(); ++k) {
+    QTreeWidgetItem* group = list_->topLevelItem(k);
+    bool any = false;
+    for (int i = 0; i < group->childCount(); ++i) {
+      QTreeWidgetItem* row = group->child(i);
+      const bool fits = row->text(0).contains(text, Qt::CaseInsensitive) ||
+                        row->data(0, kHelpRole).toString().contains(text, Qt::CaseInsensitive);
+      row->setHidden(!fits);
+      any = any || fits;
+    }
+    group->setHidden(!any);
+    if (!text.isEmpty()) {
+      group->setExpanded(true);
+    }
+    found = found || any;
+  }
+  nothing_->showFor(found);
+}
+
+void NodePalette::explain() {
+  const QTreeWidgetItem* row = list_->currentItem();
+  const QString help = row == nullptr ? QString() : row->data(0, kHelpRole).toString();
+  help_->setText(help.isEmpty() ? tr("Drag a node into the tree, or double-click it to add it to "
+                                     "the node that is chosen.")
+                                : help.section(QLatin1Char('\n'), 0, 0));
+  help_->setToolTip(help);
+}
+
+}  // namespace editor

@@ -1,0 +1,333 @@
+#include "editor/trees/TreeGraph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include <QFontMetricsF>
+
+#include "editor/document/TreeFiles.h"
+#include "editor/panels/TreeOutline.h"
+
+namespace editor {
+
+namespace {
+
+constexpr double kLeastWidth = 104.0, kMostWidth = 190.0;  // of a node [px]
+constexpr double kTextMargin = 10.0;
+constexpr double kSignRoom = 24.0;    // right of the second line
+constexpr double kDropReach = 170.0;  // from the mouse to a place [px]
+constexpr double kDropBeyond = 12.0;  // places before the first child and behind the last
+
+double lengthOf(const QPointF& a, const QPointF& b) {
+  return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
+}  // namespace
+
+QString nodeDetail(const bt::NodeSpec& node) {
+  const bt::NodeManifest* manifest = treeCatalogue().find(node.id);
+  if (node.isSubTree()) {
+    return QObject::tr("Subtree");
+  }
+  if (manifest == nullptr) {
+    return QObject::tr("unknown node");
+  }
+  const QString values = nodeValues(node);
+  if (!values.isEmpty()) {
+    return values;
+  }
+  if (!node.name.empty() && node.name != node.id) {
+    return QString::fromStdString(node.id);
+  }
+  switch (manifest->kind) {
+    case bt::NodeKind::Condition:
+      return QObject::tr("Condition");
+    case bt::NodeKind::Action:
+      return QObject::tr("Action");
+    case bt::NodeKind::Control:
+      return QObject::tr("Control");
+    case bt::NodeKind::Decorator:
+      return QObject::tr("Decorator");
+    case bt::NodeKind::SubTree:
+      break;
+  }
+  return QObject::tr("Subtree");
+}
+
+void TreeGraph::setTree(const PersonTree& tree) {
+  tree_ = tree;
+  nodes_ = outlineOf(tree_);
+  names_ = recordedNames(nodes_);
+  children_.assign(nodes_.size(), {});
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (nodes_[i].parent >= 0) {
+      children_[static_cast<std::size_t>(nodes_[i].parent)].push_back(static_cast<int>(i));
+    }
+  }
+  findProblems();
+  layOut();
+}
+
+void TreeGraph::findProblems() {
+  problems_.assign(nodes_.size(), {});
+  if (nodes_.empty()) {
+    return;
+  }
+  for (const bt::TreeIssue& issue : bt::checkTrees(tree_.table, treeCatalogue())) {
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (nodes_[i].tree == issue.treeId && nodes_[i].path == issue.node) {
+        problems_[i].push_back(
+            {issue.diagnostic.severity, QString::fromStdString(issue.diagnostic.message)});
+      }
+    }
+  }
+}
+
+TreePlace TreeGraph::placeOf(int number) const {
+  return {node(number).tree, node(number).path};
+}
+
+int TreeGraph::nodeAtPlace(const TreePlace& place, int beside) const {
+  int best = -1;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const int number = static_cast<int>(i);
+    const bool isThere = nodes_[i].tree == place.tree && nodes_[i].path == place.path;
+    if (isThere && (best < 0 || std::abs(number - beside) < std::abs(best - beside))) {
+      best = number;
+    }
+  }
+  return best;
+}
+
+bool TreeGraph::isUnknown(int number) const {
+  return treeCatalogue().find(node(number).node->id) == nullptr;
+}
+
+bool TreeGraph::isFolded(int number) const {
+  if (!has(number) || childrenOf(number).empty()) {
+    return false;
+  }
+  const auto chosen = folds_.find(names_[static_cast<std::size_t>(number)]);
+  return chosen != folds_.end()
+             ? chosen->second
+             : node(number).node->isSubTree() && !isEditable(childrenOf(number).front());
+}
+
+void TreeGraph::setFolded(int number, bool folded) {
+  folds_[names_[static_cast<std::size_t>(number)]] = folded;
+  layOut();
+}
+
+void TreeGraph::unfoldAll() {
+  for (const std::string& name : names_) {
+    folds_[name] = false;
+  }
+  layOut();
+}
+
+void TreeGraph::foldAll() {
+  for (std::size_t i = 1; i < names_.size(); ++i) {
+    folds_[names_[i]] = nodes_[i].parent == 0;
+  }
+  layOut();
+}
+
+void TreeGraph::show(int number) {
+  if (!has(number) || isShown(number)) {
+    return;
+  }
+  for (int above = node(number).parent; above >= 0; above = node(above).parent) {
+    if (isFolded(above)) {
+      folds_[names_[static_cast<std::size_t>(above)]] = false;
+    }
+  }
+  layOut();
+}
+
+int TreeGraph::below(int number) const {
+  int last = number + 1;  // all below stand behind it
+  while (last < static_cast<int>(nodes_.size()) && isBelow(last, number)) {
+    ++last;
+  }
+  return last - number - 1;
+}
+
+bool TreeGraph::isBelow(int number, int above) const {
+  while (number > above) {
+    number = node(number).parent;
+  }
+  return number == above;
+}
+
+void TreeGraph::setDirection(TreeDirection direction) {
+  direction_ = direction;
+  layOut();
+}
+
+double TreeGraph::widthOf(int number) const {
+  const bt::NodeSpec& spec = *node(number).node;
+  const double title =
+      QFontMetricsF(theme_.font(9.5, QFont::DemiBold)).horizontalAdvance(nodeTitle(spec));
+  const double detail = QFontMetricsF(theme_.font(9.0)).horizontalAdvance(nodeDetail(spec));
+  return std::ceil(
+      std::clamp(std::max(title, detail + kSignRoom) + 2.0 * kTextMargin, kLeastWidth, kMostWidth));
+}
+
+void TreeGraph::layOut() {
+  std::vector<LayoutNode> seen;
+  std::vector<int> places(nodes_.size(), -1);  // of the nodes among those that are seen
+  shown_.clear();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const int parent = nodes_[i].parent;
+    const bool isHidden =
+        parent >= 0 && (places[static_cast<std::size_t>(parent)] < 0 || isFolded(parent));
+    if (!isHidden) {
+      places[i] = static_cast<int>(shown_.size());
+      shown_.push_back(static_cast<int>(i));
+      seen.push_back({parent < 0 ? -1 : places[static_cast<std::size_t>(parent)],
+                      widthOf(static_cast<int>(i)), kNodeHeight});
+    }
+  }
+  const LayoutGaps gaps =
+      direction_ == TreeDirection::Down ? LayoutGaps{8.0, 44.0} : LayoutGaps{12.0, 44.0};
+  const TreePlaces laid = layOutTree(seen, direction_, gaps);
+  boxes_.assign(nodes_.size(), {});
+  for (std::size_t k = 0; k < shown_.size(); ++k) {
+    const LayoutBox& box = laid.boxes[k];
+    boxes_[static_cast<std::size_t>(shown_[k])] =
+        QRectF(std::round(box.x) + kMargin, std::round(box.y) + kMargin, box.width, box.height);
+  }
+  bounds_ = QRectF(0.0, 0.0, laid.width + 2.0 * kMargin, laid.height + 2.0 * kMargin);
+}
+
+int TreeGraph::nodeAt(const QPointF& at) const {
+  for (const int each : shown_) {
+    if (box(each).contains(at)) {
+      return each;
+    }
+  }
+  return -1;
+}
+
+QPointF TreeGraph::outlet(int number) const {
+  const QRectF& its = box(number);
+  return direction_ == TreeDirection::Down ? QPointF(its.center().x(), its.bottom())
+                                           : QPointF(its.right(), its.center().y());
+}
+
+QPointF TreeGraph::inlet(int number) const {
+  const QRectF& its = box(number);
+  return direction_ == TreeDirection::Down ? QPointF(its.center().x(), its.top())
+                                           : QPointF(its.left(), its.center().y());
+}
+
+int TreeGraph::beside(int number, Way way) const {
+  if (!isShown(number)) {
+    return shown_.empty() ? -1 : shown_.front();
+  }
+  const bool isDown = direction_ == TreeDirection::Down;
+  const Way up = isDown ? Way::Up : Way::Left, down = isDown ? Way::Down : Way::Right;
+  if (way == up) {
+    return std::max(node(number).parent, 0);
+  }
+  if (way == down) {
+    const bool hasSeen = !childrenOf(number).empty() && !isFolded(number);
+    return hasSeen ? childrenOf(number).front() : number;
+  }
+  // the next of the level, whoever its parent is
+  const double sign = way == Way::Right || way == Way::Down ? 1.0 : -1.0;
+  const auto across = [&](int each) {
+    return isDown ? box(each).center().x() : box(each).center().y();
+  };
+  const auto along = [&](int each) { return isDown ? box(each).top() : box(each).left(); };
+  int best = number;
+  double least = 0.0;
+  for (const int each : shown_) {
+    const double far = sign * (across(each) - across(number));
+    const bool isOnLevel = std::abs(along(each) - along(number)) < 1.0;
+    if (isOnLevel && far > 0.0 && (best == number || far < least)) {
+      best = each;
+      least = far;
+    }
+  }
+  return best;
+}
+
+void TreeGraph::addPlacesBelow(int parent, std::vector<DropPlace>& places) const {
+  const bool isDown = direction_ == TreeDirection::Down;
+  const std::vector<int>& children = childrenOf(parent);
+  const auto mark = [&](const QPointF& at) {
+    const double half = 0.5 * kNodeHeight;
+    return isDown ? QLineF(at.x(), at.y() - half, at.x(), at.y() + half)
+                  : QLineF(at.x() - half, at.y(), at.x() + half, at.y());
+  };
+  if (children.empty()) {
+    const QPointF gap = isDown ? QPointF(0.0, 20.0) : QPointF(20.0, 0.0);
+    const QPointF at = outlet(parent) + gap;
+    const QPointF half = isDown ? QPointF(0.4 * box(parent).width(), 0.0) : QPointF(0.0, 18.0);
+    places.push_back({DropPlace::How::Below, parent, 0, QLineF(at - half, at + half), at});
+    return;
+  }
+  const auto edge = [&](int child, bool isEnd) {
+    const QRectF& its = box(child);
+    return isDown ? (isEnd ? its.right() : its.left()) : (isEnd ? its.bottom() : its.top());
+  };
+  const QPointF level = box(children.front()).center();
+  for (int index = 0; index <= static_cast<int>(children.size()); ++index) {
+    const auto k = static_cast<std::size_t>(index);
+    const double across = index == 0 ? edge(children.front(), false) - kDropBeyond
+                          : k == children.size()
+                              ? edge(children.back(), true) + kDropBeyond
+                              : 0.5 * (edge(children[k - 1], true) + edge(children[k], false));
+    const QPointF at = isDown ? QPointF(across, level.y()) : QPointF(level.x(), across);
+    places.push_back({DropPlace::How::Below, parent, index, mark(at), at});
+  }
+}
+
+std::vector<DropPlace> TreeGraph::dropPlaces(const bt::NodeSpec& what, int moving) const {
+  std::vector<DropPlace> places;
+  const int home = moving >= 0 ? node(moving).parent : -1;
+  for (const int each : shown_) {
+    if (!isEditable(each) || (moving >= 0 && isBelow(each, moving)) || isFolded(each)) {
+      continue;
+    }
+    if (takesChild(*node(each).node) || each == home) {
+      addPlacesBelow(each, places);
+    }
+    if (moving < 0 && takesChild(what)) {
+      const QPointF above = direction_ == TreeDirection::Down ? QPointF(0, -12) : QPointF(-12, 0);
+      places.push_back({DropPlace::How::Around, each, 0, {}, inlet(each) + above});
+    }
+  }
+  return places;
+}
+
+std::optional<DropPlace> TreeGraph::dropAt(const QPointF& at, const bt::NodeSpec& what,
+                                           int moving) const {
+  const std::vector<DropPlace> places = dropPlaces(what, moving);
+  const int under = nodeAt(at);
+  const DropPlace* best = nullptr;
+  if (under >= 0) {  // on the middle of a node: into it, else around it
+    const QRectF inner =
+        box(under).adjusted(0.2 * box(under).width(), 0.0, -0.2 * box(under).width(), 0.0);
+    for (const DropPlace& place : places) {
+      const bool isInto = place.node == under && inner.contains(at);
+      if (isInto && (best == nullptr || place.how == DropPlace::How::Below)) {
+        best = &place;  // the last: behind all children
+      }
+    }
+  }
+  if (best == nullptr) {
+    for (const DropPlace& place : places) {
+      const double far = lengthOf(place.centre, at);
+      if (far < kDropReach && (best == nullptr || far < lengthOf(best->centre, at))) {
+        best = &place;
+      }
+    }
+  }
+  return best == nullptr ? std::nullopt : std::optional(*best);
+}
+
+}  // namespace editor

@@ -1,0 +1,205 @@
+#include "sim2d/nav/nav2/params/Nav2Parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/control/ControllerServer.h"
+#include "sim2d/nav/nav2/params/CostmapReading.h"
+#include "sim2d/nav/nav2/params/DistroGuess.h"
+#include "sim2d/nav/nav2/params/MotionReading.h"
+#include "sim2d/nav/nav2/params/PluginBlocks.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr const char* kControllerServer = "controller_server";
+constexpr const char* kPlannerServer = "planner_server";
+constexpr const char* kSmootherServer = "smoother_server";
+constexpr const char* kBtNavigator = "bt_navigator";
+constexpr const char* kLocalCostmap = "local_costmap";
+constexpr const char* kGlobalCostmap = "global_costmap";
+
+/// Reads the nodes of a file one after the other.
+class FileReader {
+ public:
+  FileReader(const ParameterFile& file, const Nav2ReadOptions& options, Nav2Parameters& to)
+      : file_(file), options_(options), to_(to) {}
+
+  void read() {
+    readCostmaps();
+    readControllers();
+    readPlanners();
+    readSmoothers();
+    readMotions(
+        to_, [this](const std::string& node) { return reader(node); }, file_);
+    readNavigator();
+    lookAtOthers();
+  }
+
+ private:
+  NodeReader reader(const std::string& node) {
+    asked_.insert(node);
+    return {file_.parametersOf(node, options_.robot), to_.distro, file_.file(), to_.notes};
+  }
+
+  void readCostmaps() {
+    NodeReader local = reader(kLocalCostmap);
+    to_.localCostmap = readCostmap(local);
+    local.finish();
+    NodeReader global = reader(kGlobalCostmap);
+    to_.globalCostmap = readCostmap(global);
+    global.finish();
+  }
+
+  void readControllers() {
+    NodeReader node = reader(kControllerServer);
+    to_.controllerServer = node.read({}, controllerServerNodeKeys(node.given({}), to_.distro));
+    const auto made = makeControllerServer(to_.controllerServer, to_.distro);
+    tellAt(node, made.diagnostics());
+    node.finish();
+  }
+
+  void readPlanners() {
+    NodeReader node = reader(kPlannerServer);
+    const PlannerServerParameters usual;
+    to_.plannerServer = node.read({}, keysOf(usual), idleKeysOf(usual), usual);
+    const bool isUsual = !node.has("planner_plugins");
+    for (const std::string& name :
+         pluginNames(node, "planner_plugins", to_.plannerServer.plannerPlugins)) {
+      const std::string type =
+          pluginClass(node, name, isUsual ? "nav2_navfn_planner::NavfnPlanner" : "");
+      if (!type.empty()) {
+        readAnswered(node, name, globalPlannerPlugin(type, to_.distro), globalPlannerPluginNames(),
+                     to_.planners);
+      }
+    }
+    node.finish();
+  }
+
+  void readSmoothers() {
+    NodeReader node = reader(kSmootherServer);
+    const SmootherServerParameters usual;
+    to_.smootherServer = node.read({}, keysOf(usual), idleKeysOf(usual), usual);
+    const bool isUsual = !node.has("smoother_plugins");
+    for (const std::string& name :
+         pluginNames(node, "smoother_plugins", to_.smootherServer.smootherPlugins)) {
+      const std::string type =
+          pluginClass(node, name, isUsual ? "nav2_smoother::SimpleSmoother" : "");
+      if (!type.empty()) {
+        readAnswered(node, name, pathSmootherPlugin(type, to_.distro), pathSmootherPluginNames(),
+                     to_.smoothers);
+      }
+    }
+    node.finish();
+  }
+
+  void readNavigator() {
+    NodeReader node = reader(kBtNavigator);
+    to_.btNavigator =
+        node.read({}, btNavigatorKeys(), idleBtNavigatorKeys(), BtNavigatorParameters());
+    node.finish();
+  }
+
+  /// Nodes that are not here, or that nobody knows.
+  void lookAtOthers() {
+    for (const NodeParameters& other : file_.nodes()) {
+      if (asked_.count(other.node) != 0 || other.node == "/**") {
+        continue;
+      }
+      NodeReader node = reader(other.node);
+      const char* const why = idleNode(other.node);
+      for (const GivenParameter& given : other.given) {
+        node.know(given.name, why != nullptr ? why : "no node of Nav2 has this name");
+      }
+      if (why == nullptr) {
+        const std::vector<std::string> known(asked_.begin(), asked_.end());
+        base::Diagnostic problem =
+            base::warning("nav2.unknown-node", {other.node, base::nearestName(other.node, known)},
+                          file_.file(), other.line);
+        to_.notes.problems.push_back(std::move(problem));
+      }
+    }
+  }
+
+  const ParameterFile& file_;
+  const Nav2ReadOptions& options_;
+  Nav2Parameters& to_;
+  std::set<std::string> asked_;
+};
+
+void sortByPlace(base::Diagnostics& problems) {
+  std::stable_sort(problems.begin(), problems.end(),
+                   [](const base::Diagnostic& a, const base::Diagnostic& b) {
+                     return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+                   });
+}
+
+}  // namespace
+
+Nav2Reading readNav2Parameters(const ParameterFile& file, const Nav2ReadOptions& options) {
+  Nav2Reading reading;
+  Nav2Parameters& parameters = reading.parameters;
+  parameters.file = file.file();
+  parameters.isGuessed = !options.distro;
+  if (options.distro) {
+    parameters.distro = *options.distro;
+  } else {
+    DistroGuess guess = guessDistro(file);
+    parameters.distro = guess.distro;
+    parameters.distroReasons = std::move(guess.reasons);
+  }
+  FileReader(file, options, parameters).read();
+  reading.problems = std::move(parameters.notes.problems);
+  parameters.notes.problems.clear();
+  sortByPlace(reading.problems);
+  return reading;
+}
+
+base::Diagnostics setNav2Value(ParameterFile& file, const Nav2Reading& reading,
+                               const std::string& path, const std::string& yaml) {
+  std::vector<std::string> known;  // with their nodes
+  for (const KeyNote& key : reading.parameters.notes.keys) {
+    if (key.use == KeyUse::Used) {
+      known.push_back(key.path);
+    }
+  }
+  for (const DefaultNote& fallback : reading.parameters.notes.defaults) {
+    known.push_back(fallback.path);
+  }
+  std::vector<std::string> nodes, names = known;
+  const std::string end = "." + path;
+  for (const std::string& full : known) {
+    const std::size_t dot = full.find('.');
+    names.push_back(full.substr(dot + 1));
+    if (full == path || full.substr(dot) == end) {
+      nodes.push_back(full.substr(0, dot));
+    }
+  }
+  if (nodes.empty()) {
+    return {base::error("nav2.set-unknown", {path, base::nearestName(path, names)})};
+  }
+  if (nodes.size() > 1) {
+    return {base::error("nav2.set-ambiguous", {path, base::join(nodes, ", ")})};
+  }
+  base::Diagnostics problems;
+  base::YamlNode value = base::parseYaml(yaml, {}, problems);
+  if (base::hasErrors(problems) || value.isNull() || value.isMap()) {
+    return {base::within(path, base::error("set.no-value", {yaml}))};
+  }
+  const bool hasNode = path.compare(0, nodes.front().size() + 1, nodes.front() + ".") == 0;
+  file.set(nodes.front(), hasNode ? path.substr(nodes.front().size() + 1) : path, std::move(value));
+  return {};
+}
+
+double xyGoalTolerance(const Nav2Parameters& parameters) {
+  const auto names = controllerValue<std::vector<std::string>>(parameters, "goal_checker_plugins",
+                                                               {"goal_checker"});
+  const std::string first = names.empty() ? std::string() : names.front();
+  return controllerValue(parameters, first + ".xy_goal_tolerance", 0.25);
+}
+
+}  // namespace sim2d::nav2

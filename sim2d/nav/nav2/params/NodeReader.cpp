@@ -1,0 +1,144 @@
+#include "sim2d/nav/nav2/params/NodeReader.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/RosValue.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+bool beginsWith(const std::string& text, const std::string& with) {
+  return text.compare(0, with.size(), with) == 0;
+}
+
+std::string distroWords(unsigned distros) {
+  std::vector<std::string> names;
+  for (const auto& [bit, name] :
+       {std::pair<unsigned, const char*>{kHumble, "Humble"}, {kJazzy, "Jazzy"}, {kMain, "Main"}}) {
+    if ((distros & bit) != 0) {
+      names.emplace_back(name);
+    }
+  }
+  return base::join(names, " and ");
+}
+
+/// Every node has these, and nothing here looks at them.
+constexpr std::array<IdleKey, 8> kOfEveryNode = {{
+    {"use_sim_time", "time is always simulated"},
+    {"yaml_filename", "the scenario says which map"},
+    {"bond_heartbeat_period", "nodes do not watch each other here"},
+    {"bond_timeout", "nodes do not watch each other here"},
+    {"autostart", "everything runs from the start"},
+    {"enable_stamped_cmd_vel", "no messages here"},
+    {"use_realtime_priority", "time is simulated"},
+    {"transform_tolerance", "no frames here"},
+}};
+
+}  // namespace
+
+const char* keyUseName(KeyUse use) {
+  return use == KeyUse::Used ? "used" : use == KeyUse::Unknown ? "unknown" : "ignored";
+}
+
+NodeReader::NodeReader(NodeParameters parameters, Distro distro, std::string file,
+                       ReadingNotes& notes)
+    : parameters_(std::move(parameters)), distro_(distro), file_(std::move(file)), notes_(notes) {}
+
+Nav2Block NodeReader::given(const std::string& prefix) const {
+  Nav2Block block;
+  for (const GivenParameter& parameter : parameters_.given) {
+    if (beginsWith(parameter.name, prefix)) {
+      if (auto value = rosValue(*parameter.value)) {
+        block[parameter.name.substr(prefix.size())] = *std::move(value);
+      }
+    }
+  }
+  return block;
+}
+
+void NodeReader::note(const GivenParameter& parameter, KeyUse use, std::string why) {
+  if (!asked_.insert(parameter.name).second) {
+    return;
+  }
+  notes_.keys.push_back({pathOf(parameter.name), valueText(*parameter.value), parameter.value->line,
+                         parameter.value->column, use, std::move(why)});
+}
+
+Nav2Block NodeReader::read(const std::string& prefix, const Nav2Keys& keys) {
+  Nav2Block block;
+  for (const Nav2Keys::Row& row : keys.rows) {
+    const std::string name = prefix + row.name;
+    const GivenParameter* const given = parameters_.find(name);
+    const bool isHere = isIn(row.distros, distro_);
+    if (isHere) {
+      known_.push_back(name);
+    }
+    if (given == nullptr) {
+      if (isHere) {
+        notes_.defaults.push_back({pathOf(name), valueText(row.fallback)});
+      }
+      continue;
+    }
+    if (!isHere) {
+      if (keys.find(row.name, distro_) == nullptr) {  // not under another row
+        note(*given, KeyUse::OtherDistro, "a key of " + distroWords(row.distros));
+      }
+      continue;
+    }
+    note(*given, KeyUse::Used, {});
+    if (auto value = rosValue(*given->value, row.fallback)) {
+      block[row.name] = *std::move(value);
+    } else {
+      tell(name, base::error("nav2.wrong-type", {pathOf(name), nav2TypeName(row.fallback),
+                                                 rosTypeName(*given->value)}));
+    }
+  }
+  for (const Nav2Keys::Idle& idle : keys.idle) {
+    know(prefix + idle.name, idle.why);
+  }
+  return block;
+}
+
+void NodeReader::know(const std::string& name, const std::string& why) {
+  const bool isBlock = !name.empty() && name.back() == '.';
+  if (!isBlock) {
+    known_.push_back(name);
+  }
+  for (const GivenParameter& given : parameters_.given) {
+    if (given.name == name || (isBlock && beginsWith(given.name, name))) {
+      note(given, KeyUse::Idle, why);
+    }
+  }
+}
+
+void NodeReader::tell(const std::string& name, base::Diagnostic problem) {
+  const GivenParameter* const given = parameters_.find(name);
+  problem.file = file_;
+  problem.line = given != nullptr ? given->value->line : parameters_.line;
+  problem.column = given != nullptr ? given->value->column : 0;
+  if (given != nullptr && given->value->tag == kSetTag) {
+    problem.line = problem.column = 0;
+  }
+  notes_.problems.push_back(std::move(problem));
+}
+
+void NodeReader::finish() {
+  for (const IdleKey& idle : kOfEveryNode) {
+    know(idle.name, idle.why);
+  }
+  for (const GivenParameter& given : parameters_.given) {
+    if (asked_.count(given.name) != 0) {
+      continue;
+    }
+    note(given, KeyUse::Unknown, {});
+    if (!given.isForAll) {  // what is for all nodes need not be for this one
+      tell(given.name, base::warning("nav2.unknown-key",
+                                     {pathOf(given.name), base::nearestName(given.name, known_)}));
+    }
+  }
+}
+
+}  // namespace sim2d::nav2

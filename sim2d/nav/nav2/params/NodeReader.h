@@ -1,0 +1,123 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim2d/base/Result.h"
+#include "sim2d/nav/nav2/Nav2Block.h"
+#include "sim2d/nav/nav2/params/ParameterFile.h"
+
+/// Parameters of one node read by tables of keys, and what became of every one of them.
+namespace sim2d::nav2 {
+
+enum class KeyUse : std::uint8_t {
+  Used,
+  Idle,         // known, and without effect here
+  OtherDistro,  // known to another branch of Nav2 alone
+  Unknown
+};
+const char* keyUseName(KeyUse use);  // "used", "ignored", "ignored", "unknown"
+
+/// A key of the file.
+struct KeyNote {
+  std::string path;   // "controller_server.FollowPath.max_vel_x"
+  std::string value;  // as written
+  int line = 0, column = 0;
+  KeyUse use = KeyUse::Used;
+  std::string why;  // of those without effect
+};
+/// A key that the file does not have: Nav2's code has this default, whatever its examples say.
+struct DefaultNote {
+  std::string path, value;
+};
+struct ReadingNotes {
+  std::vector<KeyNote> keys;
+  std::vector<DefaultNote> defaults;
+  base::Diagnostics problems;
+};
+
+/// One node while it is read. What nobody asked for is unknown.
+class NodeReader {
+ public:
+  NodeReader(NodeParameters parameters, Distro distro, std::string file, ReadingNotes& notes);
+
+  const std::string& node() const { return parameters_.node; }
+  Distro distro() const { return distro_; }
+  const NodeParameters& parameters() const { return parameters_; }
+  int line() const { return parameters_.line; }
+
+  /// All that is given below `prefix` ("FollowPath."), each by its own type; nothing counts as
+  /// asked for.
+  Nav2Block given(const std::string& prefix) const;
+  /// What is given for these keys, of the right types: an error for others, which are left out.
+  Nav2Block read(const std::string& prefix, const Nav2Keys& keys);
+  /// The same into a struct.
+  template <class Parameters>
+  Parameters read(const std::string& prefix, const std::vector<Nav2Key<Parameters>>& table,
+                  const std::vector<IdleKey>& idle, Parameters parameters) {
+    Nav2Keys keys;
+    addIdle(keys, idle);
+    for (const Nav2Key<Parameters>& key : table) {
+      forMember(parameters, key, [&](const auto& value) {
+        keys.rows.push_back({key.name, Nav2Value(value), key.unit, key.meaning, key.distros});
+      });
+    }
+    const Nav2Block block = read(prefix, keys);
+    for (const Nav2Key<Parameters>& key : table) {
+      const auto given = block.find(key.name);
+      if (given != block.end() && isIn(key.distros, distro_)) {
+        forMember(parameters, key, [&](auto& value) {
+          value = std::get<std::decay_t<decltype(value)>>(given->second);
+        });
+      }
+    }
+    return parameters;
+  }
+  /// One text, list of texts or number; nothing when it is absent, or of another type (told).
+  template <class T>
+  std::optional<T> value(const std::string& name) {
+    Nav2Keys keys;
+    keys.rows.push_back({name, Nav2Value(T()), {}, {}, kEveryDistro});
+    const Nav2Block block = read({}, keys);
+    const auto found = block.find(name);
+    return found == block.end() ? std::nullopt : std::optional<T>(std::get<T>(found->second));
+  }
+
+  /// Keys without effect: `name` itself, or with a '.' at the end all below it.
+  void know(const std::string& name, const std::string& why);
+  /// The problem, at the place of the parameter; at that of the node when it is absent.
+  void tell(const std::string& name, base::Diagnostic problem);
+  bool has(const std::string& name) const { return parameters_.find(name) != nullptr; }
+
+  /// Whatever has not been asked for is unknown, with the nearest name.
+  void finish();
+
+ private:
+  /// Calls `visit` with the member of a key. What the struct is too small to hold it does not: GCC
+  /// warns of code that would.
+  template <class Parameters, class Visit>
+  static void forMember(Parameters& parameters, const Nav2Key<Parameters>& key, Visit visit) {
+    std::visit(
+        [&](auto member) {
+          if constexpr (sizeof(parameters.*member) <= sizeof(Parameters)) {
+            visit(parameters.*member);
+          }
+        },
+        key.member);
+  }
+  void note(const GivenParameter& parameter, KeyUse use, std::string why);
+  std::string pathOf(const std::string& name) const { return parameters_.node + "." + name; }
+
+  NodeParameters parameters_;
+  Distro distro_;
+  std::string file_;
+  ReadingNotes& notes_;
+  std::set<std::string> asked_;     // given ones
+  std::vector<std::string> known_;  // names that there are, given or not
+};
+
+}  // namespace sim2d::nav2

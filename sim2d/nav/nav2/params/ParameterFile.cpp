@@ -1,0 +1,221 @@
+#include "sim2d/nav/nav2/params/ParameterFile.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/RosValue.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+using base::YamlNode;
+
+constexpr const char* kParameters = "ros__parameters";
+constexpr const char* kForAll = "/**";
+constexpr std::size_t kDeepest = 64;  // maps within each other
+
+bool isForAllNodes(const std::string& node) {
+  return node == "**" || node == "*";
+}
+
+void put(std::vector<GivenParameter>& to, GivenParameter parameter) {
+  to.erase(std::remove_if(to.begin(), to.end(),
+                          [&](const GivenParameter& old) { return old.name == parameter.name; }),
+           to.end());
+  to.push_back(std::move(parameter));
+}
+
+void flatten(const YamlNode& map, const std::string& prefix, std::size_t depth,
+             std::vector<GivenParameter>& to) {
+  for (const YamlNode& item : map.items) {
+    const std::string name = prefix + item.key;
+    if (item.isMap() && depth < kDeepest) {
+      flatten(item, name + ".", depth + 1, to);
+    } else {
+      put(to, {name, &item, false});
+    }
+  }
+}
+
+/// Finds the nodes below a map; `path` is the way to it, with '/' between.
+class NodeSearch {
+ public:
+  NodeSearch(std::vector<NodeParameters>& nodes, base::Diagnostics& problems,
+             const std::string& file)
+      : nodes_(nodes), problems_(problems), file_(file) {}
+
+  void look(const YamlNode& map, const std::string& path, std::size_t depth) {
+    for (const YamlNode& item : map.items) {
+      const std::string here = joined(path, item.key);
+      if (item.key == kParameters) {
+        add(item, path, map.keyLine);
+      } else if (item.isMap() && depth < kDeepest) {
+        look(item, here, depth + 1);
+      } else if (!item.isNull()) {
+        problems_.push_back(
+            base::warning("nav2.outside-node", {here}, file_, item.keyLine, item.keyColumn));
+      }
+    }
+  }
+
+ private:
+  static std::string joined(const std::string& path, const std::string& key) {
+    const bool hasSlash = !key.empty() && key.front() == '/';
+    return path + (hasSlash || path.empty() ? key : "/" + key);
+  }
+
+  void add(const YamlNode& parameters, const std::string& path, int line) {
+    if (!parameters.isMap()) {
+      if (!parameters.isNull()) {
+        problems_.push_back(base::error("yaml.no-map", {valueText(parameters)}, file_,
+                                        parameters.line, parameters.column));
+      }
+      return;
+    }
+    NodeParameters node;
+    const std::size_t slash = path.rfind('/');
+    node.node = slash == std::string::npos ? path : path.substr(slash + 1);
+    node.nameSpace = slash == std::string::npos ? "" : path.substr(0, slash);
+    node.line = line;
+    const bool isForAll = isForAllNodes(node.node);
+    if (isForAll) {
+      node.node = kForAll;
+    }
+    // A costmap's node lies in a namespace of its own name.
+    const std::string own = "/" + node.node;
+    if (node.nameSpace == node.node) {
+      node.nameSpace.clear();
+    } else if (node.nameSpace.size() > own.size() &&
+               node.nameSpace.compare(node.nameSpace.size() - own.size(), own.size(), own) == 0) {
+      node.nameSpace.resize(node.nameSpace.size() - own.size());
+    }
+    if (node.nameSpace == kForAll || node.nameSpace == "**") {
+      node.nameSpace.clear();
+    }
+    flatten(parameters, {}, 0, node.given);
+    for (GivenParameter& given : node.given) {
+      given.isForAll = isForAll;
+    }
+    nodes_.push_back(std::move(node));
+  }
+
+  std::vector<NodeParameters>& nodes_;
+  base::Diagnostics& problems_;
+  const std::string& file_;
+};
+
+bool isNamespaceOf(const std::string& nameSpace, const std::string& robot) {
+  return nameSpace == robot || nameSpace == "/" + robot;
+}
+
+}  // namespace
+
+const GivenParameter* NodeParameters::find(std::string_view name) const {
+  const auto found =
+      std::find_if(given.begin(), given.end(),
+                   [name](const GivenParameter& parameter) { return parameter.name == name; });
+  return found == given.end() ? nullptr : &*found;
+}
+
+base::Result<ParameterFile> ParameterFile::parse(std::string_view text, const std::string& file) {
+  base::Diagnostics problems;
+  auto tree = std::make_shared<YamlNode>(base::parseYaml(text, file, problems));
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  ParameterFile result;
+  result.file_ = file;
+  if (!tree->isMap()) {
+    problems.push_back(base::error("nav2.no-parameters", {}, file));
+    return problems;
+  }
+  NodeSearch(result.nodes_, problems, file).look(*tree, {}, 0);
+  result.tree_ = std::move(tree);
+  if (result.nodes_.empty()) {
+    problems.push_back(base::error("nav2.no-parameters", {}, file));
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {std::move(result), std::move(problems)};
+}
+
+base::Result<ParameterFile> ParameterFile::read(const std::string& path) {
+  const base::Result<std::string> text = base::readTextFile(path);
+  return text ? parse(*text, path) : base::Result<ParameterFile>(text.diagnostics());
+}
+
+NodeParameters ParameterFile::parametersOf(std::string_view node, const std::string& robot) const {
+  NodeParameters all;
+  all.node = node;
+  const bool hasOwn = std::any_of(nodes_.begin(), nodes_.end(), [&](const NodeParameters& each) {
+    return each.node == node && !robot.empty() && isNamespaceOf(each.nameSpace, robot);
+  });
+  std::string taken;  // the first namespace counts when none is the robot's
+  bool hasTaken = false;
+  const auto take = [&all](const NodeParameters& from) {
+    for (const GivenParameter& parameter : from.given) {
+      put(all.given, parameter);
+    }
+  };
+  for (const NodeParameters& each : nodes_) {
+    if (each.node == kForAll) {
+      take(each);
+    }
+  }
+  for (const NodeParameters& each : nodes_) {
+    const bool isOther = hasOwn ? !each.nameSpace.empty() && !isNamespaceOf(each.nameSpace, robot)
+                                : hasTaken && !each.nameSpace.empty() && each.nameSpace != taken;
+    if (each.node != node || isOther) {
+      continue;
+    }
+    if (!each.nameSpace.empty() && !hasOwn) {
+      taken = each.nameSpace;
+      hasTaken = true;
+    }
+    all.line = each.line;
+    all.nameSpace = each.nameSpace;
+    take(each);
+  }
+  return all;
+}
+
+void ParameterFile::set(const std::string& node, const std::string& name, YamlNode value) {
+  value.tag = kSetTag;
+  value.key = name;
+  set_.push_back(std::make_shared<const YamlNode>(std::move(value)));
+  const GivenParameter parameter{name, set_.back().get(), false};
+  bool isThere = false;
+  for (NodeParameters& each : nodes_) {
+    if (each.node == node) {
+      put(each.given, parameter);
+      isThere = true;
+    }
+  }
+  if (!isThere) {
+    nodes_.push_back({node, {}, 0, {parameter}});
+  }
+}
+
+bool looksLikeNav2(std::string_view text) {
+  static constexpr std::array<std::string_view, 11> kNodes = {"controller_server",
+                                                              "planner_server",
+                                                              "bt_navigator",
+                                                              "local_costmap",
+                                                              "global_costmap",
+                                                              "behavior_server",
+                                                              "smoother_server",
+                                                              "velocity_smoother",
+                                                              "collision_monitor",
+                                                              "recoveries_server",
+                                                              "amcl"};
+  return text.find(kParameters) != std::string_view::npos &&
+         text.find("hunav_loader") == std::string_view::npos &&
+         std::any_of(kNodes.begin(), kNodes.end(), [text](std::string_view node) {
+           return text.find(node) != std::string_view::npos;
+         });
+}
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,262 @@
+#include <limits>
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QJsonArray>
+#include <QSignalSpy>
+#include <QToolBar>
+#include <QtTest>
+
+#include "Hands.h"
+#include "RunFiles.h"
+#include "editor/document/EditCommands.h"
+#include "editor/look/HouseStyle.h"
+#include "editor/panels/ForkDialog.h"
+#include "editor/panels/FuturesPanel.h"
+#include "editor/panels/RunsPanel.h"
+
+using editor::FuturesPanel;
+using editor::RunsPanel;
+using editor::SimulationRunner;
+using outside::text;
+
+/// Branches, comparisons and futures in the window, by mouse.
+class RunsAndFuturesTest : public QObject {
+  Q_OBJECT
+
+ private:
+  std::unique_ptr<app::MainWindow> window_;
+  std::unique_ptr<Hands> hands_;
+
+  SimulationRunner& runner() { return window_->workspace().runner(); }
+  RunsPanel& runs() { return window_->docks().panel<RunsPanel>(); }
+  FuturesPanel& futures() { return window_->docks().panel<FuturesPanel>(); }
+  editor::TimelineBar& timeline() { return *window_->findChild<editor::TimelineBar*>(); }
+
+  void runDemo(double seconds = 8.0) {
+    QVERIFY(window_->open(quiet::demoPath()));
+    sim2d::ScenarioSettings settings = window_->workspace().document().scenario();
+    settings.desktop.duration = seconds;
+    editor::pushEdit(window_->workspace().document(), {settings}, text("Duration"));
+    runner().setSpeed(std::numeric_limits<double>::infinity());
+    runToTheEnd();
+  }
+  void runToTheEnd() {
+    QSignalSpy finished(&runner(), &SimulationRunner::finished);
+    window_->workspace().playback().playPause->trigger();  // Space belongs to what has the keys
+    QVERIFY(finished.wait(60000));
+  }
+  void clickTimeline(double time) {
+    QTest::mouseClick(&timeline(), Qt::LeftButton, {}, QPoint(qRound(timeline().xOf(time)), 17));
+  }
+  void forkAt(double time, const char* planner) {
+    clickTimeline(time);
+    quiet::answerDialog<editor::ForkDialog>([planner](editor::ForkDialog& dialog) {
+      if (planner != nullptr) {
+        dialog.findChildren<QComboBox*>().front()->setCurrentText(text(planner));
+      }
+      dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
+    });
+    QTest::mouseClick(&runs().forkButton(), Qt::LeftButton);
+    const double there = time - 0.05;
+    QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() && runner().newestFrame()->time >= there,
+                             30000);
+  }
+  QTreeWidgetItem& row(int index) { return *runs().list().topLevelItem(index); }
+  void tick(int index) {
+    QTreeWidget& list = runs().list();
+    const QRect place = list.visualItemRect(&row(index));
+    QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, QPoint(12, place.center().y()));
+  }
+
+ private Q_SLOTS:
+  void initTestCase() { editor::dressApplication(editor::Theme::light()); }
+  void init() {
+    window_ = quiet::shownWindow();
+    hands_ = std::make_unique<Hands>(*window_);
+    futures().process().setProgram(text(HUNAVSIM_PROGRAM));
+  }
+  void cleanup() {
+    hands_.reset();
+    quiet::leave(window_);
+  }
+
+  void branch_byMouse_isComparedWithTheRunItLeft() {
+    runDemo();
+    window_->docks().show({text("scenario"), text("properties"), text("runs")});
+    QVERIFY(!runs().forkButton().isEnabled());  // the end is no past
+    forkAt(3.0, "dwa");
+    QCOMPARE(runs().list().topLevelItemCount(), 2);
+    QCOMPARE(row(1).text(2), text("robot1.planner = dwa"));
+    runToTheEnd();
+    QCOMPARE(runner().branch(), 1);
+    clickTimeline(6.0);
+    QCOMPARE(runs().ghosts().ghosts().size(), std::size_t{1});  // the run that it left
+    QVERIFY(runs().ghosts().isApart(runs().ghosts().ghosts().front(), -1));
+    QTRY_VERIFY_WITH_TIMEOUT(runs().comparison().table().rowCount() > 10, 30000);
+    QCOMPARE(runs().comparison().plot().lines(), std::size_t{2});
+    QVERIFY(runs().comparison().partings().startsWith(text("B parts at 0:03.")));
+    quiet::shoot(*window_, "runs_light");
+    QTest::mouseClick(&runs().besideButton(), Qt::LeftButton);
+    QVERIFY(runs().sideView() != nullptr && runs().sideView()->isVisible());
+    QVERIFY(runs().ghosts().ghosts().empty());
+    QTest::qWait(300);
+    quiet::shoot(*window_, "runs_beside");
+    QTest::mouseClick(&runs().besideButton(), Qt::LeftButton);
+    QVERIFY(runs().sideView() == nullptr);
+    tick(0);
+    QTRY_VERIFY(runs().ghosts().ghosts().empty());
+    QTRY_VERIFY(runs().comparison().partings().isEmpty());
+    window_->setTheme(editor::Theme::dark());
+    tick(0);
+    QTRY_COMPARE(runs().ghosts().ghosts().size(), std::size_t{1});
+    QTRY_VERIFY_WITH_TIMEOUT(!runs().comparison().isBusy(), 30000);
+    QTest::qWait(300);
+    quiet::shoot(*window_, "runs_dark");
+    window_->setTheme(editor::Theme::light());
+  }
+
+  void branches_switchedByDoubleClick_areBothThere() {
+    runDemo(4.0);
+    window_->docks().show({text("runs")});
+    const editor::RecordingPtr first = runner().recording();
+    forkAt(2.0, nullptr);
+    QCOMPARE(row(1).text(2), text("nothing"));
+    runToTheEnd();
+    const QRect place = runs().list().visualItemRect(&row(0));
+    const QPoint name(120, place.center().y());
+    QTest::mouseClick(runs().list().viewport(), Qt::LeftButton, {}, name);
+    QTest::mouseDClick(runs().list().viewport(), Qt::LeftButton, {}, name);
+    QTRY_COMPARE(runner().branch(), 0);
+    QCOMPARE(runner().recording(), first);
+    QTRY_COMPARE(runs().comparison().partings(), text("B is the same"));
+  }
+
+  void futures_fromTheMoment_areDrawnAndCounted() {
+    runDemo();
+    clickTimeline(3.0);
+    app::RunOptions changes;
+    changes.set = {"robot1.planner=dwa"};  // of a branch: what was changed counts
+    QVERIFY(runner().goOnFromShown(changes));
+    QTRY_VERIFY(runner().newestFrame() && runner().newestFrame()->time > 2.99);
+    runToTheEnd();
+    window_->docks().show({text("scenario"), text("properties"), text("futures")});
+    clickTimeline(4.0);
+    const std::int64_t at = runner().shownFrame()->step;
+    futures().count().setValue(20);
+    QTest::mouseClick(&futures().button(), Qt::LeftButton);
+    QVERIFY(futures().isRunning());
+    QCOMPARE(futures().button().text(), text("Cancel"));
+    QTRY_VERIFY_WITH_TIMEOUT(!futures().isRunning(), 60000);
+    QCOMPARE(futures().futures().size(), std::size_t{20});
+    QVERIFY2(futures().summary().contains(text("20 futures")), qPrintable(futures().summary()));
+    const editor::FramePtr shown = runner().shownFrame();
+    QCOMPARE(shown->step, at);
+    for (const app::Future& future : futures().futures()) {
+      QVERIFY(future.failure.empty());
+      QVERIFY(future.ways.at(-1).front() == base::Vec2(shown->robots.x[0], shown->robots.y[0]));
+      QVERIFY(std::fabs(future.times.back() - shown->time - 10.0) < 1e-6);
+    }
+    quiet::shoot(*window_, "futures_light");
+    window_->setTheme(editor::Theme::dark());
+    QTest::qWait(200);
+    quiet::shoot(*window_, "futures_dark");
+    window_->setTheme(editor::Theme::light());
+    runner().reset();
+    QVERIFY(futures().futures().empty());
+  }
+
+  void futures_cancelled_keepWhatCame() {
+    runDemo(3.0);
+    window_->docks().show({text("futures")});
+    clickTimeline(1.0);
+    futures().count().setValue(1000);
+    QTest::mouseClick(&futures().button(), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!futures().futures().empty() || !futures().isRunning(), 60000);
+    QVERIFY2(futures().isRunning(), qPrintable(futures().summary()));
+    QTest::mouseClick(&futures().button(), Qt::LeftButton);
+    QVERIFY(!futures().isRunning());
+    QVERIFY(futures().summary().contains(text("of 1000 futures, then cancelled")));
+    QVERIFY(futures().futures().size() < 1000);
+  }
+
+  void futures_programThatIsNotThere_isTold() {
+    runDemo(2.0);
+    window_->docks().show({text("futures")});
+    clickTimeline(1.0);
+    futures().process().setProgram(text("/nowhere/hunavsim"));
+    QTest::mouseClick(&futures().button(), Qt::LeftButton);
+    QTRY_VERIFY(!futures().isRunning());
+    QVERIFY(!futures().summary().isEmpty() && futures().futures().empty());
+  }
+
+  /// A recorded run goes on as one made here, and the document is not lost nor written over.
+  void recordedRun_ofAnotherProgram_isToldForkedAndCompared() {
+    const QTemporaryDir folder;
+    const QString one = folder.filePath(text("one")), two = folder.filePath(text("two"));
+    for (const QString& path : {one, two}) {
+      const QString seed = path == one ? text("1") : text("7");
+      QCOMPARE(outside::runProgram({text("run"), quiet::demoPath(), text("-q"), text("-o"), path,
+                                    text("--duration"), text("5"), text("--seed"), seed,
+                                    text("--planner"), path == one ? text("dwa") : text("orca")})
+                   .exitCode,
+               0);
+    }
+    QByteArray manifest = outside::bytesOf(one + text("/manifest.json"));
+    const int at = manifest.indexOf("\"version\": \"") + 12;
+    manifest.replace(at, manifest.indexOf('"', at) - at, "0.0.1");
+    outside::writeText(one + text("/manifest.json"), manifest);
+    QVERIFY(window_->open(one));
+    const base::Diagnostics& said = window_->files().problems();
+    QVERIFY(std::any_of(said.begin(), said.end(),
+                        [](const auto& each) { return each.code == "trace.other-program"; }));
+    window_->docks().show({text("runs")});
+    runs().addRecorded(two);
+    QTRY_COMPARE(runs().list().topLevelItemCount(), 2);
+    clickTimeline(4.0);
+    QTRY_COMPARE(runs().ghosts().ghosts().size(), std::size_t{1});
+    QTRY_VERIFY_WITH_TIMEOUT(runs().comparison().table().rowCount() > 10, 30000);
+    forkAt(2.0, nullptr);
+    QVERIFY(!runner().isRecorded());
+    QVERIFY(window_->windowTitle().contains(text("recorded run")));
+    QVERIFY(!window_->actions().save->isEnabled());
+    runner().reset();
+    QVERIFY(!window_->workspace().isOfRecord());
+  }
+
+  void run_ofAFolderThatIsNone_isTold() {
+    runDemo(1.0);
+    window_->docks().show({text("runs")});
+    const QTemporaryDir folder;
+    QSignalSpy found(&window_->docks().context(), &editor::PanelContext::problemsFound);
+    runs().addRecorded(folder.path());
+    QTRY_COMPARE(found.count(), 1);
+    QCOMPARE(runs().list().topLevelItemCount(), 1);
+  }
+
+  void program_futures_tellsChances() {
+    const QTemporaryDir folder;
+    const QString run = folder.filePath(text("run"));
+    QCOMPARE(outside::runProgram({text("run"), quiet::demoPath(), text("-q"), text("-o"), run,
+                                  text("--duration"), text("4")})
+                 .exitCode,
+             0);
+    const outside::Finished told =
+        outside::runProgram({text("futures"), run + text("@2"), text("--seeds"), text("4"),
+                             text("--horizon"), text("3")});
+    QVERIFY2(told.exitCode == 0, qPrintable(told.err));
+    QVERIFY2(told.out.contains(text("95 % interval")), qPrintable(told.out));
+    QVERIFY2(told.out.contains(text("/ 4")), qPrintable(told.out));
+    const outside::Finished json = outside::runProgram(
+        {text("futures"), run + text("@2"), text("--seeds"), text("2"), text("--json")});
+    QCOMPARE(QJsonDocument::fromJson(json.out.toUtf8()).array().size(), 2);
+    QCOMPARE(outside::runProgram({text("futures"), run + text("@2"), text("--seeds"), text("0")})
+                 .exitCode,
+             64);
+    QCOMPARE(outside::runProgram({text("futures"), text("nowhere")}).exitCode, 64);
+    QCOMPARE(outside::runProgram({text("futures"), run + text("@99")}).exitCode, 2);
+  }
+};
+
+QTEST_MAIN(RunsAndFuturesTest)
+#include "tst_RunsAndFutures.moc"

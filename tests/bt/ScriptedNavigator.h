@@ -1,0 +1,175 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bt/engine/Program.h"
+#include "bt/engine/TreeState.h"
+#include "bt/robot/NavigatorHost.h"
+#include "bt/robot/RobotNodes.h"
+#include "bt/tree/TreeXml.h"
+
+/// A navigator whose servers do as a script says: each request takes `steps` ticks and ends as
+/// told.
+namespace navigator {
+
+using bt::RobotAction;
+using sim2d::nav2::Distro;
+using sim2d::nav2::Path;
+using State = bt::RobotOutcome::State;
+
+struct Answer {
+  State state = State::Succeeded;
+  int errorCode = 0;
+  int steps = 1;  // ticks after the one of the request; 0: never ends
+};
+
+class Scripted : public bt::NavigatorHost {
+ public:
+  explicit Scripted(Distro distro = Distro::Humble) : distro_(distro) {
+    goal = paths().add({{{10.0, 0.0}, 0.0}});
+  }
+
+  std::map<RobotAction, std::vector<Answer>> script;  // the last one repeats
+  std::vector<std::string> log;                       // requests, "plan@1": in step 1
+  base::Pose2 place;
+  double driven = 0.0;  // speed [m/s]
+  bool pathIsValid = true;
+  bt::PathId goal = 0;
+  int recoveries = 0;
+  long long step = 0;
+  double nextLength = 10.0;  // [m] of the paths that are planned
+  bt::RobotRequest last;     // of the last request
+
+  Distro distro() const override { return distro_; }
+  base::Pose2 pose() const override { return place; }
+  double speed() const override { return driven; }
+  double goalReachedTolerance() const override { return 0.25; }
+  bt::PathId newestGoal() const override { return goal; }
+  bool isPathValid(bt::PathId path, int /*cost*/, bool /*unknown*/) const override {
+    return pathIsValid && !paths().get(path).empty();
+  }
+  void begin(RobotAction action, const bt::RobotRequest& request) override {
+    static const char* const kNames[] = {"plan", "through", "follow",  "smooth",
+                                         "spin", "backup",  "heading", "wait"};
+    log.push_back(kNames[static_cast<int>(action)]);
+    steps_[action] = step;
+    last = request;
+    std::vector<Answer>& answers = script[action];
+    if (answers.empty()) {
+      answers.push_back({});
+    }
+    running_[action] = answers.front();
+    if (answers.size() > 1) {
+      answers.erase(answers.begin());
+    }
+    const bool plans = action == RobotAction::ComputePath ||
+                       action == RobotAction::ComputePathThroughPoses ||
+                       action == RobotAction::SmoothPath;
+    if (plans && running_[action].state == State::Succeeded) {
+      planned_[action] = paths().add({{{10.0 - nextLength, 0.0}, 0.0}, {{10.0, 0.0}, 0.0}});
+    }
+  }
+  bt::RobotOutcome outcome(RobotAction action) const override {
+    const Answer& answer = running_.at(action);
+    bt::RobotOutcome result;
+    const bool isOver = answer.steps > 0 && step - steps_.at(action) >= answer.steps;
+    if (isOver || answer.state == State::Cancelled) {
+      result.state = answer.state;
+      result.errorCode = answer.errorCode;
+      const auto path = planned_.find(action);
+      result.path = path == planned_.end() ? 0 : path->second;
+    }
+    return result;
+  }
+  void cancel(RobotAction action) override {
+    log.push_back("cancel");
+    running_[action].state = State::Cancelled;
+  }
+  bool clear(const bt::ClearRequest& request) override {
+    log.push_back(request.isLocal ? "clear-local" : "clear-global");
+    return true;
+  }
+  void countRecovery() override { ++recoveries; }
+
+  std::string text() const {
+    std::string all;
+    for (const std::string& word : log) {
+      all += (all.empty() ? "" : " ") + word;
+    }
+    return all;
+  }
+
+ private:
+  Distro distro_;
+  std::map<RobotAction, Answer> running_;
+  std::map<RobotAction, long long> steps_;
+  std::map<RobotAction, bt::PathId> planned_;
+};
+
+/// A tree with its navigator, ticked at 20 Hz.
+class Played {
+ public:
+  Played(const bt::TreeTable& table, Distro distro = Distro::Humble) : host(distro) {
+    bt::CompileOptions options;
+    options.hostEntries = {{"goal", bt::PortType::Any}, {"goals", bt::PortType::Any}};
+    auto compiled = bt::compile(table, bt::robotNodes(), options);
+    problems = compiled.diagnostics();
+    if (compiled) {
+      program = *compiled;
+      state = std::make_unique<bt::TreeState>(program);
+      setGoal(host.goal);
+    }
+  }
+
+  Scripted host;
+  base::Diagnostics problems;
+  std::shared_ptr<const bt::Program> program;
+  std::unique_ptr<bt::TreeState> state;
+  long long step = 0;
+
+  void setGoal(bt::PathId goal) {
+    host.goal = goal;
+    state->set(program->hostSlot(0), static_cast<int>(goal));
+    state->set(program->hostSlot(1), static_cast<int>(goal));
+  }
+  base::NodeStatus tick() {
+    host.step = ++step;
+    return state->tickOnce({step, 0.05, &host});
+  }
+  /// Until the root is done, at most so often.
+  base::NodeStatus play(int most) {
+    base::NodeStatus status = base::NodeStatus::Running;
+    for (int i = 0; i < most && status == base::NodeStatus::Running; ++i) {
+      status = tick();
+    }
+    return status;
+  }
+  /// The steps of `ticks` ticks in which `word` was asked for.
+  std::vector<long long> stepsOf(const std::string& word, int ticks) {
+    std::vector<long long> steps;
+    for (int i = 0; i < ticks; ++i) {
+      const std::size_t before = host.log.size();
+      tick();
+      for (std::size_t k = before; k < host.log.size(); ++k) {
+        if (host.log[k] == word) {
+          steps.push_back(step);
+        }
+      }
+    }
+    return steps;
+  }
+};
+
+inline bt::TreeTable tableOf(const std::string& nodes) {
+  const std::string xml =
+      "<root BTCPP_format=\"4\" main_tree_to_execute=\"T\"><BehaviorTree ID=\"T\">" + nodes +
+      "</BehaviorTree></root>";
+  const auto file = bt::readTreeText(xml);
+  return file ? *bt::resolveIncludes(*file) : bt::TreeTable();
+}
+
+}  // namespace navigator
