@@ -213,13 +213,15 @@ void Nav2NavfnTest::spread_everywhere_isNearTheEikonalSolution() {
       for (int column = 1; column + 1 < kWidth; ++column) {
         const double time = exact[static_cast<std::size_t>(row * kWidth + column)];
         const double found = wave.potential({column, row});
-        QCOMPARE(found < 1e9, time < 1e9);
+        if ((found < 1e9) != (time < 1e9)) {
+          QFAIL(qPrintable(QStringLiteral("%1 %2 is reached or not").arg(column).arg(row)));
+        }
         if (time < 1e9) {
           ++reached;
-          QVERIFY2(
-              found >= 0.995 * time - 1.0 && found <= (useAstar ? 1.3 : 1.04) * time + 1.0,
-              qPrintable(
-                  QStringLiteral("%1 %2: %3, not %4").arg(column).arg(row).arg(found).arg(time)));
+          if (found < 0.995 * time - 1.0 || found > (useAstar ? 1.3 : 1.04) * time + 1.0) {
+            QFAIL(qPrintable(
+                QStringLiteral("%1 %2: %3, not %4").arg(column).arg(row).arg(found).arg(time)));
+          }
         }
       }
     }
