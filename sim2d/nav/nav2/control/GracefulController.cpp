@@ -83,6 +83,7 @@ GracefulController::GracefulController(const GracefulParameters& parameters, Dis
 
 void GracefulController::setPlan(const Path& plan) {
   handler_.setPlan(plan);
+  goal_ = plan.empty() ? Pose2() : plan.back();
   isGoalReached_ = false;
   turnsFirst_ = true;
 }
@@ -100,12 +101,7 @@ void GracefulController::setSpeedLimit(double limit, bool isPercentage) {
 }
 
 Control GracefulController::computeVelocityCommands(const ControlInput& input) {
-  LocalPlan local;
-  if (input.localPlan != nullptr) {
-    local.poses = *input.localPlan;
-  } else {
-    local = handler_.localPlan(input.robot, input.costmap);
-  }
+  LocalPlan local = handler_.localPlan(input);
   view_ = {};
   if (local.problem != nullptr) {
     return {ControlCode::InvalidPath, local.problem};
@@ -131,10 +127,7 @@ Control GracefulController::computeVelocityCommands(const ControlInput& input) {
 bool GracefulController::isGoalTurn(const Scene& scene) {
   const ControlInput& input = scene.input;
   if (distro_ == Distro::Main) {
-    const Pose2& goal = scene.plan.back();
-    const Pose2 inWorld{input.robot.toWorld(goal.position),
-                        base::wrapToPi(input.robot.heading + goal.heading)};
-    return input.goalChecker.isXyReached({input.robot, inWorld, input.speed, scene.length});
+    return input.goalChecker.isXyReached({input.robot, goal_, input.speed, scene.length});
   }
   isGoalReached_ = isGoalReached_ || scene.length < input.goalChecker.xyTolerance();
   return isGoalReached_;
