@@ -278,9 +278,11 @@ bool GracefulController::simulate(const ControlInput& input, const Attempt& atte
 }
 
 bool GracefulController::turnIsFree(const ControlInput& input, double angle) const {
-  const double steps = std::max(1.0, std::floor(std::abs(angle) / parameters_.inPlaceResolution));
-  for (double i = 1.0; i <= steps; ++i) {
-    if (collides(input, {Vec2::Zero(), i / steps * angle}, 1.0)) {
+  constexpr double kMostSteps = 1000.0;
+  const double wanted = std::abs(angle) / parameters_.inPlaceResolution;
+  const int steps = static_cast<int>(std::min(std::max(wanted, 1.0), kMostSteps));
+  for (int i = 1; i <= steps; ++i) {
+    if (collides(input, {Vec2::Zero(), static_cast<double>(i) / steps * angle}, 1.0)) {
       return false;
     }
   }
