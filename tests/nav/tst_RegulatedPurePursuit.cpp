@@ -64,6 +64,7 @@ class RegulatedPurePursuitTest : public QObject {
   void command_cusp_reversesUntilJazzy();
   void command_fixedCurvature_turnsByItsOwnCarrot();
   void cancel_deceleratesToStanding();
+  void main_endOfLocalPath_isNotTheGoal();
   void main_lookaheadTime_growsWithDistance();
   void make_contradictions_areSwitchedOff();
   void dynamicWindow_noCrossing_takesNearestCorner();
@@ -426,6 +427,16 @@ void RegulatedPurePursuitTest::cancel_deceleratesToStanding() {
   QVERIFY(controller->cancel());
   controller->reset();
   QCOMPARE(scene.run(*controller).twist.linear, 0.5);
+}
+
+/// The handler ends the local path at a cusp: that is no place to turn to the goal's heading.
+void RegulatedPurePursuitTest::main_endOfLocalPath_isNotTheGoal() {
+  Scene scene(Distro::Main);
+  const auto controller = scene.make(kPursuit, {});
+  controller->setPlan(straight(3.0));
+  scene.local = straight(0.2);
+  scene.local.back().heading = 1.0;
+  QVERIFY(scene.run(*controller).twist.linear > 0.0);
 }
 
 /// Main: min_distance_to_obstacle 1 m at 0.5 m/s makes 2 s of the time.

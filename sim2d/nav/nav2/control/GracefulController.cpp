@@ -83,6 +83,7 @@ GracefulController::GracefulController(const GracefulParameters& parameters, Dis
 
 void GracefulController::setPlan(const Path& plan) {
   handler_.setPlan(plan);
+  goal_ = plan.empty() ? Pose2() : plan.back();
   isGoalReached_ = false;
   turnsFirst_ = true;
 }
@@ -100,12 +101,7 @@ void GracefulController::setSpeedLimit(double limit, bool isPercentage) {
 }
 
 Control GracefulController::computeVelocityCommands(const ControlInput& input) {
-  LocalPlan local;
-  if (input.localPlan != nullptr) {
-    local.poses = *input.localPlan;
-  } else {
-    local = handler_.localPlan(input.robot, input.costmap);
-  }
+  LocalPlan local = handler_.localPlan(input);
   view_ = {};
   if (local.problem != nullptr) {
     return {ControlCode::InvalidPath, local.problem};
@@ -131,10 +127,7 @@ Control GracefulController::computeVelocityCommands(const ControlInput& input) {
 bool GracefulController::isGoalTurn(const Scene& scene) {
   const ControlInput& input = scene.input;
   if (distro_ == Distro::Main) {
-    const Pose2& goal = scene.plan.back();
-    const Pose2 inWorld{input.robot.toWorld(goal.position),
-                        base::wrapToPi(input.robot.heading + goal.heading)};
-    return input.goalChecker.isXyReached({input.robot, inWorld, input.speed, scene.length});
+    return input.goalChecker.isXyReached({input.robot, goal_, input.speed, scene.length});
   }
   isGoalReached_ = isGoalReached_ || scene.length < input.goalChecker.xyTolerance();
   return isGoalReached_;
@@ -285,9 +278,11 @@ bool GracefulController::simulate(const ControlInput& input, const Attempt& atte
 }
 
 bool GracefulController::turnIsFree(const ControlInput& input, double angle) const {
-  const double steps = std::max(1.0, std::floor(std::abs(angle) / parameters_.inPlaceResolution));
-  for (double i = 1.0; i <= steps; ++i) {
-    if (collides(input, {Vec2::Zero(), i / steps * angle}, 1.0)) {
+  constexpr double kMostSteps = 1000.0;
+  const double wanted = std::abs(angle) / parameters_.inPlaceResolution;
+  const int steps = static_cast<int>(std::min(std::max(wanted, 1.0), kMostSteps));
+  for (int i = 1; i <= steps; ++i) {
+    if (collides(input, {Vec2::Zero(), static_cast<double>(i) / steps * angle}, 1.0)) {
       return false;
     }
   }

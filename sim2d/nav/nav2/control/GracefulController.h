@@ -46,6 +46,7 @@ class GracefulController final : public Controller {
   GracefulParameters fullParameters_;  // without a speed limit
   Distro distro_;
   PathHandler handler_;
+  Pose2 goal_;  // end of the whole path
   bool isGoalReached_ = false;
   bool turnsFirst_ = true;
 };

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "sim2d/nav/nav2/control/Controller.h"
+
 namespace sim2d::nav2 {
 namespace {
 
@@ -137,6 +139,11 @@ LocalPlan PathHandler::localPlan(const Pose2& robot, const Costmap& costmap) {
     local.problem = kNothingLeft;
   }
   return local;
+}
+
+LocalPlan PathHandler::localPlan(const ControlInput& input) {
+  return input.localPlan != nullptr ? LocalPlan{*input.localPlan}
+                                    : localPlan(input.robot, input.costmap);
 }
 
 std::size_t PathHandler::nearest(const Pose2& robot, const Costmap& costmap) const {

@@ -9,6 +9,8 @@
 /// Which part of a path counts: near the robot, within the local costmap.
 namespace sim2d::nav2 {
 
+struct ControlInput;
+
 /// Sum of the straight distances between its poses [m].
 double pathLength(const Path& path);
 /// The first pose after more than `distance` [m] of way from `begin` on; the end when there is
@@ -70,6 +72,8 @@ class PathHandler {
   void setPlan(const Path& plan);
   const Path& plan() const { return plan_; }  // what is left of it
   LocalPlan localPlan(const Pose2& robot, const Costmap& costmap);
+  /// The same for a controller: in main the server has cut it already.
+  LocalPlan localPlan(const ControlInput& input);
 
  private:
   std::size_t nearest(const Pose2& robot, const Costmap& costmap) const;

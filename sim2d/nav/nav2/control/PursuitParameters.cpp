@@ -4,9 +4,13 @@
 
 namespace sim2d::nav2 {
 
-const std::vector<Nav2Key<PursuitParameters>>& pursuitKeys() {
+namespace {
+
+using PursuitKeys = std::vector<Nav2Key<PursuitParameters>>;
+
+PursuitKeys speedKeysOfPursuit() {
   using P = PursuitParameters;
-  static const std::vector<Nav2Key<P>> kKeys = {
+  return {
       {"desired_linear_vel", &P::maxLinearVelocity, "m/s", "speed on a straight, free path"},
       {"max_linear_vel", &P::maxLinearVelocity, "m/s", "speed on a straight, free path", kMain},
       {"lookahead_dist", &P::lookahead, "m", "how far ahead the carrot is"},
@@ -29,6 +33,12 @@ const std::vector<Nav2Key<PursuitParameters>>& pursuitKeys() {
       {"cost_scaling_gain", &P::costScalingGain, "", "less than 1: more slowly near obstacles"},
       {"inflation_cost_scaling_factor", &P::inflationCostScaling, "1/m",
        "turns costs into distances: must be the inflation layer's cost_scaling_factor"},
+  };
+}
+
+PursuitKeys otherKeysOfPursuit() {
+  using P = PursuitParameters;
+  return {
       {"max_robot_pose_search_dist", &P::searchDistance, "m",
        "the robot is looked for on so much of the path; 0: half the costmap, negative: all",
        kUntilJazzy},
@@ -66,6 +76,17 @@ const std::vector<Nav2Key<PursuitParameters>>& pursuitKeys() {
       {"max_linear_decel", &P::maxLinearDeceleration, "m/s^2", "of the dynamic window", kMain},
       {"max_angular_decel", &P::maxAngularDeceleration, "rad/s^2", "of the dynamic window", kMain},
   };
+}
+
+}  // namespace
+
+const std::vector<Nav2Key<PursuitParameters>>& pursuitKeys() {
+  static const PursuitKeys kKeys = [] {
+    PursuitKeys keys = speedKeysOfPursuit();
+    const PursuitKeys others = otherKeysOfPursuit();
+    keys.insert(keys.end(), others.begin(), others.end());
+    return keys;
+  }();
   return kKeys;
 }
 

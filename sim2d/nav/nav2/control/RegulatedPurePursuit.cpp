@@ -69,6 +69,7 @@ RegulatedPurePursuit::RegulatedPurePursuit(const PursuitParameters& parameters, 
 void RegulatedPurePursuit::setPlan(const Path& plan) {
   isGoalLatched_ = false;
   handler_.setPlan(plan);
+  goal_ = plan.empty() ? Pose2() : plan.back();
 }
 
 void RegulatedPurePursuit::reset() {
@@ -94,12 +95,7 @@ void RegulatedPurePursuit::setSpeedLimit(double limit, bool isPercentage) {
 }
 
 Control RegulatedPurePursuit::computeVelocityCommands(const ControlInput& input) {
-  LocalPlan local;
-  if (input.localPlan != nullptr) {
-    local.poses = *input.localPlan;
-  } else {
-    local = handler_.localPlan(input.robot, input.costmap);
-  }
+  LocalPlan local = handler_.localPlan(input);
   view_.localPlan = local.poses;
   view_.predicted.clear();
   view_.lookahead.clear();
@@ -170,9 +166,7 @@ bool RegulatedPurePursuit::isGoalTurn(const ControlInput& input, const Path& pla
     return false;
   }
   if (distro_ == Distro::Main) {
-    const Pose2 goal{input.robot.toWorld(plan.back().position),
-                     base::wrapToPi(input.robot.heading + plan.back().heading)};
-    return input.goalChecker.isXyReached({input.robot, goal, input.speed, pathLength(plan)});
+    return input.goalChecker.isXyReached({input.robot, goal_, input.speed, pathLength(plan)});
   }
   const bool isNear = carrot.norm() < input.goalChecker.xyTolerance();
   if (distro_ == Distro::Jazzy && parameters_.isStateful) {

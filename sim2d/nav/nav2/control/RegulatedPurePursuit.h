@@ -40,6 +40,7 @@ class RegulatedPurePursuit final : public Controller {
   Distro distro_;
   double period_;  // dt [s]
   PathHandler handler_;
+  Pose2 goal_;  // end of the whole path
   bool isGoalLatched_ = false;
   bool isCancelling_ = false;
   bool isCancelled_ = false;

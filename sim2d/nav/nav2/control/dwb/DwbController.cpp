@@ -37,7 +37,7 @@ void DwbController::setPlan(const Path& plan) {
     each.critic->reset();
   }
   handler_.setPlan(plan);
-  mainGoal_ = plan.empty() ? Pose2() : plan.back();
+  goal_ = plan.empty() ? Pose2() : plan.back();
 }
 
 void DwbController::setSpeedLimit(double limit, bool isPercentage) {
@@ -56,17 +56,12 @@ void DwbController::setSpeedLimit(double limit, bool isPercentage) {
 }
 
 Control DwbController::computeVelocityCommands(const ControlInput& input) {
-  LocalPlan local;
-  if (input.localPlan != nullptr) {
-    local.poses = *input.localPlan;
-  } else {
-    local = handler_.localPlan(input.robot, input.costmap);
-  }
+  LocalPlan local = handler_.localPlan(input);
   view_ = {};
   if (local.problem != nullptr) {
     return {ControlCode::InvalidPath, local.problem};
   }
-  prepare(input, local.poses, mainGoal_);
+  prepare(input, local.poses, goal_);
   view_.localPlan = std::move(local.poses);
   choose();
   const bool isLegal = best_.total >= 0.0F;

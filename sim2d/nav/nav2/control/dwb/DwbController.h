@@ -51,7 +51,7 @@ class DwbController final : public Controller {
   std::vector<NamedCritic> critics_;
   TrajectoryGenerator generator_;
   PathHandler handler_;
-  Pose2 mainGoal_;  // main: end of the path as it was set
+  Pose2 goal_;  // end of the whole path
   MapGrid pathGrid_, goalGrid_;
   std::vector<float> scales_;  // of the critics in this cycle
   std::vector<float> raws_;    // of the trajectory that is weighed
