@@ -128,6 +128,7 @@ bool MppiOptimizer::findOptimal(const MppiScene& scene) {
     optimize(scene);
     const bool isWeighed = std::isfinite(weights_.front());  // else no float holds the costs
     if (critics_.hasFailed() || !isWeighed) {
+      retries_ = MppiRetries(mppi_.settings.retryAttemptLimit);
       reset();
       return false;
     }
