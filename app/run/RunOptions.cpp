@@ -174,6 +174,9 @@ base::Diagnostics applyOptions(sim2d::Scenario& scenario, const RunOptions& opti
   if (firstRobot(scenario) == nullptr && options.robotStart) {
     applyRobot(scenario, options);  // so that --set finds it; what is wrong is told below
   }
+  if (sim2d::Robot* const robot = firstRobot(scenario); robot != nullptr && options.planner) {
+    robot->planner = options.planner;  // `nav2.…` is of robots that it drives
+  }
   for (const std::string& pair : options.set) {
     const std::size_t equals = pair.find('=');
     base::append(problems,

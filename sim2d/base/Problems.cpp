@@ -911,6 +911,7 @@ constexpr ProblemText kTexts[] = {
     {"set.unknown-path", "unknown path '{path}'{nearest}"},
     {"set.no-value", "'{found}' is no value"},
     {"set.no-behavior", "'{found}' is not the name of a behaviour"},
+    {"set.no-nav2", "no robot is driven by planner nav2"},
     {"set.nobody", "nobody is listed in agents"},
 };
 

@@ -135,7 +135,8 @@ base::Diagnostics setValue(Scenario& scenario, const std::string& path, const st
   const TreeReading before = readTree(tree, {}, tables);
   const std::vector<KeyPath> paths = expanded(scenario, path);
   if (paths.empty()) {
-    return {base::within(path, base::error("set.nobody"))};
+    const bool isNav2 = base::split(path, '.').front() == kNav2Word;
+    return {base::within(path, base::error(isNav2 ? "set.no-nav2" : "set.nobody"))};
   }
   const std::string& first = paths.front().front();
   std::optional<TreeReading> after;

@@ -106,6 +106,7 @@ class FileReader {
 
   /// Nodes that are not here, or that nobody knows.
   void lookAtOthers() {
+    const std::vector<std::string> known(asked_.begin(), asked_.end());
     for (const NodeParameters& other : file_.nodes()) {
       if (asked_.count(other.node) != 0 || other.node == "/**") {
         continue;
@@ -116,7 +117,6 @@ class FileReader {
         node.know(given.name, why != nullptr ? why : "no node of Nav2 has this name");
       }
       if (why == nullptr) {
-        const std::vector<std::string> known(asked_.begin(), asked_.end());
         base::Diagnostic problem =
             base::warning("nav2.unknown-node", {other.node, base::nearestName(other.node, known)},
                           file_.file(), other.line);

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
@@ -129,8 +134,21 @@ void NodeReader::finish() {
   for (const IdleKey& idle : kOfEveryNode) {
     know(idle.name, idle.why);
   }
+  std::set<std::string> unlisted;  // plugins whose class nobody asked for
+  for (const GivenParameter& given : parameters_.given) {
+    const std::size_t dot = given.name.find('.');
+    if (dot != std::string::npos && given.name.substr(dot) == ".plugin" &&
+        asked_.count(given.name) == 0) {
+      unlisted.insert(given.name.substr(0, dot));
+    }
+  }
   for (const GivenParameter& given : parameters_.given) {
     if (asked_.count(given.name) != 0) {
+      continue;
+    }
+    const std::string plugin = given.name.substr(0, given.name.find('.'));
+    if (unlisted.count(plugin) != 0) {
+      note(given, KeyUse::Idle, "no list of plugins names " + plugin);
       continue;
     }
     note(given, KeyUse::Unknown, {});
