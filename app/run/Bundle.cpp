@@ -112,7 +112,7 @@ void tellCode(const Bundle& bundle, const std::vector<ForeignCode>& code, Verdic
 }
 
 void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup, Verdict& verdict) {
-  setup.scenario = bundle.scenario;
+  setup.scenario = withNav2GoalRadius(bundle.scenario, bundle.path);
   setup.compatibility = bundle.settings.compatibility;
   setup.threads = bundle.settings.threads;
   setup.exact = bundle.settings.exact;
@@ -167,8 +167,9 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownF
     for (const RunOptions& later : options.then) {
       base::append(bundle.wrongWords, applyOptions(*scenario, later, settings.compatibility));
     }
-    base::append(options.set.empty() ? bundle.remarks : bundle.wrongWords,
-                 fillNav2Robots(*scenario, options.scenario));
+    if (!options.set.empty()) {
+      base::append(bundle.wrongWords, wrongNav2Values(*scenario, options.scenario));
+    }
   }
   bundle.scenario = std::move(scenario);
   if (bundle.hasScenario() && !base::hasErrors(bundle.wrongWords)) {

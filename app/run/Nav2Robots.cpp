@@ -33,20 +33,32 @@ bt::Nav2Folders shippedNav2() {
   return {shippedResources("nav2_params"), shippedResources("nav2_trees")};
 }
 
-base::Diagnostics fillNav2Robots(sim2d::Scenario& scenario, const std::string& scenarioPath) {
+base::Diagnostics wrongNav2Values(const sim2d::Scenario& scenario,
+                                  const std::string& scenarioPath) {
   base::Diagnostics wrong;
-  for (sim2d::Robot& robot : scenario.robots) {
-    const bool asks = robot.listed && isNav2(robot);
-    if (!asks || (robot.goalRadius && robot.nav2Values.empty())) {
+  sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
+    if (isNav2(robot) && !robot.nav2Values.empty()) {
+      base::append(wrong, loadedFor(robot, scenarioPath).wrongValues);
+    }
+  });
+  return wrong;
+}
+
+std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
+    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath) {
+  std::shared_ptr<sim2d::Scenario> changed;
+  for (std::size_t i = 0; i < scenario->robots.size(); ++i) {
+    const sim2d::Robot& robot = scenario->robots[i];
+    if (!robot.listed || !isNav2(robot) || robot.goalRadius) {
       continue;
     }
     const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
-    base::append(wrong, loaded.wrongValues);
-    if (!robot.goalRadius && loaded.ok()) {
-      robot.goalRadius = sim2d::nav2::xyGoalTolerance(loaded.parameters);
+    if (loaded.ok()) {
+      changed = changed != nullptr ? changed : std::make_shared<sim2d::Scenario>(*scenario);
+      changed->robots[i].goalRadius = sim2d::nav2::xyGoalTolerance(loaded.parameters);
     }
   }
-  return wrong;
+  return changed != nullptr ? changed : scenario;
 }
 
 std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,13 @@ namespace app {
 /// Shipped parameter files and trees.
 bt::Nav2Folders shippedNav2();
 
-/// Of robots that take part and are driven by `nav2`: without a `goal_radius` they have that of
-/// their file's goal checker. Returns what is wrong with values given instead of the file's
-/// (`nav2.FollowPath.temperature`); problems of the files are told where the world is made.
-base::Diagnostics fillNav2Robots(sim2d::Scenario& scenario, const std::string& scenarioPath);
+/// Values given instead of those of a file (`nav2.FollowPath.temperature`) that no parameter fits.
+/// Problems of the files are told where the world is made.
+base::Diagnostics wrongNav2Values(const sim2d::Scenario& scenario, const std::string& scenarioPath);
+/// The scenario as a world takes it: robots of `nav2` without a `goal_radius` have that of their
+/// file's goal checker.
+std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
+    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath);
 
 /// The parameter files and trees that they read.
 std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,

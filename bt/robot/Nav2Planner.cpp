@@ -19,6 +19,8 @@ using base::NodeStatus;
 using sim2d::BodyTwist;
 using sim2d::Observation;
 
+constexpr double kLongestTurn = 2.0;  // [s], in which a lidar that is there has turned once
+
 base::ParameterTable<Nav2Latencies> latencyTable() {
   constexpr base::Range kSteps{0.0, 100.0};
   base::ParameterTable<Nav2Latencies> table;
@@ -57,8 +59,12 @@ class Nav2Planner final : public sim2d::Planner {
   }
 
   base::Result<BodyTwist> command(const Observation& observation) override {
-    if (observation.scan == nullptr && !hasScan_) {
-      return BodyTwist();  // the lidar has not turned yet
+    if (observation.scan == nullptr && !hasScan_) {  // the lidar has not turned yet
+      setOut_ = setOut_.value_or(observation.time);
+      if (observation.time - *setOut_ > kLongestTurn) {
+        return base::error("nav2.needs-lidar", {setup_.robot});
+      }
+      return BodyTwist();
     }
     hasScan_ = true;
     servers_->sense(observation);
@@ -144,7 +150,8 @@ class Nav2Planner final : public sim2d::Planner {
   sim2d::DrivingTree driving_;
   std::unique_ptr<Nav2Servers> servers_;
   std::optional<base::Vec2> goal_;
-  std::int64_t step_ = 0;  // ticks
+  std::optional<double> setOut_;  // [s], first asked
+  std::int64_t step_ = 0;         // ticks
   bool isDone_ = false, hasScan_ = false;
 };
 

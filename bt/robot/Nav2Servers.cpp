@@ -226,7 +226,7 @@ void Nav2Servers::cancel(RobotAction action) {
     nextFollow_.reset();
     if (result(action).state == State::Running) {
       controllers_->cancel();
-      isCancelling_ = controllers_->isRunning();
+      isCancelling_ = true;
     }
   } else if (Motions::isOne(action)) {
     motions_->cancel(action);

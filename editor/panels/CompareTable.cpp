@@ -16,7 +16,8 @@ namespace editor {
 
 namespace {
 
-constexpr int kNumberWidth = 72;
+constexpr int kNumberWidth = 58;
+constexpr int kUnitWidth = 44;
 
 QString valueText(const metrics::MetricInfo& info, const std::optional<double>& value) {
   metrics::MetricResult result;
@@ -52,7 +53,7 @@ CompareTable::CompareTable(PanelContext& context)
   both->addWidget(plot_);
   both->setStretchFactor(0, 3);
   both->setStretchFactor(1, 2);
-  both->setSizes({360, 240});
+  both->setSizes({440, 220});
   stack_->addWidget(
       emptyState(tr("Tick a run in the list to compare it with the one that is shown."), this));
   stack_->addWidget(both);
@@ -172,8 +173,8 @@ void CompareTable::fill() {
   header->setSectionResizeMode(0, QHeaderView::Stretch);
   for (int column = 1; column < heads.size(); ++column) {
     header->setSectionResizeMode(column, QHeaderView::Fixed);
-    header->resizeSection(column, kNumberWidth);
     const bool isUnit = column + 1 == heads.size();
+    header->resizeSection(column, isUnit ? kUnitWidth : kNumberWidth);
     table_->horizontalHeaderItem(column)->setTextAlignment(
         (isUnit ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
   }

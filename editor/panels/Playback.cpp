@@ -104,6 +104,7 @@ PlaybackActions::PlaybackActions(SimulationRunner& runner, const Theme& theme)
   });
   connect(&runner_, &SimulationRunner::stateChanged, this, &PlaybackActions::follow);
   connect(&runner_, &SimulationRunner::lookingBackChanged, this, &PlaybackActions::follow);
+  connect(&runner_, &SimulationRunner::branchesChanged, this, &PlaybackActions::follow);
   setTheme(theme);
 }
 

@@ -73,7 +73,7 @@ RunsPanel::RunsPanel(PanelContext& context)
   both->addWidget(table_);
   both->setStretchFactor(0, 2);
   both->setStretchFactor(1, 3);
-  both->setSizes({360, 560});
+  both->setSizes({290, 670});
   arranged(new QVBoxLayout(this), {}, 0, {makeHead(), dividerLine(this)})->addWidget(both, 1);
   connectRuns();
   fillList();
@@ -109,9 +109,9 @@ void RunsPanel::makeList() {
   list_->setUniformRowHeights(true);
   QHeaderView* header = list_->header();
   header->setStretchLastSection(true);
-  header->resizeSection(RunNameColumn, 190);
-  header->resizeSection(LeftAtColumn, 64);
-  list_->setMinimumWidth(280);
+  header->resizeSection(RunNameColumn, 130);
+  header->resizeSection(LeftAtColumn, 56);
+  list_->setMinimumWidth(240);
 }
 
 void RunsPanel::connectRuns() {

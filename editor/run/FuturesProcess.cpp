@@ -27,8 +27,10 @@ void FuturesProcess::ask(const app::FuturesQuestion& question) {
     }
   });
   process_->start(program_, {QStringLiteral("futures"), QStringLiteral("-")});
-  process_->write(QByteArray::fromStdString(app::questionBytes(question)));
-  process_->closeWriteChannel();
+  if (process_ != nullptr) {  // else it has not started, which is told
+    process_->write(QByteArray::fromStdString(app::questionBytes(question)));
+    process_->closeWriteChannel();
+  }
 }
 
 /// Its copies end with it: nobody waits for them.

@@ -40,7 +40,7 @@ base::Result<Fork> forkOf(const RunRequest& run, std::int64_t at, const app::Run
   Fork fork;
   const bool isChanged = !app::changesText(changes).empty();
   if (run.bundle == nullptr) {
-    fork.request = run.again();
+    fork.request = run;
     return isChanged ? base::Result<Fork>(base::error("again.not-told"))
                      : base::Result<Fork>(std::move(fork));
   }

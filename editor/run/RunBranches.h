@@ -39,8 +39,9 @@ struct Fork {
   RunRequest request;
   sim2d::StepInputs moves;  // of the step after that
 };
-/// What was changed later than `at`, and inputs from then on, are not repeated. Errors: what cannot
-/// change on the way; changes of a run of which it is not known what it is made of.
+/// `run`: made anew, not begun yet. What was changed later than `at`, and inputs from then on, are
+/// not repeated. Errors: what cannot change on the way; changes of a run of which it is not known
+/// what it is made of.
 base::Result<Fork> forkOf(const RunRequest& run, std::int64_t at, const app::RunOptions& changes,
                           const sim2d::TraceHeader& header);
 

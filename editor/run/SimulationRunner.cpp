@@ -186,6 +186,9 @@ void SimulationRunner::reset() {
   if (state_ == State::Editing) {
     return;
   }
+  if (stopSession() && session_ != nullptr && !finished_) {
+    poll();  // the last words of the session
+  }
   leaveRun();
   branches_.clear();
   branch_ = -1;
@@ -197,9 +200,7 @@ void SimulationRunner::reset() {
 
 /// Nothing is shown any more.
 void SimulationRunner::leaveRun() {
-  if (stopSession() && session_ != nullptr && !finished_) {
-    poll();  // the last words of the session
-  }
+  stopSession();
   session_.reset();
   again_ = {};
   finished_ = isRecorded_ = isCut_ = isLooping_ = false;

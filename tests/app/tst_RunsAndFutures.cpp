@@ -10,6 +10,7 @@
 #include "Hands.h"
 #include "RunFiles.h"
 #include "editor/document/EditCommands.h"
+#include "editor/look/HouseStyle.h"
 #include "editor/panels/ForkDialog.h"
 #include "editor/panels/FuturesPanel.h"
 #include "editor/panels/RunsPanel.h"
@@ -42,7 +43,7 @@ class RunsAndFuturesTest : public QObject {
   }
   void runToTheEnd() {
     QSignalSpy finished(&runner(), &SimulationRunner::finished);
-    hands_->press(Qt::Key_Space);
+    window_->workspace().playback().playPause->trigger();  // Space belongs to what has the keys
     QVERIFY(finished.wait(60000));
   }
   void clickTimeline(double time) {
@@ -133,16 +134,22 @@ class RunsAndFuturesTest : public QObject {
 
   void futures_fromTheMoment_areDrawnAndCounted() {
     runDemo();
-    window_->docks().show({text("futures")});
     clickTimeline(3.0);
+    app::RunOptions changes;
+    changes.set = {"robot1.planner=dwa"};  // of a branch: what was changed counts
+    QVERIFY(runner().goOnFromShown(changes));
+    QTRY_VERIFY(runner().newestFrame() && runner().newestFrame()->time > 2.99);
+    runToTheEnd();
+    window_->docks().show({text("scenario"), text("properties"), text("futures")});
+    clickTimeline(4.0);
     const std::int64_t at = runner().shownFrame()->step;
-    futures().count().setValue(6);
+    futures().count().setValue(20);
     QTest::mouseClick(&futures().button(), Qt::LeftButton);
     QVERIFY(futures().isRunning());
     QCOMPARE(futures().button().text(), text("Cancel"));
     QTRY_VERIFY_WITH_TIMEOUT(!futures().isRunning(), 60000);
-    QCOMPARE(futures().futures().size(), std::size_t{6});
-    QVERIFY2(futures().summary().contains(text("6 futures")), qPrintable(futures().summary()));
+    QCOMPARE(futures().futures().size(), std::size_t{20});
+    QVERIFY2(futures().summary().contains(text("20 futures")), qPrintable(futures().summary()));
     const editor::FramePtr shown = runner().shownFrame();
     QCOMPARE(shown->step, at);
     for (const app::Future& future : futures().futures()) {

@@ -234,7 +234,7 @@ class SensesOnMapTest : public QObject, private CanvasTester {
     const editor::FramePtr recorded = runner.recording()->frame(1);
     QVERIFY(recorded->senses == nullptr);
     scene_.showFrame(recorded);
-    const QImage off = shot(nullptr, false);
+    const QImage off = shot(&CanvasOptions::contacts, true);  // with room for the legend
     CanvasOptions all = scene_.options();
     all.lidar = all.detections = all.candidates = true;
     scene_.setOptions(all);

@@ -204,6 +204,36 @@ class FuturesTest : public QObject {
     QVERIFY(!first || future.contact->time == *first);
   }
 
+  /// Two people who do not heed each other, head-on: 10 m apart, with 1 m/s and a radius of 0.35 m
+  /// each they meet after (10 - 0.7) / 2 s, later by the time that they take to set off.
+  void contact_ofPeopleAlone_isTold() {
+    app::Bundle bundle = crossing();
+    auto scenario = std::make_shared<sim2d::Scenario>(*bundle.scenario);
+    scenario->robots.clear();
+    scenario->goals[0].position = {10.0, 0.0};
+    scenario->goals[1].position = {0.0, 0.0};
+    for (std::size_t k = 0; k < 2; ++k) {
+      sim2d::Human& human = scenario->humans[k];
+      human.initPose = {{k == 0 ? 0.0 : 10.0, 0.0}, k == 0 ? 0.0 : base::kPi};
+      human.maxVel = 1.0;
+      human.radius = 0.35;
+      human.behavior.socialForceFactor = 0.0;
+    }
+    bundle.scenario = scenario;
+    app::FuturesOptions options;
+    options.horizon = 8.0;
+    options.spread = 0.0;
+    const auto world = worldAt(bundle, 0);
+    QVERIFY(world != nullptr);
+    const app::Future future = app::simulateFuture(*world, bundle, options, 0);
+    QVERIFY(future.contact.has_value());
+    QVERIFY2(future.contact->time > 4.65 && future.contact->time < 6.0,
+             QByteArray::number(future.contact->time));
+    QCOMPARE(future.contact->id + future.contact->other, 3);
+    QVERIFY(std::fabs(future.contact->where.y()) < 0.1);
+    QCOMPARE(*app::decisiveMoment({future}), future.contact->time);
+  }
+
   void question_throughBytes_isAnsweredAlike() {
     app::FuturesQuestion question;
     question.bundle = crossing();

@@ -174,6 +174,14 @@ class RandomScenario {
     if (flip()) {
       to.plannerParameters = {{"lookahead", "0.80"}, {"on", "\"text\""}};
     }
+    maybe(to.nav2Params, [&] { return word(); });
+    maybe(to.nav2Tree, [&] { return word(); });
+    maybe(to.nav2Distro, [&] { return static_cast<sim2d::nav2::Distro>(upTo(2)); });
+    if (flip()) {
+      to.nav2Values = {{"FollowPath.temperature", "0.2"},
+                       {"FollowPath.critics", "- A\n- B"},
+                       {"local_costmap.width", "3"}};
+    }
     to.start = {point(), real()};
     if (flip()) {
       to.goal.point = point();

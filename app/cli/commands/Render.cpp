@@ -54,7 +54,7 @@ constexpr double kFilmWidth = 1280.0;      // [px]
 constexpr double kMostGifRate = 50.0;      // frames per second that viewers show
 constexpr double kFilmRate = 20.0;         // frames per second
 
-std::optional<Kind> kindOf(const std::string& ending) {
+std::optional<Kind> pictureKindOf(const std::string& ending) {
   if (ending == ".png") {
     return Kind::Picture;
   }
@@ -243,7 +243,7 @@ bool makeFilm(const RenderOptions& options, const sim2d::Trace& trace, RunPictur
 }
 
 int renderCommand(const RenderOptions& options, const Invocation& given) {
-  const std::optional<Kind> kind = kindOf(endingOf(options));
+  const std::optional<Kind> kind = pictureKindOf(endingOf(options));
   if (!kind) {
     printError(base::error("option.picture-format", {endingOf(options)}, options.output).text());
     return ExitWrongCommandLine;

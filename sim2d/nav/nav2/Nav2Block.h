@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -46,13 +45,28 @@ std::string pluginName(std::string_view spelling);
 /// A value of another type than the key's, as ROS 2 refuses it at start.
 base::Diagnostic wrongType(const std::string& key, const Nav2Value& wanted, const Nav2Value& found);
 
+// Not inlined: GCC 12 looks at types that a small struct has no member of, and sees them beyond it.
+template <class Parameters, class Value>
+[[gnu::noinline]] Nav2Value valueIn(const Parameters& from, Value Parameters::*member) {
+  return Nav2Value(from.*member);
+}
+template <class Parameters, class Value>
+[[gnu::noinline]] void take(Parameters& into, Value Parameters::*member, const std::string& key,
+                            const Nav2Value& given, base::Diagnostics& problems) {
+  if (const Value* const value = std::get_if<Value>(&given)) {
+    into.*member = *value;
+  } else {
+    problems.push_back(wrongType(key, Nav2Value(into.*member), given));
+  }
+}
+
 /// The rows of a table with the values of `defaults`, each below `prefix` ("BaseObstacle.").
 template <class Parameters>
 void addRows(Nav2Keys& keys, const std::vector<Nav2Key<Parameters>>& table,
              const Parameters& defaults, const std::string& prefix = {}) {
   for (const Nav2Key<Parameters>& key : table) {
     const Nav2Value fallback =
-        std::visit([&](auto member) { return Nav2Value(defaults.*member); }, key.member);
+        std::visit([&](auto member) { return valueIn(defaults, member); }, key.member);
     keys.rows.push_back({prefix + key.name, fallback, key.unit, key.meaning, key.distros});
   }
 }
@@ -74,17 +88,8 @@ Parameters filled(Parameters defaults, const std::vector<Nav2Key<Parameters>>& t
     if (given == block.end() || !isIn(key.distros, distro)) {
       continue;
     }
-    std::visit(
-        [&](auto member) {
-          auto& target = defaults.*member;
-          using Value = std::decay_t<decltype(target)>;
-          if (const auto* value = std::get_if<Value>(&given->second)) {
-            target = *value;
-          } else {
-            problems.push_back(wrongType(given->first, Nav2Value(target), given->second));
-          }
-        },
-        key.member);
+    std::visit([&](auto member) { take(defaults, member, given->first, given->second, problems); },
+               key.member);
   }
   return defaults;
 }

@@ -2,7 +2,9 @@
 
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "sim2d/base/Result.h"
@@ -56,14 +58,24 @@ class NodeReader {
   /// The same into a struct.
   template <class Parameters>
   Parameters read(const std::string& prefix, const std::vector<Nav2Key<Parameters>>& table,
-                  const std::vector<IdleKey>& idle, const Parameters& defaults) {
+                  const std::vector<IdleKey>& idle, Parameters parameters) {
     Nav2Keys keys;
-    addRows(keys, table, defaults);
-    for (const IdleKey& each : idle) {
-      keys.idle.push_back({each.name, each.why});
+    addIdle(keys, idle);
+    for (const Nav2Key<Parameters>& key : table) {
+      forMember(parameters, key, [&](const auto& value) {
+        keys.rows.push_back({key.name, Nav2Value(value), key.unit, key.meaning, key.distros});
+      });
     }
-    base::Diagnostics none;  // types have been looked at
-    return filled(defaults, table, read(prefix, keys), distro_, none);
+    const Nav2Block block = read(prefix, keys);
+    for (const Nav2Key<Parameters>& key : table) {
+      const auto given = block.find(key.name);
+      if (given != block.end() && isIn(key.distros, distro_)) {
+        forMember(parameters, key, [&](auto& value) {
+          value = std::get<std::decay_t<decltype(value)>>(given->second);
+        });
+      }
+    }
+    return parameters;
   }
   /// One text, list of texts or number; nothing when it is absent, or of another type (told).
   template <class T>
@@ -85,6 +97,18 @@ class NodeReader {
   void finish();
 
  private:
+  /// Calls `visit` with the member of a key. What the struct is too small to hold it does not: GCC
+  /// warns of code that would.
+  template <class Parameters, class Visit>
+  static void forMember(Parameters& parameters, const Nav2Key<Parameters>& key, Visit visit) {
+    std::visit(
+        [&](auto member) {
+          if constexpr (sizeof(parameters.*member) <= sizeof(Parameters)) {
+            visit(parameters.*member);
+          }
+        },
+        key.member);
+  }
   void note(const GivenParameter& parameter, KeyUse use, std::string why);
   std::string pathOf(const std::string& name) const { return parameters_.node + "." + name; }
 

@@ -1,0 +1,447 @@
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <QtTest>
+
+#include "sim2d/nav/nav2/params/DistroGuess.h"
+#include "sim2d/nav/nav2/params/Nav2Parameters.h"
+#include "sim2d/nav/nav2/params/RosValue.h"
+
+/// Reading of nav2_params.yaml: as ROS 2 and Nav2 read it, every key told apart.
+class Nav2ParamsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void rosType_text_decides_data();
+  void rosType_text_decides();
+  void parse_namespacesAndNesting_areNodes();
+  void parse_forAllNodes_comesFirst();
+  void parse_ownNamespace_winsOverOthers();
+  void parse_dottedAndNestedNames_areOne();
+  void parse_noParameters_isAnError();
+  void read_integerForADouble_isAnErrorAtItsPlace();
+  void read_everyProblem_isToldAtOnce();
+  void read_absentKey_takesTheCodesDefault();
+  void read_unknownKey_tellsTheNearest();
+  void read_keyOfAnotherDistro_isNotUsed();
+  void read_unknownPlugin_tellsTheNearest();
+  void read_unsupportedLayer_countsOnlyWhenSwitchedOn();
+  void read_placeholder_switchesAFilterOff();
+  void read_pluginBlocks_goByTheirNames();
+  void read_sources_areThoseThatTheLayerNames();
+  void read_otherNodes_areIdleOrUnknown();
+  void read_recoveriesServer_isTheBehaviorServer();
+  void guess_signs_data();
+  void guess_signs();
+  void set_value_integersPassForDoubles();
+  void set_unknownPath_tellsTheNearest();
+  void set_keyOfBothCostmaps_needsItsNode();
+  void shipped_files_haveNoProblems_data();
+  void shipped_files_haveNoProblems();
+};
+
+namespace {
+
+using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
+
+ParameterFile parsed(const std::string& text) {
+  auto file = ParameterFile::parse(text, "p.yaml");
+  return file ? *file : ParameterFile();
+}
+
+Nav2Reading readOf(const std::string& text, Distro distro = Distro::Jazzy) {
+  return readNav2Parameters(parsed(text), {distro, {}});
+}
+
+/// A controller that takes few keys; the rest are Nav2's defaults.
+const std::string kPursuit = R"(controller_server:
+  ros__parameters:
+    FollowPath:
+      plugin: "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController"
+)";
+
+std::string texts(const base::Diagnostics& problems) {
+  std::string all;
+  for (const base::Diagnostic& problem : problems) {
+    all += problem.text() + "\n";
+  }
+  return all;
+}
+
+const base::Diagnostic* problemOf(const base::Diagnostics& problems, const std::string& code) {
+  const auto found = std::find_if(problems.begin(), problems.end(),
+                                  [&](const base::Diagnostic& each) { return each.code == code; });
+  return found == problems.end() ? nullptr : &*found;
+}
+
+const KeyNote* noteOf(const Nav2Reading& reading, const std::string& path) {
+  const auto& keys = reading.parameters.notes.keys;
+  const auto found =
+      std::find_if(keys.begin(), keys.end(), [&](const KeyNote& key) { return key.path == path; });
+  return found == keys.end() ? nullptr : &*found;
+}
+
+std::string valueOf(const NodeParameters& node, const std::string& name) {
+  const GivenParameter* const given = node.find(name);
+  return given == nullptr ? "-" : given->value->text;
+}
+
+}  // namespace
+
+void Nav2ParamsTest::rosType_text_decides_data() {
+  QTest::addColumn<QString>("yaml");
+  QTest::addColumn<QString>("type");
+  const std::vector<std::pair<const char*, const char*>> rows = {{"1", "integer"},
+                                                                 {"-3", "integer"},
+                                                                 {"1.0", "double"},
+                                                                 {"1e3", "double"},
+                                                                 {".5", "double"},
+                                                                 {".inf", "double"},
+                                                                 {"true", "bool"},
+                                                                 {"Off", "bool"},
+                                                                 {"y", "bool"},
+                                                                 {"\"1\"", "string"},
+                                                                 {"'true'", "string"},
+                                                                 {"abc", "string"},
+                                                                 {"[1, 2]", "integer_array"},
+                                                                 {"[1.0, 2.0]", "double_array"},
+                                                                 {"[1, 2.0]", "mixed_array"},
+                                                                 {"[a, b]", "string_array"},
+                                                                 {"[]", "empty_array"}};
+  for (const auto& [yaml, type] : rows) {
+    QTest::newRow(yaml) << QString::fromUtf8(yaml) << QString::fromUtf8(type);
+  }
+}
+
+void Nav2ParamsTest::rosType_text_decides() {
+  QFETCH(QString, yaml);
+  QFETCH(QString, type);
+  base::Diagnostics problems;
+  const base::YamlNode value = base::parseYaml(yaml.toStdString(), {}, problems);
+  QCOMPARE(rosTypeName(value), type.toStdString());
+}
+
+void Nav2ParamsTest::parse_namespacesAndNesting_areNodes() {
+  const ParameterFile file = parsed(R"(/robot1/planner_server:
+  ros__parameters: {a: 1}
+ns:
+  controller_server:
+    ros__parameters: {b: 2}
+local_costmap:
+  local_costmap:
+    ros__parameters: {c: 3}
+robot2:
+  global_costmap:
+    global_costmap:
+      ros__parameters: {d: 4}
+)");
+  QCOMPARE(file.nodes().size(), std::size_t{4});
+  QCOMPARE(file.nodes()[0].node, std::string("planner_server"));
+  QCOMPARE(file.nodes()[0].nameSpace, std::string("/robot1"));
+  QCOMPARE(file.nodes()[1].nameSpace, std::string("ns"));
+  QCOMPARE(file.nodes()[2].node, std::string("local_costmap"));
+  QCOMPARE(file.nodes()[2].nameSpace, std::string());
+  QCOMPARE(file.nodes()[3].nameSpace, std::string("robot2"));
+  QCOMPARE(valueOf(file.parametersOf("global_costmap"), "d"), std::string("4"));
+}
+
+void Nav2ParamsTest::parse_forAllNodes_comesFirst() {
+  const ParameterFile file = parsed(R"(planner_server:
+  ros__parameters: {a: 1}
+/**:
+  ros__parameters: {a: 2, b: 3}
+)");
+  QCOMPARE(valueOf(file.parametersOf("planner_server"), "a"), std::string("1"));
+  QCOMPARE(valueOf(file.parametersOf("planner_server"), "b"), std::string("3"));
+  QCOMPARE(valueOf(file.parametersOf("bt_navigator"), "a"), std::string("2"));
+}
+
+void Nav2ParamsTest::parse_ownNamespace_winsOverOthers() {
+  const ParameterFile file = parsed(R"(robot1:
+  planner_server:
+    ros__parameters: {a: 1}
+robot2:
+  planner_server:
+    ros__parameters: {a: 2, b: 3}
+)");
+  QCOMPARE(valueOf(file.parametersOf("planner_server", "robot2"), "a"), std::string("2"));
+  QCOMPARE(valueOf(file.parametersOf("planner_server", "robot1"), "b"), std::string("-"));
+  QCOMPARE(valueOf(file.parametersOf("planner_server"), "a"), std::string("1"));
+}
+
+void Nav2ParamsTest::parse_dottedAndNestedNames_areOne() {
+  const ParameterFile file = parsed(R"(controller_server:
+  ros__parameters:
+    FollowPath.a: 1
+    FollowPath:
+      a: 2
+      Inner: {b: 3}
+)");
+  const NodeParameters node = file.parametersOf("controller_server");
+  QCOMPARE(valueOf(node, "FollowPath.a"), std::string("2"));
+  QCOMPARE(valueOf(node, "FollowPath.Inner.b"), std::string("3"));
+}
+
+void Nav2ParamsTest::parse_noParameters_isAnError() {
+  const auto file = ParameterFile::parse("planner_server: {a: 1}\n", "p.yaml");
+  QVERIFY(!file);
+  QVERIFY(problemOf(file.diagnostics(), "nav2.no-parameters"));
+  QVERIFY(problemOf(file.diagnostics(), "nav2.outside-node"));
+}
+
+void Nav2ParamsTest::read_integerForADouble_isAnErrorAtItsPlace() {
+  const Nav2Reading reading = readOf(kPursuit + "      lookahead_dist: 1\n");
+  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.wrong-type");
+  QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
+  QCOMPARE(problem->line, 5);
+  QCOMPARE(problem->column, 23);
+  QVERIFY(problem->message.find("double") != std::string::npos &&
+          problem->message.find("integer") != std::string::npos);
+}
+
+void Nav2ParamsTest::read_everyProblem_isToldAtOnce() {
+  const Nav2Reading reading = readOf(kPursuit + R"(      lookahead_dist: true
+velocity_smoother:
+  ros__parameters:
+    max_velocity: [0.5, 0.0]
+    scale_velocities: 1
+local_costmap:
+  local_costmap:
+    ros__parameters:
+      width: 3.0
+      plugins: ["inflation_layer"]
+      inflation_layer:
+        plugin: "nav2_costmap_2d::InflationLaier"
+)");
+  QVERIFY(!reading.ok());
+  std::vector<int> lines;
+  for (const base::Diagnostic& problem : reading.problems) {
+    if (problem.severity == base::Severity::Error) {
+      lines.push_back(problem.line);
+    }
+  }
+  QCOMPARE(lines, (std::vector<int>{5, 8, 9, 13, 16}));
+}
+
+void Nav2ParamsTest::read_absentKey_takesTheCodesDefault() {
+  const Nav2Reading reading = readOf(kPursuit);
+  // Of Nav2's code, not of its examples: 5 x 5 m at 0.1 m, 0.1 m, 10.0.
+  QCOMPARE(reading.parameters.localCostmap.parameters.resolution, 0.1);
+  QCOMPARE(reading.parameters.localCostmap.parameters.robotRadius, 0.1);
+  QCOMPARE(reading.parameters.localCostmap.plugins.size(), std::size_t{3});
+  const auto& layer =
+      std::get<InflationLayerParameters>(reading.parameters.localCostmap.plugins[2].parameters);
+  QCOMPARE(layer.costScalingFactor, 10.0);
+  QCOMPARE(layer.inflationRadius, 0.55);
+  QCOMPARE(xyGoalTolerance(reading.parameters), 0.25);
+  const auto& defaults = reading.parameters.notes.defaults;
+  QVERIFY(std::any_of(defaults.begin(), defaults.end(), [](const DefaultNote& each) {
+    return each.path == "local_costmap.resolution" && each.value == "0.1";
+  }));
+}
+
+void Nav2ParamsTest::read_unknownKey_tellsTheNearest() {
+  const Nav2Reading reading = readOf(kPursuit + "      lookahaed_dist: 0.6\n");
+  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-key");
+  QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
+  QCOMPARE(problem->severity, base::Severity::Warning);
+  QCOMPARE(problem->line, 5);
+  QVERIFY(problem->message.find("FollowPath.lookahead_dist") != std::string::npos);
+  QCOMPARE(noteOf(reading, "controller_server.FollowPath.lookahaed_dist")->use, KeyUse::Unknown);
+}
+
+void Nav2ParamsTest::read_keyOfAnotherDistro_isNotUsed() {
+  const std::string text = kPursuit + "      use_fixed_curvature_lookahead: true\n";
+  const Nav2Reading humble = readOf(text, Distro::Humble);
+  QCOMPARE(noteOf(humble, "controller_server.FollowPath.use_fixed_curvature_lookahead")->use,
+           KeyUse::OtherDistro);
+  const Nav2Reading jazzy = readOf(text, Distro::Jazzy);
+  QCOMPARE(noteOf(jazzy, "controller_server.FollowPath.use_fixed_curvature_lookahead")->use,
+           KeyUse::Used);
+}
+
+void Nav2ParamsTest::read_unknownPlugin_tellsTheNearest() {
+  const Nav2Reading reading = readOf(R"(planner_server:
+  ros__parameters:
+    planner_plugins: ["Mine"]
+    Mine:
+      plugin: "nav2_navfn_planner::NavfnPlaner"
+)");
+  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-plugin");
+  QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
+  QCOMPARE(problem->line, 5);
+  QVERIFY(problem->message.find("NavfnPlanner") != std::string::npos);
+}
+
+void Nav2ParamsTest::read_unsupportedLayer_countsOnlyWhenSwitchedOn() {
+  const auto text = [](const char* enabled) {
+    return std::string(R"(local_costmap:
+  local_costmap:
+    ros__parameters:
+      plugins: ["stvl_layer"]
+      stvl_layer:
+        plugin: "spatio_temporal_voxel_layer/SpatioTemporalVoxelLayer"
+        enabled: )") +
+           enabled + "\n" + kPursuit;
+  };
+  QVERIFY(!readOf(text("true")).ok());
+  const Nav2Reading off = readOf(text("false"));
+  QVERIFY2(off.ok(), texts(off.problems).c_str());
+}
+
+void Nav2ParamsTest::read_placeholder_switchesAFilterOff() {
+  const Nav2Reading reading = readOf(R"(global_costmap:
+  global_costmap:
+    ros__parameters:
+      filters: ["keepout_filter"]
+      keepout_filter:
+        plugin: "nav2_costmap_2d::KeepoutFilter"
+        enabled: KEEPOUT_ZONE_ENABLED
+)" + kPursuit);
+  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+  QVERIFY(problemOf(reading.problems, "nav2.placeholder"));
+  QVERIFY(reading.parameters.globalCostmap.filters.empty());
+}
+
+void Nav2ParamsTest::read_pluginBlocks_goByTheirNames() {
+  const Nav2Reading reading = readOf(R"(planner_server:
+  ros__parameters:
+    planner_plugins: ["Fast", "Far"]
+    Fast: {plugin: "nav2_navfn_planner::NavfnPlanner", tolerance: 0.75}
+    Far: {plugin: "nav2_theta_star_planner::ThetaStarPlanner", w_euc_cost: 2.5}
+    Other: {plugin: "nav2_navfn_planner::NavfnPlanner"}
+)" + kPursuit);
+  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+  const auto& planners = reading.parameters.planners;
+  QCOMPARE(planners.size(), std::size_t{2});
+  QCOMPARE(planners[0].first, std::string("Fast"));
+  QCOMPARE(std::get<NavfnParameters>(planners[0].second).tolerance, 0.75);
+  QCOMPARE(std::get<ThetaStarParameters>(planners[1].second).eucCost, 2.5);
+}
+
+void Nav2ParamsTest::read_sources_areThoseThatTheLayerNames() {
+  const Nav2Reading reading = readOf(R"(local_costmap:
+  local_costmap:
+    ros__parameters:
+      plugins: ["obstacle_layer"]
+      obstacle_layer:
+        plugin: "nav2_costmap_2d::ObstacleLayer"
+        observation_sources: front rear
+        front: {topic: /f, clearing: true, max_obstacle_height: 2.0, obstacle_max_range: 4.5}
+        rear: {topic: /r}
+)" + kPursuit);
+  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+  const auto& layer =
+      std::get<ObstacleLayerParameters>(reading.parameters.localCostmap.plugins[0].parameters);
+  QCOMPARE(layer.sources.size(), std::size_t{2});
+  QCOMPARE(layer.sources[0].obstacleMaxRange, 4.5);
+  QVERIFY(layer.sources[0].clearing && !layer.sources[1].clearing);
+  QCOMPARE(layer.sources[1].maxObstacleHeight, 0.0);
+}
+
+void Nav2ParamsTest::read_otherNodes_areIdleOrUnknown() {
+  const Nav2Reading reading = readOf(R"(amcl:
+  ros__parameters: {alpha1: 0.2}
+planer_server:
+  ros__parameters: {x: 1}
+)" + kPursuit);
+  QCOMPARE(noteOf(reading, "amcl.alpha1")->use, KeyUse::Idle);
+  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-node");
+  QVERIFY(problem != nullptr && problem->message.find("planner_server") != std::string::npos);
+}
+
+void Nav2ParamsTest::read_recoveriesServer_isTheBehaviorServer() {
+  const Nav2Reading reading = readOf(R"(recoveries_server:
+  ros__parameters:
+    cycle_frequency: 5.0
+    behavior_plugins: ["spin"]
+    spin: {plugin: "nav2_recoveries/Spin"}
+)" + kPursuit,
+                                     Distro::Humble);
+  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+  QCOMPARE(reading.parameters.behaviors.server.cycleFrequency, 5.0);
+  QVERIFY(reading.parameters.behaviors.hasSpin && !reading.parameters.behaviors.hasWait);
+}
+
+void Nav2ParamsTest::guess_signs_data() {
+  QTest::addColumn<QString>("text");
+  QTest::addColumn<int>("distro");
+  QTest::newRow("slash") << "planner_server:\n  ros__parameters:\n    G: {plugin: a/B}\n" << 0;
+  QTest::newRow("colons") << "planner_server:\n  ros__parameters:\n    G: {plugin: 'a::B'}\n" << 1;
+  QTest::newRow("checker")
+      << "controller_server:\n  ros__parameters: {progress_checker_plugin: p}\n"
+      << 0;
+  QTest::newRow("checkers")
+      << "controller_server:\n  ros__parameters: {progress_checker_plugins: [p]}\n"
+      << 1;
+  QTest::newRow("handlers")
+      << "controller_server:\n  ros__parameters: {path_handler_plugins: [p]}\n"
+      << 2;
+  QTest::newRow("nothing") << "controller_server:\n  ros__parameters: {a: 1}\n" << 1;
+}
+
+void Nav2ParamsTest::guess_signs() {
+  QFETCH(QString, text);
+  QFETCH(int, distro);
+  QCOMPARE(static_cast<int>(guessDistro(parsed(text.toStdString())).distro), distro);
+}
+
+void Nav2ParamsTest::set_value_integersPassForDoubles() {
+  ParameterFile file = parsed(kPursuit);
+  const Nav2Reading before = readNav2Parameters(file, {Distro::Jazzy, {}});
+  QVERIFY(setNav2Value(file, before, "FollowPath.lookahead_dist", "2").empty());
+  QVERIFY(setNav2Value(file, before, "local_costmap.width", "7").empty());
+  QVERIFY(setNav2Value(file, before, "velocity_smoother.max_velocity", "[1, 0, 2]").empty());
+  const Nav2Reading after = readNav2Parameters(file, {Distro::Jazzy, {}});
+  QVERIFY2(after.ok(), texts(after.problems).c_str());
+  QCOMPARE(controllerValue(after.parameters, "FollowPath.lookahead_dist", 0.0), 2.0);
+  QCOMPARE(after.parameters.localCostmap.parameters.width, 7);
+  QCOMPARE(after.parameters.velocitySmoother.maxVelocity, (std::vector<double>{1.0, 0.0, 2.0}));
+}
+
+void Nav2ParamsTest::set_unknownPath_tellsTheNearest() {
+  ParameterFile file = parsed(kPursuit);
+  const Nav2Reading reading = readNav2Parameters(file, {Distro::Jazzy, {}});
+  const base::Diagnostics wrong = setNav2Value(file, reading, "FollowPath.lookahed_dist", "2.0");
+  QCOMPARE(wrong.size(), std::size_t{1});
+  QVERIFY(wrong.front().message.find("FollowPath.lookahead_dist") != std::string::npos);
+}
+
+void Nav2ParamsTest::set_keyOfBothCostmaps_needsItsNode() {
+  ParameterFile file = parsed(kPursuit);
+  const Nav2Reading reading = readNav2Parameters(file, {Distro::Jazzy, {}});
+  const base::Diagnostics wrong =
+      setNav2Value(file, reading, "inflation_layer.inflation_radius", "0.7");
+  QVERIFY(problemOf(wrong, "nav2.set-ambiguous"));
+  QVERIFY(
+      setNav2Value(file, reading, "local_costmap.inflation_layer.inflation_radius", "0.7").empty());
+}
+
+void Nav2ParamsTest::shipped_files_haveNoProblems_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<int>("distro");
+  QTest::newRow("generic") << "generic" << 1;
+  QTest::newRow("turtlebot3") << "turtlebot3" << 0;
+  QTest::newRow("turtlebot4") << "turtlebot4" << 1;
+  QTest::newRow("tiago") << "tiago" << 0;
+  QTest::newRow("nova_carter") << "nova_carter" << 1;
+}
+
+void Nav2ParamsTest::shipped_files_haveNoProblems() {
+  QFETCH(QString, name);
+  QFETCH(int, distro);
+  const auto file =
+      ParameterFile::read(SOURCE_DIR "/resources/nav2_params/" + name.toStdString() + ".yaml");
+  QVERIFY(file);
+  const Nav2Reading reading = readNav2Parameters(*file);
+  QVERIFY2(reading.problems.empty(), texts(reading.problems).c_str());
+  QCOMPARE(static_cast<int>(reading.parameters.distro), distro);
+  for (const KeyNote& key : reading.parameters.notes.keys) {
+    QVERIFY2(key.use == KeyUse::Used || key.use == KeyUse::Idle, key.path.c_str());
+  }
+}
+
+QTEST_GUILESS_MAIN(Nav2ParamsTest)
+#include "tst_Nav2Params.moc"

@@ -1,0 +1,399 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <QtTest>
+
+#include "app/run/Bundle.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioFile.h"
+
+/// Whole runs of the planner `nav2`: files like those of real robots drive from start to goal, a
+/// changed parameter has its known effect, and all of it twice alike.
+class Nav2RunsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void shippedFiles_inShippedMaps_arrive_data();
+  void shippedFiles_inShippedMaps_arrive();
+  void sameRunTwice_isEqualToTheBit();
+  void twoRobots_withTwoFiles_bothArrive();
+  void ownTree_thatOnlySpins_spins();
+  void report_hasKeysDefaultsAndCounts();
+  void effect_inflationRadius_keepsFartherOff();
+  void effect_costScaling_goesNearer();
+  void effect_lookahead_cutsCorners();
+  void effect_pathAlignWeight_keepsToThePath();
+  void effect_temperature_isBolderWhenLow();
+  void effect_topSpeed_isKept();
+  void effect_goalTolerance_stopsEarlier();
+  void effect_smootherAcceleration_isKept();
+  void badInput_isToldNotRun_data();
+  void badInput_isToldNotRun();
+};
+
+namespace {
+
+using base::Vec2;
+using Words = std::vector<std::string>;
+
+std::string paramsFile(const std::string& name) {
+  return SOURCE_DIR "/resources/nav2_params/" + name + ".yaml";
+}
+const std::string kTree =
+    SOURCE_DIR "/resources/nav2_trees/jazzy/navigate_to_pose_w_replanning_and_recovery.xml";
+const std::string kHumbleTree =
+    SOURCE_DIR "/resources/nav2_trees/humble/navigate_to_pose_w_replanning_and_recovery.xml";
+
+app::RunOptions optionsOf(const std::string& scenario, const std::string& params) {
+  app::RunOptions options;
+  options.scenario = scenario;
+  options.planner = "nav2";
+  options.nav2Params = paramsFile(params);
+  const bool isHumble = params == "turtlebot3" || params == "tiago";
+  options.nav2Tree = isHumble ? kHumbleTree : kTree;
+  return options;
+}
+
+/// A plane with a box between start and goal, nobody else. The robot looks along +x.
+std::string boxScenario(double heading = 0.0, bool hasBox = true) {
+  std::string yaml = R"(hunav_loader:
+  ros__parameters:
+    map: none
+    agents: [anna]
+    anna:
+      id: 1
+      skin: 0
+      group_id: -1
+      max_vel: 0.5
+      radius: 0.3
+      init_pose: {x: 4.0, y: 30.0, z: 1.25, h: 0.0}
+      goal_radius: 0.3
+      cyclic_goals: false
+      goals: [1]
+      behavior: {type: Regular, configuration: 0, goal_force_factor: 2.0, obstacle_force_factor: 10.0, social_force_factor: 5.0, other_force_factor: 20.0}
+    global_goals:
+      1: {x: 4.0, y: 30.0}
+hunavsim_desktop:
+  ros__parameters:
+    format: 1
+    map_file: none
+    robots: [robot1]
+    robot1:
+      start: {x: 0.0, y: 0.0, h: HEADING}
+      goal: {x: 8.0, y: 0.0}
+)";
+  yaml.replace(yaml.find("HEADING"), 7, base::formatDecimals(heading, 3));
+  if (hasBox) {
+    yaml += R"(    obstacles: [box1]
+    box1: {kind: box, x: 4.0, y: 0.3, h: 0.0, length: 1.0, width: 2.0}
+)";
+  }
+  const std::string path = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_box" +
+                           base::formatDecimals(heading, 1) + (hasBox ? "b" : "") + ".yaml";
+  base::writeFileAtomically(path, yaml);
+  return path;
+}
+
+struct Driven {
+  std::vector<Vec2> places;
+  std::vector<double> speeds;  // ahead [m/s]
+  bool hasArrived = false;
+  double time = 0.0;  // [s]
+  std::string problems, failure;
+  nlohmann::json report;
+  int recoveries = 0;
+
+  /// Least distance to the box of boxScenario [m].
+  double clearance() const {
+    double least = 100.0;
+    for (const Vec2& place : places) {
+      const double dx = std::max(std::fabs(place.x() - 4.0) - 0.5, 0.0);
+      const double dy = std::max(std::fabs(place.y() - 0.3) - 1.0, 0.0);
+      least = std::min(least, std::hypot(dx, dy));
+    }
+    return least;
+  }
+  double topSpeed() const { return *std::max_element(speeds.begin(), speeds.end()); }
+};
+
+std::string textOf(const base::Diagnostics& problems) {
+  std::string text;
+  for (const base::Diagnostic& problem : problems) {
+    text += problem.severity == base::Severity::Info ? "" : problem.text() + "\n";
+  }
+  return text;
+}
+
+app::Verdict prepared(const app::RunOptions& options) {
+  const auto settings = app::runSettingsOf(options);
+  const app::Bundle bundle = app::readBundle(options, *settings, {});
+  app::Verdict verdict = app::check(bundle);
+  base::append(verdict.problems, verdict.wrongWords);
+  return verdict;
+}
+
+Driven drive(const app::RunOptions& options, double longest) {
+  Driven driven;
+  app::Verdict verdict = prepared(options);
+  driven.problems = textOf(verdict.problems);
+  if (!verdict.world) {
+    return driven;
+  }
+  sim2d::World& world = *verdict.world;
+  while (!world.arrivedAt() && world.time() < longest && world.step()) {
+    const sim2d::RobotColumns& robots = world.frame().robots;
+    driven.places.push_back({robots.x[0], robots.y[0]});
+    driven.speeds.push_back(std::hypot(robots.vx[0], robots.vy[0]));
+  }
+  driven.hasArrived = world.arrivedAt().has_value();
+  driven.time = world.time();
+  driven.failure = world.failure();
+  driven.report = nlohmann::json::parse(world.robotReports().at(0));
+  return driven;
+}
+
+Driven driveBox(const std::string& params, const Words& set, double longest = 60.0,
+                double heading = 0.0, bool hasBox = true) {
+  app::RunOptions options = optionsOf(boxScenario(heading, hasBox), params);
+  options.set = set;
+  return drive(options, longest);
+}
+
+const std::string kPursuit =
+    "nav2.FollowPath.plugin=nav2_regulated_pure_pursuit_controller::"
+    "RegulatedPurePursuitController";
+
+}  // namespace
+
+void Nav2RunsTest::shippedFiles_inShippedMaps_arrive_data() {
+  QTest::addColumn<QString>("params");
+  QTest::addColumn<QString>("type");
+  QTest::addColumn<QString>("scenario");
+  const std::vector<std::pair<const char*, const char*>> robots = {
+      {"turtlebot3", "turtlebot3_waffle"},
+      {"turtlebot4", "turtlebot4"},
+      {"tiago", "tiago"},
+      {"nova_carter", "nova_carter"}};
+  for (const auto& [params, type] : robots) {
+    for (const char* scenario : {"corner_cafe/corner_cafe_agents",
+                                 "reactions/reaction_regular_agents", "planners/doorway_agents"}) {
+      QTest::newRow((std::string(params) + " " + scenario).c_str()) << params << type << scenario;
+    }
+  }
+}
+
+void Nav2RunsTest::shippedFiles_inShippedMaps_arrive() {
+  QFETCH(QString, params);
+  QFETCH(QString, type);
+  QFETCH(QString, scenario);
+  app::RunOptions options =
+      optionsOf(SOURCE_DIR "/maps/" + scenario.toStdString() + ".yaml", params.toStdString());
+  options.robot = type.toStdString();
+  const Driven driven = drive(options, 150.0);
+  QVERIFY2(driven.hasArrived,
+           (driven.problems + driven.failure + driven.report["counts"].dump()).c_str());
+}
+
+void Nav2RunsTest::sameRunTwice_isEqualToTheBit() {
+  const Driven first = driveBox("generic", {}), second = driveBox("generic", {});
+  QVERIFY2(first.hasArrived, first.problems.c_str());
+  QVERIFY(first.places == second.places && first.speeds == second.speeds);
+  QCOMPARE(first.report.dump(), second.report.dump());
+}
+
+void Nav2RunsTest::twoRobots_withTwoFiles_bothArrive() {
+  app::RunOptions options = optionsOf(boxScenario(), "generic");
+  options.set = {"robots=[robot1, robot2]",
+                 "robot2.start.x=0.0",
+                 "robot2.start.y=3.0",
+                 "robot2.start.h=0.0",
+                 "robot2.goal.x=7.0",
+                 "robot2.goal.y=3.0",
+                 "robot2.planner=nav2",
+                 "robot2.type=turtlebot3_waffle",
+                 "robot2.nav2_params=" + paramsFile("turtlebot3"),
+                 "robot2.nav2_tree=" + kHumbleTree};
+  app::Verdict verdict = prepared(options);
+  QVERIFY2(verdict.world, textOf(verdict.problems).c_str());
+  sim2d::World& world = *verdict.world;
+  while (!world.arrivedAt() && world.time() < 90.0 && world.step()) {
+  }
+  QVERIFY2(world.arrivedAt(), world.failure().c_str());
+  const std::vector<std::string> reports = world.robotReports();
+  QCOMPARE(nlohmann::json::parse(reports[0])["distro"], "jazzy");
+  QCOMPARE(nlohmann::json::parse(reports[1])["distro"], "humble");
+}
+
+void Nav2RunsTest::ownTree_thatOnlySpins_spins() {
+  const std::string tree = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_spin.xml";
+  base::writeFileAtomically(tree, R"(<root BTCPP_format="4" main_tree_to_execute="T">
+  <BehaviorTree ID="T"><Spin spin_dist="1.57"/></BehaviorTree></root>)");
+  app::RunOptions options = optionsOf(boxScenario(), "generic");
+  options.nav2Tree = tree;
+  app::Verdict verdict = prepared(options);
+  QVERIFY2(verdict.world, textOf(verdict.problems).c_str());
+  sim2d::World& world = *verdict.world;
+  bool isTold = false;
+  while (world.time() < 8.0 && world.step()) {
+    world.frame().treeChanges.forEach([&](int id, const auto& paths, int node, auto status) {
+      isTold = isTold || (id == -1 && paths->at(static_cast<std::size_t>(node)) == "Spin" &&
+                          status == base::NodeStatus::Success);
+    });
+  }
+  QVERIFY(isTold);
+  QVERIFY(std::fabs(world.frame().robots.heading[0] - 1.57) < 0.15);
+  QVERIFY(std::fabs(world.frame().robots.x[0]) < 0.01);
+}
+
+void Nav2RunsTest::report_hasKeysDefaultsAndCounts() {
+  const Driven driven = driveBox("turtlebot3", {}, 20.0);
+  QCOMPARE(driven.report["distro"], "humble");
+  QCOMPARE(driven.report["navigation2_commit"], "3c3db59");
+  QCOMPARE(driven.report["plugins"]["controller_server.FollowPath"], "dwb_core::DWBLocalPlanner");
+  QCOMPARE(driven.report["latency_steps"]["command"], 1.0);
+  QCOMPARE(driven.report["treated_as"].size(), std::size_t{1});
+  QVERIFY(driven.report["counts"]["replans"] > 10);  // once per second
+  QCOMPARE(driven.report["code_defaults"]["controller_server.FollowPath.time_granularity"], "0.5");
+  bool isIdle = false;
+  for (const auto& key : driven.report["keys"]) {
+    isIdle = isIdle || (key["key"] == "local_costmap.global_frame" && key["use"] == "ignored" &&
+                        !key["why"].get<std::string>().empty());
+  }
+  QVERIFY(isIdle);
+}
+
+void Nav2RunsTest::effect_inflationRadius_keepsFartherOff() {
+  const Words narrow = {"nav2.local_costmap.inflation_layer.inflation_radius=0.4",
+                        "nav2.global_costmap.inflation_layer.inflation_radius=0.4"};
+  const Words wide = {"nav2.local_costmap.inflation_layer.inflation_radius=1.2",
+                      "nav2.global_costmap.inflation_layer.inflation_radius=1.2"};
+  const Driven near = driveBox("generic", narrow), far = driveBox("generic", wide);
+  QVERIFY2(near.hasArrived && far.hasArrived, (near.problems + far.problems).c_str());
+  QVERIFY2(
+      far.clearance() > near.clearance() + 0.1,
+      (base::formatDouble(near.clearance()) + " " + base::formatDouble(far.clearance())).c_str());
+}
+
+void Nav2RunsTest::effect_costScaling_goesNearer() {
+  const auto words = [](const char* factor) {
+    Words all;
+    for (const char* costmap : {"local", "global"}) {
+      const std::string layer = std::string("nav2.") + costmap + "_costmap.inflation_layer.";
+      all.push_back(layer + "inflation_radius=1.5");
+      all.push_back(layer + "cost_scaling_factor=" + factor);
+    }
+    return all;
+  };
+  const Driven flat = driveBox("generic", words("1.0")), steep = driveBox("generic", words("20.0"));
+  QVERIFY2(flat.hasArrived && steep.hasArrived, (flat.problems + steep.problems).c_str());
+  QVERIFY2(
+      steep.clearance() < flat.clearance() - 0.1,
+      (base::formatDouble(steep.clearance()) + " " + base::formatDouble(flat.clearance())).c_str());
+}
+
+void Nav2RunsTest::effect_lookahead_cutsCorners() {
+  const auto words = [](const char* distance) {
+    return Words{kPursuit, std::string("nav2.FollowPath.lookahead_dist=") + distance,
+                 "nav2.FollowPath.use_cost_regulated_linear_velocity_scaling=false",
+                 "nav2.FollowPath.use_collision_detection=false"};
+  };
+  const Driven shortOne = driveBox("generic", words("0.3"));
+  const Driven longOne = driveBox("generic", words("1.5"));
+  QVERIFY2(shortOne.hasArrived && longOne.hasArrived,
+           (shortOne.problems + longOne.problems).c_str());
+  QVERIFY2(
+      longOne.clearance() < shortOne.clearance(),
+      (base::formatDouble(longOne.clearance()) + " " + base::formatDouble(shortOne.clearance()))
+          .c_str());
+}
+
+void Nav2RunsTest::effect_pathAlignWeight_keepsToThePath() {
+  const auto deviation = [](const char* weight) {
+    const Driven driven =
+        driveBox("generic", {std::string("nav2.FollowPath.PathAlignCritic.cost_weight=") + weight},
+                 60.0, 0.9, false);
+    double sum = 0.0;
+    for (const Vec2& place : driven.places) {
+      sum += std::fabs(place.y());  // the path is the x axis, or leads back to it
+    }
+    return sum / static_cast<double>(driven.places.size());
+  };
+  const double loose = deviation("0.0"), tight = deviation("60.0");
+  QVERIFY2(tight < loose, (base::formatDouble(tight) + " " + base::formatDouble(loose)).c_str());
+}
+
+void Nav2RunsTest::effect_temperature_isBolderWhenLow() {
+  const auto reached = [](const char* temperature) {
+    const Driven driven = driveBox(
+        "generic", {std::string("nav2.FollowPath.temperature=") + temperature}, 6.0, 0.0, false);
+    return driven.places.back().x();
+  };
+  const double bold = reached("0.1"), shy = reached("30.0");  // [m] after 6 s
+  QVERIFY2(bold > shy + 0.2, (base::formatDouble(bold) + " " + base::formatDouble(shy)).c_str());
+}
+
+void Nav2RunsTest::effect_topSpeed_isKept() {
+  const Driven slow = driveBox("generic", {"nav2.FollowPath.vx_max=0.3"}, 12.0, 0.0, false);
+  const Driven fast = driveBox("generic", {"nav2.FollowPath.vx_max=0.6"}, 12.0, 0.0, false);
+  QVERIFY2(slow.topSpeed() <= 0.3 + 1e-6 && slow.topSpeed() > 0.2,
+           base::formatDouble(slow.topSpeed()).c_str());
+  QVERIFY2(fast.topSpeed() > 0.45 && fast.topSpeed() <= 0.6 + 1e-6,
+           base::formatDouble(fast.topSpeed()).c_str());
+}
+
+void Nav2RunsTest::effect_goalTolerance_stopsEarlier() {
+  const auto rest = [](const char* tolerance) {
+    const std::string key = "nav2.general_goal_checker.xy_goal_tolerance=";
+    const Driven driven = driveBox("generic", {key + tolerance}, 60.0, 0.0, false);
+    return driven.hasArrived ? 8.0 - driven.places.back().x() : -1.0;
+  };
+  const double small = rest("0.15"), large = rest("0.8");
+  QVERIFY2(small > 0.0 && small <= 0.15, base::formatDouble(small).c_str());
+  QVERIFY2(large > 0.6 && large <= 0.8, base::formatDouble(large).c_str());
+}
+
+void Nav2RunsTest::effect_smootherAcceleration_isKept() {
+  const Driven soft =
+      driveBox("generic", {"nav2.velocity_smoother.max_accel=[0.2, 0.0, 3.0]"}, 4.0, 0.0, false);
+  double fastest = 0.0;  // gain of speed in a second [m/s]
+  for (std::size_t i = 20; i < soft.speeds.size(); ++i) {
+    fastest = std::max(fastest, soft.speeds[i] - soft.speeds[i - 20]);
+  }
+  QVERIFY2(fastest > 0.1 && fastest <= 0.2 + 0.011, base::formatDouble(fastest).c_str());
+}
+
+void Nav2RunsTest::badInput_isToldNotRun_data() {
+  QTest::addColumn<QString>("set");
+  QTest::addColumn<QString>("part");
+  QTest::newRow("unknown") << "nav2.FollowPath.temperatur=0.2"
+                           << "FollowPath.temperature";
+  QTest::newRow("type") << "nav2.FollowPath.temperature=warm"
+                        << "double";
+  QTest::newRow("file") << "robot1.nav2_params=nowhere.yaml"
+                        << "nowhere.yaml";
+  QTest::newRow("tree") << "robot1.nav2_tree=nowhere.xml"
+                        << "nowhere.xml";
+}
+
+void Nav2RunsTest::badInput_isToldNotRun() {
+  QFETCH(QString, set);
+  QFETCH(QString, part);
+  app::RunOptions options = optionsOf(boxScenario(), "generic");
+  options.nav2Params.reset();
+  options.nav2Tree.reset();
+  options.set = {"robot1.nav2_params=" + paramsFile("generic"), "robot1.nav2_tree=" + kTree,
+                 "robot1.planner=nav2", set.toStdString()};
+  const app::Verdict verdict = prepared(options);
+  QVERIFY(!verdict.world);
+  const std::string text = textOf(verdict.problems);
+  QVERIFY2(text.find(part.toStdString()) != std::string::npos, text.c_str());
+}
+
+QTEST_GUILESS_MAIN(Nav2RunsTest)
+#include "tst_Nav2Runs.moc"
