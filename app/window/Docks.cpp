@@ -235,6 +235,7 @@ void Docks::showTreeLarge(bool on) {
     return;
   }
   if (!on) {
+    behaviour->setMaximumWidth(QWIDGETSIZE_MAX);
     centre_->show();
     bringBack();
     return;
@@ -245,7 +246,7 @@ void Docks::showTreeLarge(bool on) {
   centre_->hide();
   tree->raise();
   behaviour->raise();
-  window_.resizeDocks({behaviour}, {kSideWidth}, Qt::Horizontal);
+  behaviour->setMaximumWidth(kSideWidth);  // the tree has all the room that the map had
   tree->widget()->setFocus();
 }
 

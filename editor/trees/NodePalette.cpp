@@ -102,11 +102,8 @@ NodePalette::NodePalette(const Theme& theme)
   addRows();
   connect(search_, &QLineEdit::textChanged, this, &NodePalette::filter);
   connect(search_, &QLineEdit::returnPressed, this, [this] {
-    for (QTreeWidgetItemIterator row(list_); *row != nullptr; ++row) {
-      if (!(*row)->isHidden() && !xmlOf(*row).isEmpty()) {
-        Q_EMIT wanted(xmlOf(*row));
-        return;
-      }
+    if (const QTreeWidgetItem* row = bestFound()) {
+      Q_EMIT wanted(xmlOf(row));
     }
   });
   connect(list_, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* row) {
@@ -203,24 +200,44 @@ void NodePalette::setTheme(const Theme& theme) {
   }
 }
 
+/// Of the rows that are seen: one whose name begins like that, else has it, else the first.
+const QTreeWidgetItem* NodePalette::bestFound() const {
+  const QString text = search_->text().trimmed();
+  const QTreeWidgetItem* best = nullptr;
+  int bestRank = 3;
+  for (QTreeWidgetItemIterator row(list_); *row != nullptr; ++row) {
+    if ((*row)->isHidden() || xmlOf(*row).isEmpty()) {
+      continue;
+    }
+    const int place = (*row)->text(0).indexOf(text, 0, Qt::CaseInsensitive);
+    const int rank = place == 0 ? 0 : place > 0 ? 1 : 2;
+    if (rank < bestRank) {
+      best = *row;
+      bestRank = rank;
+    }
+  }
+  return best;
+}
+
 void NodePalette::filter() {
   const QString text = search_->text().trimmed();
   bool found = false;
   for (int k = 0; k < list_->topLevelItemCount(); ++k) {
     QTreeWidgetItem* group = list_->topLevelItem(k);
-    bool any = false;
+    int count = 0;
     for (int i = 0; i < group->childCount(); ++i) {
       QTreeWidgetItem* row = group->child(i);
       const bool fits = row->text(0).contains(text, Qt::CaseInsensitive) ||
                         row->data(0, kHelpRole).toString().contains(text, Qt::CaseInsensitive);
       row->setHidden(!fits);
-      any = any || fits;
+      count += fits ? 1 : 0;
     }
-    group->setHidden(!any);
+    group->setHidden(count == 0);
+    group->setData(0, kSideTextRole, QString::number(count));
     if (!text.isEmpty()) {
       group->setExpanded(true);
     }
-    found = found || any;
+    found = found || count > 0;
   }
   nothing_->showFor(found);
 }

@@ -35,6 +35,7 @@ class NodePalette : public QWidget {
   QTreeWidgetItem* addGroup(const QString& title);
   void addNode(QTreeWidgetItem& group, const bt::NodeSpec& node, const QString& title,
                const QString& help);
+  const QTreeWidgetItem* bestFound() const;  // of the search; null = none
   void filter();
   void explain();
 

@@ -112,6 +112,7 @@ void TreeHistory::follow() {
     isOther_ = false;
     paths_ = nullptr;
     bands_.assign(graph_.nodes().size(), {});
+    fitBars();
   }
   if (recording_ != nullptr) {
     const std::int64_t end = std::min(newestStep(), read_ + kStepsAtOnce);
@@ -203,7 +204,7 @@ std::int64_t TreeHistory::stepAt(int x) const {
 }
 
 void TreeHistory::fitBars() {
-  const int all = kRow * static_cast<int>(graph_.shown().size());
+  const int all = recording_ == nullptr ? 0 : kRow * static_cast<int>(graph_.shown().size());
   const int room = std::max(1, viewport()->height() - kAxis);
   verticalScrollBar()->setRange(0, std::max(0, all - room));
   verticalScrollBar()->setPageStep(room);

@@ -69,6 +69,8 @@ QWidget* TreeStudio::makeHead() {
   sharing_ = new QToolButton(this);
   sharing_->setCheckable(true);
   sharing_->setChecked(true);
+  sharing_->setToolTip(tr("Whether edits change everybody who has this very tree"));
+  sharing_->hide();
   give_ = link(tr("Give to…"), tr("Let others have the same tree"), [this] { offerGiving(); });
   turn_ = link(tr("Left to right"), tr("The root at the left, or at the top"), [this] {
     const bool isDown = canvas_->graph().direction() == TreeDirection::Down;
@@ -270,7 +272,6 @@ void TreeStudio::showSharing() {
   sharing_->setVisible(count > 1);
   sharing_->setText(sharing_->isChecked() ? tr("Edits change %1 people").arg(count)
                                           : tr("Edits change this person alone"));
-  sharing_->setToolTip(tr("%1 people have this very tree").arg(count));
   sharing_->setAccessibleName(sharing_->text());
 }
 

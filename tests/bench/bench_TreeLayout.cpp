@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <QElapsedTimer>
@@ -14,18 +15,15 @@ class TreeLayoutBench : public QObject {
   Q_OBJECT
 
  private:
-  static void grow(bt::NodeSpec& node, std::mt19937& draw, int& left) {
-    const int children = 1 + static_cast<int>(draw() % 4);
-    for (int k = 0; k < children && left > 0; ++k) {
-      --left;
-      bt::NodeSpec child;
-      child.id = "Sequence";
-      child.name = "Part " + std::to_string(left);
-      node.children.push_back(child);
+  /// The node of this number and what is below it, three each, of 300.
+  static bt::NodeSpec part(int number) {
+    bt::NodeSpec node;
+    node.id = number == 0 ? "Fallback" : "Sequence";
+    node.name = "Part " + std::to_string(number);
+    for (int child = 3 * number + 1; child <= 3 * number + 3 && child < 300; ++child) {
+      node.children.push_back(part(child));
     }
-    for (bt::NodeSpec& child : node.children) {
-      grow(child, draw, left);
-    }
+    return node;
   }
 
  private Q_SLOTS:
@@ -42,13 +40,10 @@ class TreeLayoutBench : public QObject {
   }
 
   void graph_300Nodes_isReadyIn10Ms() {
-    std::mt19937 draw(3);
     editor::PersonTree tree;
     bt::TreeSpec spec;
     spec.id = "Large";
-    spec.root.id = "Fallback";
-    int left = 299;
-    grow(spec.root, draw, left);
+    spec.root = part(0);
     tree.file.trees = {spec};
     tree.table.entries["Large"] = {spec, "large.xml"};
     tree.table.mainTree = "Large";
