@@ -21,6 +21,7 @@ namespace {
 constexpr double kLeastStep = 0.25;  // px between the points of a way
 constexpr double kAround = 0.5;      // [m] of the ground around what is drawn
 constexpr int kFadeSteps = 12;
+constexpr double kTinyMap = 30.0;   // px/m
 constexpr double kMapDetail = 3.0;  // px of its image for each of the picture
 
 }  // namespace
@@ -294,8 +295,13 @@ void FigureMap::paintGoals() const {
 
 /// At the painter's origin, the number as other text.
 void FigureMap::pin(const QString& number) const {
-  const double scale = measures_.isNarrow ? 0.8 : 1.0;
+  const bool isTiny =
+      !options_.names && frame_.scale < kTinyMap;  // of a strip: no room for numbers
+  const double scale = isTiny ? 0.45 : measures_.isNarrow ? 0.8 : 1.0;
   figures_.pin(*painter_, {}, false, scale);
+  if (isTiny) {
+    return;
+  }
   QFont font = theme_.figureFont();
   font.setPixelSize(static_cast<int>((number.size() > 2 ? 8 : 11) * scale));
   font.setWeight(QFont::DemiBold);

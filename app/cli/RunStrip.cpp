@@ -10,7 +10,8 @@ using editor::Role;
 
 namespace {
 
-constexpr double kCellGap = 10.0;  // [px] between two maps
+constexpr double kCellGap = 10.0;       // [px] between two maps
+constexpr double kTallestStrip = 0.95;  // height of the maps over the width
 
 FigureMeasures smallMeasures() {
   return FigureMeasures(0.0);
@@ -22,16 +23,24 @@ FigureOptions withoutNames(FigureOptions options) {
   return options;
 }
 
-/// For the largest maps in a strip that is not taller than wide.
+/// For the largest maps in a strip that is not taller than wide, with whole rows where a few more
+/// columns give them.
 int bestColumns(std::size_t count, double width, double heightOverWidth, double titleHeight) {
-  for (std::size_t columns = 1; columns < count; ++columns) {
+  constexpr std::size_t kMostColumns = 4;
+  std::size_t best = count;
+  for (std::size_t columns = count; columns > 0; --columns) {
     const auto rows = static_cast<double>((count + columns - 1) / columns);
     const double cell = width / static_cast<double>(columns);
-    if (rows * (cell * heightOverWidth + titleHeight) <= 0.75 * width) {
+    if (rows * (cell * heightOverWidth + titleHeight) <= kTallestStrip * width) {
+      best = columns;
+    }
+  }
+  for (std::size_t columns = best; columns <= std::min(count, kMostColumns); ++columns) {
+    if (count % columns == 0) {
       return static_cast<int>(columns);
     }
   }
-  return static_cast<int>(count);
+  return static_cast<int>(best);
 }
 
 }  // namespace

@@ -161,7 +161,8 @@ LegendPart sightPart(const MapScene& scene) {
          QColor fill = color;
          fill.setAlphaF(0.25);
          setInk(painter, QPen(color, 1.0), fill);
-         painter.drawPie(box.adjusted(-4.0, 3.0, -4.0, -3.0), -50 * 16, 100 * 16);
+         const QPointF eye(box.left() + 2.0, box.center().y());
+         painter.drawPie(around(eye, 17.0), -30 * 16, 60 * 16);
        }});
   return part;
 }
