@@ -43,7 +43,7 @@ base::Diagnostics runInto(const std::string& folder, const std::vector<sim2d::Ro
   app::Session session(sim2d::stopRuleOf(*bundle.scenario));
   sim2d::RunResult result = session.run(*verdict.world, &writer);
   const app::FinishedRun run{
-      verdict.world->header(), std::move(result), {}, writer.evaluation(), {}, false, {}};
+      verdict.world->header(), std::move(result), {}, writer.evaluation(), {}, false, {}, {}};
   return app::writeRunFolder(**output, run, writer, bundle, {"hunavsim"});
 }
 
