@@ -84,7 +84,7 @@ Docks::Docks(QMainWindow& window, Workspace& workspace, const editor::PanelRegis
   mapOnly_->setCheckable(true);
   editor::describe(*mapOnly_, tr("Close all panels; once more brings them back"));
   connect(mapOnly_, &QAction::toggled, this, &Docks::showMapOnly);
-  treeLarge_ = new QAction(tr("T&ree in place of the map"), this);
+  treeLarge_ = new QAction(tr("Tree in place of the map"), this);
   treeLarge_->setShortcut(Qt::Key_F8);
   treeLarge_->setCheckable(true);
   editor::describe(*treeLarge_,

@@ -157,8 +157,8 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   QMenu& view = *bar.addMenu(QObject::tr("&View"));
   addGroups(view, {{actions.zoomIn, actions.zoomOut, actions.zoomFit}, actions.overlays});
   view.addMenu(QObject::tr("&Layers"))->addActions(actions.layers);
-  view.addMenu(QObject::tr("&Over a run"))->addActions(actions.ofRuns->all);
-  view.addMenu(QObject::tr("Tra&il length"))->addActions(workspace.scrub().trailLengths());
+  view.addMenu(QObject::tr("Over a run"))->addActions(actions.ofRuns->all);
+  view.addMenu(QObject::tr("Trail length"))->addActions(workspace.scrub().trailLengths());
   addGroups(view, {docks.toggles() << docks.mapOnly() << docks.treeLarge() << actions.resetLayout,
                    {actions.switchTheme, actions.systemTheme, actions.fullScreen}});
 

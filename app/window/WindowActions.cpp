@@ -91,9 +91,9 @@ void WindowActions::makeEditActions() {
   cut = make(tr("Cu&t"), tr("Copy what is selected and remove it"), QKeySequence::Cut);
   copy = make(tr("&Copy"), tr("Copy what is selected, as YAML text"), QKeySequence::Copy);
   copyFigure =
-      make(tr("Copy as fi&gure"), tr("The moment of the run as a figure for a paper: PNG and SVG"),
+      make(tr("Copy as figure"), tr("The moment of the run as a figure for a paper: PNG and SVG"),
            kCtrl | kShift | Qt::Key_C);
-  copyPlot = make(tr("Copy the metric as a p&lot"),
+  copyPlot = make(tr("Copy the metric as a plot"),
                   tr("The metric that is selected, over time: PNG and SVG"));
   paste = make(tr("&Paste"), tr("Add what was copied beside it"), QKeySequence::Paste);
   duplicate =

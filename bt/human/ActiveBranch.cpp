@@ -108,6 +108,30 @@ std::string wordsOfNode(const std::string& name) {
   return words;
 }
 
+namespace {
+
+/// The last leaf that runs; else the last action that was done within the step and has words, as
+/// walking is; `count`: none.
+std::size_t actingLeaf(const sim2d::TreeStatuses& tree, std::size_t count) {
+  const std::vector<std::string>& paths = *tree.paths;
+  std::size_t running = count, done = count;
+  for (std::size_t node = 0; node < count; ++node) {
+    if (node + 1 < count && isBelowBranch(paths[node + 1], paths[node])) {
+      continue;
+    }
+    const std::string_view name = ownName(paths[node]);
+    if (tree.statuses[node] == NodeStatus::Running) {
+      running = node;
+    } else if (tree.statuses[node] == NodeStatus::Success && !isConditionName(name) &&
+               nodeWords().find(name) != nodeWords().end()) {
+      done = node;
+    }
+  }
+  return running != count ? running : done;
+}
+
+}  // namespace
+
 ActiveBranch activeBranchOf(const sim2d::TreeStatuses& tree) {
   ActiveBranch branch;
   if (tree.paths == nullptr) {
@@ -118,13 +142,7 @@ ActiveBranch activeBranchOf(const sim2d::TreeStatuses& tree) {
   const auto hasStatus = [&tree](std::size_t node, NodeStatus status) {
     return tree.statuses[node] == status;
   };
-  std::size_t leaf = count;
-  for (std::size_t node = 0; node < count; ++node) {
-    const bool hasChild = node + 1 < count && isBelowBranch(paths[node + 1], paths[node]);
-    if (!hasChild && hasStatus(node, NodeStatus::Running)) {
-      leaf = node;
-    }
-  }
+  const std::size_t leaf = actingLeaf(tree, count);
   if (leaf == count) {
     return branch;
   }

@@ -10,16 +10,16 @@ namespace bt {
 
 /// Why somebody acts, in words: "approaches the robot" because "the robot is visible".
 struct ActiveBranch {
-  std::string doing;    // of the leaf that runs; empty: none does
+  std::string doing;    // of the leaf that acts; empty: none does
   std::string because;  // the conditions that held on the way to it; empty: there was none
 
   std::string words() const { return because.empty() ? doing : doing + ", because " + because; }
 };
 
-/// From what the nodes of a tree returned last and their names as records have them: a leaf that
-/// runs, the last of several that do, and the conditions that succeeded before it among its own
-/// ancestors and their elder siblings. Nodes of ours and HuNavSim's have words of their own; others
-/// are called by their names.
+/// From what the nodes of a tree returned last and their names as records have them: the last leaf
+/// that runs, else the last action that was done within the step, as walking is, and the conditions
+/// that succeeded before it among its own ancestors and their elder siblings. Nodes of ours and
+/// HuNavSim's have words of their own; others are called by their names.
 ActiveBranch activeBranchOf(const sim2d::TreeStatuses& tree);
 
 /// "ApproachRobot" -> "approaches the robot"; "MyOwnNode" -> "my own node". Without words of its

@@ -47,12 +47,15 @@ sim2d::nav2::Nav2Reading readWith(sim2d::nav2::ParameterFile file, const sim2d::
   if (choice.values.empty()) {
     return reading;
   }
-  for (const auto& [path, yaml] : choice.values) {
-    base::append(wrong, setNav2Value(file, reading, path, yaml));
-  }
   const bool isGuessed = reading.parameters.isGuessed;
   std::vector<std::string> reasons = std::move(reading.parameters.distroReasons);
   options.distro = reading.parameters.distro;  // by the file as it is
+  for (const auto& [path, yaml] : choice.values) {
+    base::append(wrong, setNav2Value(file, reading, path, yaml));
+    if (path.find("plugin") != std::string::npos) {  // another class has other keys
+      reading = readNav2Parameters(file, options);
+    }
+  }
   reading = readNav2Parameters(file, options);
   reading.parameters.isGuessed = isGuessed;
   reading.parameters.distroReasons = std::move(reasons);
@@ -169,8 +172,8 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
   loaded.paramsFile = nav2ParamsFile(choice.params, folder, shipped);
   if (loaded.paramsFile.empty()) {
     const std::string named = choice.params.empty() ? kUsualNav2Params : choice.params;
-    loaded.problems.push_back(
-        base::error("nav2.no-file", {known(shipped.params, ".yaml")}, inFolder(named, folder)));
+    loaded.problems.push_back(base::error("nav2.no-file", {named, known(shipped.params, ".yaml")},
+                                          inFolder(named, folder)));
     return loaded;
   }
   const auto file = sim2d::nav2::ParameterFile::read(loaded.paramsFile);
@@ -185,7 +188,8 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
       choice.tree.empty() ? loaded.parameters.btNavigator.defaultNavToPoseBtXml : choice.tree;
   loaded.treeFile = nav2TreeFile(named, folder, loaded.parameters.distro, shipped);
   if (loaded.treeFile.empty()) {
-    loaded.problems.push_back(base::error("nav2.no-file", {known(shipped.trees, ".xml")}, named));
+    loaded.problems.push_back(
+        base::error("nav2.no-file", {named, known(shipped.trees, ".xml")}, named));
     return loaded;
   }
   NavigatorTree tree = loadNavigatorTree(loaded.treeFile, loaded.parameters);

@@ -7,10 +7,10 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/run/ProgramRegistries.h"
 #include "editor/look/Form.h"
 #include "editor/panels/Playback.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/world/Registries.h"
 
 namespace editor {
 
@@ -37,7 +37,7 @@ ForkDialog::ForkDialog(const sim2d::TraceHeader& header, double time, const QStr
   auto* section = new FormSection(tr("From there on"), this);
   name_->setAccessibleName(tr("Name of the branch"));
   section->addRow(tr("Name"), name_);
-  const std::vector<std::string> planners = sim2d::programRegistries().planners.names();
+  const std::vector<std::string> planners = app::programRegistries().planners.names();
   for (const sim2d::TraceRobot& robot : header.robots) {
     RobotRow row{robot.name, robot.maxVel, new ChoiceField(section),
                  new NumberField({0.0, kFastestRobot, 2, 0.1, true}, tr("m/s"), section)};

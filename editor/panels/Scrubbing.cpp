@@ -30,7 +30,7 @@ ScrubActions::ScrubActions(SimulationRunner& runner, RunEvents& events, MapScene
                                   tr("Show the moment of the contact before"), this)),
       nextContact(scrubAction(tr("Ne&xt contact"), QKeySequence(int{Qt::ALT} | Qt::Key_Right),
                               tr("Show the moment of the contact that comes next"), this)),
-      loop(scrubAction(tr("&Loop a part"), QKeySequence(int{Qt::CTRL} | Qt::Key_L),
+      loop(scrubAction(tr("Loop a part"), QKeySequence(int{Qt::CTRL} | Qt::Key_L),
                        tr("Play from A to B again and again; drag the marks on the timeline, or "
                           "Shift and drag a new part"),
                        this)),

@@ -305,6 +305,8 @@ constexpr ProblemText kTexts[] = {
     {"nav2.no-parameters", "no parameters of ROS 2 in it (a node with ros__parameters)"},
     {"nav2.outside-node", "'{found}' stands below no ros__parameters: ROS 2 does not read it"},
     {"nav2.unknown-key", "unknown key '{key}': nothing in Nav2 reads it{nearest}"},
+    {"nav2.node-of-others", "{node} is a node of {distros}: {distro} does not have it"},
+    {"nav2.node-unsupported", "{node} always fails here: {why}"},
     {"nav2.unknown-node", "'{node}' is no node of Nav2{nearest}"},
     {"nav2.idle-keys", "{node}: {count} without effect: {keys} ({why})"},
     {"nav2.other-distro", "{key} is {why}: {distro} does not read it"},
@@ -317,7 +319,8 @@ constexpr ProblemText kTexts[] = {
      "{name} is switched off: its 'enabled' is a word that Nav2's launch files replace"},
     {"nav2.set-unknown", "'{path}' is no parameter of Nav2{nearest}"},
     {"nav2.set-ambiguous", "'{path}' is a parameter of {nodes}: put one of them in front"},
-    {"nav2.no-file", "there is no such file, and none of this name is shipped (shipped: {known})"},
+    {"nav2.no-file",
+     "there is no file '{name}', and none of this name is shipped{known? (shipped: %)}"},
     {"nav2.needs-lidar", "robot '{robot}': planner nav2 needs a lidar"},
     {"nav2.drive", "robot '{robot}': {what}"},
     {"nav2.tree", "robot '{robot}': {what}"},
@@ -702,7 +705,8 @@ constexpr ProblemText kTexts[] = {
      "made again, the run is another one from {time} s on (it was made by version {then}, this is "
      "{now})"},
     {"again.branch-elsewhere",
-     "made again, the run is another one at {time} s: the branch does not begin where the other run "
+     "made again, the run is another one at {time} s: the branch does not begin where the other "
+     "run "
      "was"},
     {"again.ends-before", "with these options the run ends at {time} s, before {wanted} s"},
     {"again.itself", "a run that it goes on from would be lost: write elsewhere"},

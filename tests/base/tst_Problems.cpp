@@ -39,7 +39,7 @@ class ProblemsTest : public QObject {
 
  private Q_SLOTS:
   void ids_areUniqueAndInAreas() {
-    const QRegularExpression form(QStringLiteral("^[a-z][a-z0-9]*\\.[a-z]+(-[a-z0-9]+)*$"));
+    const QRegularExpression form(QStringLiteral("^[a-z][a-z0-9]*\\.[a-z][a-z0-9]*(-[a-z0-9]+)*$"));
     std::set<std::string_view> ids;
     for (const base::ProblemText& each : base::problemTexts()) {
       const QByteArray id(each.id.data(), static_cast<int>(each.id.size()));

@@ -68,9 +68,20 @@ class ActiveBranchTest : public QObject {
 
   void branch_nothingRuns_isEmpty() {
     QVERIFY(bt::activeBranchOf({}).words().empty());
-    QVERIFY(
-        bt::activeBranchOf(tree({{"Root", kHeld}, {"Root/RegularNav", kHeld}})).words().empty());
+    QVERIFY(bt::activeBranchOf(
+                tree({{"Root", kHeld}, {"Root/SetBlackboard", kHeld}, {"Root/IsCrowded", kHeld}}))
+                .words()
+                .empty());
     QVERIFY(bt::activeBranchOf(tree({})).words().empty());
+  }
+
+  /// RegularNav is done within each step.
+  void branch_actionOfOneStep_isTold() {
+    const bt::ActiveBranch branch = bt::activeBranchOf(tree({{"Root", kHeld},
+                                                             {"Root/IsAgentClose", kHeld},
+                                                             {"Root/RegularNav", kHeld},
+                                                             {"Root/SetBlackboard", kHeld}}));
+    QCOMPARE(branch.words(), std::string("walks to the goal, because somebody is close"));
   }
 
   void words_ofOtherNodes_areTheirNames() {

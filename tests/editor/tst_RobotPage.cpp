@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QtTest>
 
+#include "app/run/ProgramRegistries.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
 #include "editor/look/HouseStyle.h"
@@ -209,7 +210,7 @@ class RobotPageTest : public QObject {
     }
     QCOMPARE(words.filter(QStringLiteral("pursuit")),
              QStringList(QStringLiteral("pursuit (default)")));
-    QCOMPARE(words.size(), int(sim2d::programRegistries().planners.names().size()));
+    QCOMPARE(words.size(), int(app::programRegistries().planners.names().size()));
     QCOMPARE(box->currentText(), QStringLiteral("social_mppi"));
     choose(box, QStringLiteral("pursuit (default)"));
     QVERIFY(!robot().planner);

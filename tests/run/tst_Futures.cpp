@@ -230,7 +230,9 @@ class FuturesTest : public QObject {
     QVERIFY2(future.contact->time > 4.65 && future.contact->time < 6.0,
              QByteArray::number(future.contact->time));
     QCOMPARE(future.contact->id + future.contact->other, 3);
-    QVERIFY(std::fabs(future.contact->where.y()) < 0.1);
+    // They may step aside, but not by more than a body.
+    QVERIFY2(std::fabs(future.contact->where.y()) < 0.35,
+             QByteArray::number(future.contact->where.y()));
     QCOMPARE(*app::decisiveMoment({future}), future.contact->time);
   }
 
