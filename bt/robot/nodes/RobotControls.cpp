@@ -130,8 +130,8 @@ NodeStatus nonblocking(ParentContext& node) {
 
 /// ReactiveSequence (`stop` = FAILURE) and ReactiveFallback (SUCCESS). Unlike BehaviorTree.CPP 4,
 /// which resets every other child when one runs, those before it keep their status, as in version
-/// 3: Nav2's conditions and PathLongerOnApproach would else look for the first time in each tick and
-/// never see a change.
+/// 3: Nav2's conditions and PathLongerOnApproach would else look for the first time in each tick
+/// and never see a change.
 template <NodeStatus stop>
 NodeStatus reactive(ParentContext& node) {
   int skipped = 0;
@@ -178,10 +178,8 @@ void addRobotControls(NodeLibrary& to) {
                                 {recovery, forgetMemory<RecoveryMemory>});
   to.addControl<RoundMemory>(*nodes.find("RoundRobin"), {roundRobin, forgetMemory<RoundMemory>});
   to.addControl(*nodes.find("NonblockingSequence"), {nonblocking, nullptr});
-  to.addControl(*to.catalogue().find("ReactiveSequence"),
-                {reactive<NodeStatus::Failure>, nullptr});
-  to.addControl(*to.catalogue().find("ReactiveFallback"),
-                {reactive<NodeStatus::Success>, nullptr});
+  to.addControl(*to.catalogue().find("ReactiveSequence"), {reactive<NodeStatus::Failure>, nullptr});
+  to.addControl(*to.catalogue().find("ReactiveFallback"), {reactive<NodeStatus::Success>, nullptr});
 }
 
 }  // namespace bt
