@@ -7,6 +7,7 @@
 #include "editor/panels/RobotPicture.h"
 #include "editor/panels/RouteEditor.h"
 #include "editor/run/SimulationRunner.h"
+#include "sim2d/nav/Planner.h"
 #include "sim2d/nav/RobotTypes.h"
 #include "sim2d/nav/external/CodePermission.h"
 
@@ -239,6 +240,15 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
     });
   };
   addField<Robot>(section, "command", command);
+  FieldLook nav2;
+  nav2.visible = [](const std::vector<Entity>& shown) {
+    return std::all_of(shown.begin(), shown.end(), [](const Entity& each) {
+      return robotOf(each).planner == std::string(sim2d::kNav2Planner);
+    });
+  };
+  for (const char* const key : {"nav2_params", "nav2_tree", "nav2_distro"}) {
+    addField<Robot>(section, key, nav2);
+  }
   QLabel* help = secondaryLabel({}, this);
   help->setObjectName(QStringLiteral("planner_help"));
   help->setWordWrap(true);
