@@ -5,7 +5,10 @@
 #include <memory>
 #include <utility>
 
+#include <QEvent>
+#include <QHBoxLayout>
 #include <QPainter>
+#include <QToolButton>
 
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
@@ -113,9 +116,37 @@ void Docks::addTimeline() {
   timelineBar_->toggleViewAction()->setEnabled(false);  // always seen
   editor::describe(*timelineBar_->toggleViewAction(), tr("Always seen"));
   timelineBar_->addWidget(timeline);
-  timelineBar_->setIconSize(QSize(20, 20));
-  timelineBar_->addActions(workspace_.scrub().all());
+  scrubButtons_ = timelineBar_->addWidget(makeScrubButtons());
   window_.addToolBar(Qt::BottomToolBarArea, timelineBar_);
+  timelineBar_->installEventFilter(this);
+}
+
+/// What the timeline is moved by, on its colour.
+QWidget* Docks::makeScrubButtons() {
+  auto* buttons = new QWidget(timelineBar_);
+  buttons->setAutoFillBackground(true);
+  buttons->setBackgroundRole(QPalette::Light);
+  auto* row = new QHBoxLayout(buttons);
+  row->setContentsMargins(4, 0, 4, 0);
+  row->setSpacing(2);
+  for (QAction* action : workspace_.scrub().all()) {
+    auto* button = new QToolButton(buttons);
+    button->setDefaultAction(action);
+    button->setIconSize(QSize(20, 20));
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::NoFocus);  // as in tool bars
+    row->addWidget(button);
+  }
+  return buttons;
+}
+
+/// In a narrow window the timeline has all the room; keys and menus stay.
+bool Docks::eventFilter(QObject* watched, QEvent* event) {
+  constexpr int kRoomForButtons = 1100;  // px
+  if (watched == timelineBar_ && event->type() == QEvent::Resize) {
+    scrubButtons_->setVisible(timelineBar_->width() >= kRoomForButtons);
+  }
+  return QObject::eventFilter(watched, event);
 }
 
 void Docks::add(const editor::PanelRegistry::Entry& entry) {

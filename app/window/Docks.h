@@ -50,6 +50,8 @@ class Docks : public QObject {
   void keepOpen(const std::vector<const QDockWidget*>& kept);
   void bringBack();
   void addTimeline();
+  QWidget* makeScrubButtons();
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void showCount(const QWidget* panel, int count, base::Severity worst);
 
   QMainWindow& window_;
@@ -64,6 +66,7 @@ class Docks : public QObject {
   std::map<QDockWidget*, bool> shownBefore_;  // while all are hidden
   QByteArray layoutBefore_;                   // with their sizes, once the window is seen
   QToolBar* timelineBar_;
+  QAction* scrubButtons_ = nullptr;  // beside the timeline
   QWidget* centre_ = nullptr;
 };
 

@@ -9,6 +9,18 @@ namespace app {
 
 using editor::CanvasOptions;
 
+void followOption(QAction& action, editor::MapScene& scene, bool CanvasOptions::*option) {
+  action.setCheckable(true);
+  action.setChecked(scene.options().*option);
+  QObject::connect(&action, &QAction::toggled, &scene, [&scene, option](bool on) {
+    CanvasOptions options = scene.options();
+    options.*option = on;
+    scene.setOptions(options);
+  });
+  QObject::connect(&scene, &editor::MapScene::optionsChanged, &action,
+                   [&action, &scene, option] { action.setChecked(scene.options().*option); });
+}
+
 OverlayActions::OverlayActions(Workspace& workspace, QObject* parent)
     : QObject(parent), workspace_(workspace) {
   density = toggle(tr("&Density of people"), &CanvasOptions::density, Qt::Key_H,
@@ -34,16 +46,7 @@ QAction* OverlayActions::toggle(const QString& text, bool CanvasOptions::*option
   auto* action = new QAction(text, this);
   action->setShortcut(int{Qt::SHIFT} | letter);
   editor::describe(*action, says);
-  action->setCheckable(true);
-  editor::MapScene& scene = workspace_.scene();
-  action->setChecked(scene.options().*option);
-  connect(action, &QAction::toggled, &scene, [&scene, option](bool on) {
-    CanvasOptions options = scene.options();
-    options.*option = on;
-    scene.setOptions(options);
-  });
-  connect(&scene, &editor::MapScene::optionsChanged, action,
-          [action, &scene, option] { action->setChecked(scene.options().*option); });
+  followOption(*action, workspace_.scene(), option);
   all << action;
   return action;
 }

@@ -11,6 +11,9 @@
 
 namespace app {
 
+/// The action is checked while the option of the map is on, and switches it.
+void followOption(QAction& action, editor::MapScene& scene, bool editor::CanvasOptions::*option);
+
 /// What the map shows over a run when it is asked for: one checkable command each, all off at
 /// first.
 class OverlayActions : public QObject {

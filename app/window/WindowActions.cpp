@@ -120,16 +120,7 @@ QAction* WindowActions::toggle(const QString& text, bool CanvasOptions::*option,
                                const QString& says) {
   QAction* action =
       make(text, says.isEmpty() ? tr("Show or hide on the map") : says, shortcut, icon);
-  action->setCheckable(true);
-  editor::MapScene& scene = workspace_.scene();
-  action->setChecked(scene.options().*option);
-  connect(action, &QAction::toggled, &scene, [&scene, option](bool on) {
-    CanvasOptions options = scene.options();
-    options.*option = on;
-    scene.setOptions(options);
-  });
-  connect(&scene, &editor::MapScene::optionsChanged, action,
-          [action, &scene, option] { action->setChecked(scene.options().*option); });
+  followOption(*action, workspace_.scene(), option);
   return action;
 }
 

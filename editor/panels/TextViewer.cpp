@@ -124,17 +124,22 @@ void TextViewer::openOutside() {
   }
 }
 
-void TextViewer::markLine() {
-  const QTextBlock block = text_->document()->findBlockByNumber(std::max(line_ - 1, 0));
+void markLine(QPlainTextEdit& text, int line, const Theme& theme) {
+  const QTextBlock block = text.document()->findBlockByNumber(std::max(line - 1, 0));
   QList<QTextEdit::ExtraSelection> marks;
-  if (line_ > 0 && block.isValid()) {
+  if (line > 0 && block.isValid()) {
     QTextEdit::ExtraSelection mark;
-    mark.format.setBackground(theme_.color(Role::RowSelected));
+    mark.format.setBackground(theme.color(Role::RowSelected));
     mark.format.setProperty(QTextFormat::FullWidthSelection, true);
     mark.cursor = QTextCursor(block);
     marks.push_back(mark);
   }
-  text_->setExtraSelections(marks);
+  text.setExtraSelections(marks);
+}
+
+void TextViewer::markLine() {
+  editor::markLine(*text_, line_, theme_);
+  const QTextBlock block = text_->document()->findBlockByNumber(std::max(line_ - 1, 0));
   text_->setTextCursor(QTextCursor(block.isValid() ? block : text_->document()->firstBlock()));
   text_->centerCursor();
 }

@@ -8,6 +8,9 @@
 
 namespace editor {
 
+/// Marks a line of a text, from 1, as rows of lists are; 0: none.
+void markLine(QPlainTextEdit& text, int line, const Theme& theme);
+
 /// Shows a text file at a line, read-only, with numbers at its lines: for problems that no thing on
 /// the map stands for. One window, used again and again.
 class TextViewer : public QDialog {

@@ -8,6 +8,7 @@
 
 #include "bt/tree/TreeXml.h"
 #include "editor/look/Form.h"
+#include "editor/panels/TextViewer.h"
 
 namespace editor {
 
@@ -117,16 +118,7 @@ void TreeText::showLine(int line) {
 }
 
 void TreeText::markLine() {
-  const QTextBlock block = text_->document()->findBlockByNumber(std::max(line_ - 1, 0));
-  QList<QTextEdit::ExtraSelection> marks;
-  if (line_ > 0 && block.isValid()) {
-    QTextEdit::ExtraSelection mark;
-    mark.format.setBackground(theme_.color(Role::RowSelected));
-    mark.format.setProperty(QTextFormat::FullWidthSelection, true);
-    mark.cursor = QTextCursor(block);
-    marks.push_back(mark);
-  }
-  text_->setExtraSelections(marks);
+  editor::markLine(*text_, line_, theme_);
 }
 
 }  // namespace editor

@@ -315,7 +315,7 @@ constexpr ProblemText kTexts[] = {
     {"nav2.no-plugin", "{node}: '{name}' has no plugin: {name}.plugin must name its class"},
     {"nav2.unsupported-plugin", "'{found}' is not supported: {why}"},
     {"nav2.bad-value", "{what}"},
-    {"nav2.placeholder",
+    {"nav2.launch-word",
      "{name} is switched off: its 'enabled' is a word that Nav2's launch files replace"},
     {"nav2.set-unknown", "'{path}' is no parameter of Nav2{nearest}"},
     {"nav2.set-ambiguous", "'{path}' is a parameter of {nodes}: put one of them in front"},

@@ -175,7 +175,7 @@ class WindowStaysTest : public QObject, protected quiet::InFolder {
     const auto* timeline = window_->findChild<editor::TimelineBar*>();
     const QRect bar(timeline->mapTo(window_.get(), QPoint()), timeline->size());
     QVERIFY(window_->rect().contains(bar));
-    QVERIFY(bar.width() > 800);  // four buttons stand beside it
+    QVERIFY(bar.width() > 900);
     for (const QDockWidget* dock : window_->docks().all()) {
       QVERIFY2(dock->visibleRegion().isEmpty() || dock->geometry().bottom() < bar.top(),
                qPrintable(dock->windowTitle()));

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include <QElapsedTimer>
 #include <QtTest>
 
 #include "sim2d/nav/mppi/MppiPlanner.h"
+#include "tests/bench/FastestOf.h"
 #include "tests/nav/MppiHandMade.h"
 #include "tests/nav/MppiReference.h"
 #include "tests/nav/MppiScenes.h"
@@ -32,18 +32,6 @@ namespace {
 constexpr int kSamples = 2000;
 constexpr int kPeople = 20;
 constexpr int kRounds = 15;
-
-template <typename Work>
-double fastestOf(int rounds, const Work& work) {
-  double best = 1e18;
-  for (int round = 0; round < rounds; ++round) {
-    QElapsedTimer timer;
-    timer.start();
-    work();
-    best = std::min(best, static_cast<double>(timer.nsecsElapsed()) * 1e-6);
-  }
-  return best;
-}
 
 }  // namespace
 

@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <vector>
 
-#include <QElapsedTimer>
 #include <QtTest>
 
 #include "sim2d/nav/nav2/mppi/MppiOptimizer.h"
+#include "tests/bench/FastestOf.h"
 #include "tests/bench/Nav2PlainMppi.h"
 #include "tests/nav/Nav2MppiReference.h"
 #include "tests/nav/Nav2MppiScenes.h"
@@ -31,18 +31,6 @@ class Nav2MppiBench : public QObject {
 namespace {
 
 constexpr int kRounds = 25;
-
-template <typename Work>
-double fastestOf(int rounds, const Work& work) {
-  double best = 1e18;
-  for (int round = 0; round < rounds; ++round) {
-    QElapsedTimer timer;
-    timer.start();
-    work();
-    best = std::min(best, static_cast<double>(timer.nsecsElapsed()) * 1e-6);
-  }
-  return best;
-}
 
 /// Every critic of the bringup that is asked on the way, and its new noise per call.
 MppiConfiguration benchMppi(bool regenerates) {

@@ -28,7 +28,7 @@ class Nav2ParamsTest : public QObject {
   void read_keyOfAnotherDistro_isNotUsed();
   void read_unknownPlugin_tellsTheNearest();
   void read_unsupportedLayer_countsOnlyWhenSwitchedOn();
-  void read_placeholder_switchesAFilterOff();
+  void read_wordOfLaunchFiles_switchesAFilterOff();
   void read_pluginBlocks_goByTheirNames();
   void read_sources_areThoseThatTheLayerNames();
   void read_otherNodes_areIdleOrUnknown();
@@ -291,7 +291,7 @@ void Nav2ParamsTest::read_unsupportedLayer_countsOnlyWhenSwitchedOn() {
   QVERIFY2(off.ok(), texts(off.problems).c_str());
 }
 
-void Nav2ParamsTest::read_placeholder_switchesAFilterOff() {
+void Nav2ParamsTest::read_wordOfLaunchFiles_switchesAFilterOff() {
   const Nav2Reading reading = readOf(R"(global_costmap:
   global_costmap:
     ros__parameters:
@@ -301,7 +301,7 @@ void Nav2ParamsTest::read_placeholder_switchesAFilterOff() {
         enabled: KEEPOUT_ZONE_ENABLED
 )" + kPursuit);
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QVERIFY(problemOf(reading.problems, "nav2.placeholder"));
+  QVERIFY(problemOf(reading.problems, "nav2.launch-word"));
   QVERIFY(reading.parameters.globalCostmap.filters.empty());
 }
 

@@ -32,6 +32,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// All but what no record holds.
+std::vector<std::string> recordedOverlayNames() {
+  std::vector<std::string> names = figureOverlayNames();
+  names.erase(std::remove(names.begin(), names.end(), "forces"), names.end());
+  return names;
+}
+
 struct RenderOptions {
   std::string run;              // folder of a run
   std::string output;           // picture, film or page
@@ -293,10 +300,10 @@ void addRender(CommandRegistry& commands) {
   command
       .add_option(
           "--overlay", options.overlays,
-          "What lies over the map: density, zones, gaussian, velocities, forces (of runs in "
-          "the window alone), contacts; several with commas")
+          "What lies over the map: density, zones, gaussian, velocities, contacts; several with "
+          "commas (forces are not recorded: the window has them while a run goes on)")
       ->delimiter(',')
-      ->check(oneOf(figureOverlayNames()));
+      ->check(oneOf(recordedOverlayNames()));
   command.add_option("--time-marks", options.timeMarks, "A dot on the ways every so many seconds")
       ->check(CLI::Range(0.01, 1e6));
   command.add_option("--strip", options.strip,

@@ -56,7 +56,7 @@ bool isPlaceholder(const NodeReader& node, const std::string& name) {
 
 bool isSwitchedOff(NodeReader& node, const std::string& name) {
   if (isPlaceholder(node, name)) {
-    node.tell(name + ".enabled", base::warning("nav2.placeholder", {name}));
+    node.tell(name + ".enabled", base::warning("nav2.launch-word", {name}));
     return true;
   }
   const Nav2Block block = node.given(name + ".");

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <algorithm>
+
+#include <QElapsedTimer>
+
+/// The time of the fastest of some rounds [ms]: what else the machine does only adds to it.
+template <typename Work>
+double fastestOf(int rounds, const Work& work) {
+  double best = 1e18;
+  for (int round = 0; round < rounds; ++round) {
+    QElapsedTimer timer;
+    timer.start();
+    work();
+    best = std::min(best, static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+  }
+  return best;
+}
