@@ -1,5 +1,6 @@
 #include "app/run/Nav2Robots.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -90,8 +91,13 @@ base::Diagnostics checkNav2File(const std::string& path) {
   if (!base::hasErrors(found)) {  // what the servers say of it when they are made
     const auto servers = bt::Nav2Servers::make({reading.parameters, {}, {}, {}, 1, -1});
     for (const base::Diagnostic& problem : servers.diagnostics()) {
-      found.push_back(problem);
-      found.back().file = path;
+      const bool isTold =  // with its line, by who read the file
+          std::any_of(found.begin(), found.end(),
+                      [&](const base::Diagnostic& each) { return each.code == problem.code; });
+      if (!isTold && problem.code != "nav2.no-map") {  // scenarios bring maps
+        found.push_back(problem);
+        found.back().file = path;
+      }
     }
   }
   base::append(found, bt::nav2Remarks(reading.parameters));

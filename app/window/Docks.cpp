@@ -201,8 +201,8 @@ void Docks::giveRoom(QDockWidget& dock, int room) {
 void Docks::addToggle(QDockWidget& dock) {
   auto* toggle = new QAction(dock.windowTitle(), this);
   const int number = static_cast<int>(docks_.size());
-  if (number <= 9) {
-    toggle->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(number)));
+  if (number <= 10) {  // as the keys stand: 0 behind 9
+    toggle->setShortcut(QKeySequence(QStringLiteral("Alt+%1").arg(number % 10)));
   }
   toggle->setCheckable(true);
   editor::describe(*toggle, tr("Open this panel, or close it"));

@@ -85,7 +85,7 @@ Telling lookingBack(const SimulationRunner& runner) {
   }
   return {Role::Past, StatusLine::tr("Looking back"),
           runner.isFinished()
-              ? StatusLine::tr("Space plays on from here · Ctrl+R goes back to editing")
+              ? StatusLine::tr("Space plays on from here · Ctrl+R edits")
               : StatusLine::tr("Space goes on from now · End returns to the newest step")};
 }
 
@@ -101,9 +101,8 @@ Telling tellingOf(const SimulationRunner& runner, const QString& runEnd) {
   if (runner.state() == SimulationRunner::State::Running) {
     const QString end =
         runEnd.isEmpty() ? runEnd : editor::capitalized(runEnd) + QStringLiteral(" · ");
-    return {
-        Role::Ok, StatusLine::tr("Running"),
-        end + StatusLine::tr("Space pauses · Click a person to watch · Drag the timeline back")};
+    return {Role::Ok, StatusLine::tr("Running"),
+            end + StatusLine::tr("Space pauses · Click a person to watch")};
   }
   if (runner.isFinished()) {
     return {Role::WarningMark, StatusLine::tr("Finished"),

@@ -33,7 +33,6 @@ class Contradictions {
     }
     for (const Named& controller : controllers()) {
       checkScaling(controller);
-      checkPeriod(controller);
       checkSpeed(controller);
       checkReach(controller);
     }
@@ -114,17 +113,6 @@ class Contradictions {
         layer->costScalingFactor != scaling) {
       add("controller_server." + key, "nav2.scaling-differs",
           {controller.name, scaling, layer->costScalingFactor});
-    }
-  }
-
-  void checkPeriod(const Named& controller) {
-    const double period = 1.0 / value("controller_frequency", 20.0);
-    const double step = value(controller.name + ".model_dt", 0.05);
-    const std::string place = "controller_server." + controller.name + ".model_dt";
-    if (isMppi(controller) && period > step + 1e-6) {
-      add(place, "nav2.period-too-long", {controller.name, period, step}, base::Severity::Error);
-    } else if (isMppi(controller) && period < step - 1e-6) {
-      add(place, "nav2.period-shorter", {controller.name, period, step});
     }
   }
 

@@ -193,7 +193,7 @@ LegendPart planPart(const MapScene& scene) {
   const QColor color = scene.theme().line(Look::Regular);
   LegendPart part{QObject::tr("Ways of people"), {}};
   if (!scene.overlays().hasPlans()) {
-    part.rows.push_back(noteRow(QObject::tr("not kept: newest moment only")));
+    part.rows.push_back(noteRow(QObject::tr("newest moment only")));
     return part;
   }
   part.rows.push_back(

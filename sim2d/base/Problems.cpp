@@ -328,12 +328,6 @@ constexpr ProblemText kTexts[] = {
     {"nav2.scaling-differs",
      "{controller}.inflation_cost_scaling_factor is {found}, the inflation layer of local_costmap "
      "has cost_scaling_factor {wanted}: distances to obstacles come out wrong"},
-    {"nav2.period-too-long",
-     "{controller}: a period of {period} s (controller_frequency) is longer than model_dt {dt} s: "
-     "Nav2 does not start"},
-    {"nav2.period-shorter",
-     "{controller}: a period of {period} s (controller_frequency) is shorter than model_dt {dt} s: "
-     "the sequence of controls is not shifted"},
     {"nav2.faster-than", "{controller}: {speed} m/s is above {limit} m/s of {whose}"},
     {"nav2.map-too-small",
      "local_costmap reaches {half} m from the robot, {controller} looks {range} m ahead ({what})"},

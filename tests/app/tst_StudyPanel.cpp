@@ -68,6 +68,17 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
   }
   void cleanup() { end(); }
 
+  /// The program has ten panels, the last of them on Alt+0.
+  void panels_eachHasAKeyOfItsOwn() {
+    QStringList keys;
+    for (const QDockWidget* dock : window_->docks().all()) {
+      keys.append(window_->docks().toggleOf(*dock)->shortcut().toString());
+    }
+    QVERIFY(!keys.contains(QString()));
+    keys.sort();
+    QCOMPARE(keys.removeDuplicates(), 0);
+  }
+
   /// By hand: 10, 12, 14 have the mean 12 and s = 2, t(2) = 4.30265: 12 ± 4.97.
   void estimates_areThoseByHand() {
     const std::vector<StudyRow> rows = {rowOf(0, 10.0), rowOf(1, 12.0), rowOf(2, 14.0),

@@ -129,6 +129,15 @@ class TreeStudioTest : public QObject {
   }
   void cleanup() { quiet::leave(window_); }
 
+  void key_opensAndClosesTheTree() {
+    const QDockWidget& dock = *window_->docks().dock(QStringLiteral("tree"));
+    const bool before = dock.isVisible();
+    const QKeySequence keys = window_->docks().toggleOf(dock)->shortcut();
+    QCOMPARE(keys.count(), 1);
+    QTest::keyClick(window_->windowHandle(), Qt::Key(keys[0] & ~int{Qt::ALT}), Qt::AltModifier);
+    QTRY_COMPARE(dock.isVisible(), !before);
+  }
+
   void large_takesThePlaceOfTheMapAndGivesItBack() {
     const QRect before = window_->workspace().view().geometry();
     const auto openDocks = [this] {

@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <string>
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/run/Nav2Robots.h"
+#include "sim2d/base/Text.h"
+
+/// A parameter file by itself: each contradiction is told, once, where it stands.
+class Nav2CheckTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void shippedFile_hasNoErrors_data();
+  void shippedFile_hasNoErrors();
+  void oneChange_isToldOnceWithItsLine_data();
+  void oneChange_isToldOnceWithItsLine();
+  void pursuit_otherScalingThanTheLayer_isTold();
+  void noFile_isAnError();
+
+ private:
+  base::Diagnostics checked(const std::string& text) {
+    const std::string path = folder_.filePath(QStringLiteral("nav2_params.yaml")).toStdString();
+    return base::writeFileAtomically(path, text).empty() ? app::checkNav2File(path)
+                                                         : base::Diagnostics();
+  }
+
+  QTemporaryDir folder_;
+};
+
+namespace {
+
+std::string shippedText(const std::string& name) {
+  return *base::readTextFile(SOURCE_DIR "/resources/nav2_params/" + name + ".yaml");
+}
+
+std::string wordsOf(const base::Diagnostics& problems) {
+  std::string words;
+  for (const base::Diagnostic& problem : problems) {
+    words += problem.severity == base::Severity::Info ? "" : problem.text() + "\n";
+  }
+  return words;
+}
+
+int lineOf(const std::string& text, const std::string& part) {
+  return 1 + static_cast<int>(std::count(
+                 text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(part)), '\n'));
+}
+
+}  // namespace
+
+void Nav2CheckTest::shippedFile_hasNoErrors_data() {
+  QTest::addColumn<QString>("name");
+  for (const char* const name : {"generic", "turtlebot3", "turtlebot4", "tiago", "nova_carter"}) {
+    QTest::newRow(name) << QString::fromLatin1(name);
+  }
+}
+
+void Nav2CheckTest::shippedFile_hasNoErrors() {
+  QFETCH(QString, name);
+  const base::Diagnostics found = checked(shippedText(name.toStdString()));
+  QVERIFY2(!base::hasErrors(found), wordsOf(found).c_str());
+}
+
+void Nav2CheckTest::oneChange_isToldOnceWithItsLine_data() {
+  QTest::addColumn<QString>("from");  // in the file like TurtleBot 4's
+  QTest::addColumn<QString>("to");
+  QTest::addColumn<QString>("code");
+  QTest::addColumn<bool>("isError");
+  const auto row = [](const char* name, const char* from, const char* to, const char* code,
+                      bool isError) {
+    QTest::newRow(name) << QString::fromLatin1(from) << QString::fromLatin1(to)
+                        << QString::fromLatin1(code) << isError;
+  };
+  row("whole number", "temperature: 0.3", "temperature: 1", "nav2.wrong-type", true);
+  row("key of nobody", "gamma: 0.015", "gama: 0.015", "nav2.unknown-key", false);
+  row("asked too seldom", "controller_frequency: 20.0", "controller_frequency: 10.0",
+      "nav2.mppi-period", true);
+  row("asked too often", "controller_frequency: 20.0", "controller_frequency: 50.0",
+      "nav2.mppi-no-shift", false);
+  row("two shapes", "robot_radius: 0.175\n      plugins",
+      "robot_radius: 0.175\n      footprint: \"[[0.2, 0.1], [-0.2, 0.1], [0.0, -0.2]]\"\n      "
+      "plugins",
+      "nav2.two-shapes", false);
+  row("inflation within the body", "inflation_radius: 0.45", "inflation_radius: 0.1",
+      "nav2.inflation-cut", false);
+  row("faster than the smoother", "vx_max: 0.26", "vx_max: 0.5", "nav2.faster-than", false);
+  row("map too small", "width: 3\n      height: 3", "width: 1\n      height: 1",
+      "nav2.map-too-small", false);
+  row("class of nobody", "nav2_mppi_controller::MPPIController", "nav2_mppi::Controller",
+      "nav2.unknown-plugin", true);
+}
+
+void Nav2CheckTest::oneChange_isToldOnceWithItsLine() {
+  QFETCH(QString, from);
+  QFETCH(QString, to);
+  QFETCH(QString, code);
+  QFETCH(bool, isError);
+  std::string text = shippedText("turtlebot4");
+  const std::size_t at = text.find(from.toStdString());
+  QVERIFY(at != std::string::npos);
+  text.replace(at, static_cast<std::size_t>(from.size()), to.toStdString());
+  const base::Diagnostics found = checked(text);
+  const auto isIt = [&](const base::Diagnostic& each) {
+    return each.code == code.toStdString() && each.severity != base::Severity::Info;
+  };
+  QVERIFY2(std::count_if(found.begin(), found.end(), isIt) == 1, wordsOf(found).c_str());
+  const base::Diagnostic& problem = *std::find_if(found.begin(), found.end(), isIt);
+  QCOMPARE(problem.severity == base::Severity::Error, isError);
+  if (code == QStringLiteral("nav2.wrong-type")) {
+    QCOMPARE(problem.line, lineOf(text, "temperature: 1"));
+    QCOMPARE(problem.column, 20);
+  }
+}
+
+/// Pursuit reads distances out of costs: both must agree on how these fall.
+void Nav2CheckTest::pursuit_otherScalingThanTheLayer_isTold() {
+  const auto text = [](const std::string& scaling) {
+    return "controller_server:\n  ros__parameters:\n    controller_plugins: [FollowPath]\n"
+           "    FollowPath:\n"
+           "      plugin: nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController\n"
+           "      inflation_cost_scaling_factor: " +
+           scaling +
+           "\nlocal_costmap:\n  local_costmap:\n    ros__parameters:\n      rolling_window: true\n"
+           "      plugins: [inflation_layer]\n      inflation_layer:\n"
+           "        plugin: nav2_costmap_2d::InflationLayer\n        cost_scaling_factor: 4.0\n";
+  };
+  const auto isTold = [](const base::Diagnostics& found) {
+    return std::any_of(found.begin(), found.end(),
+                       [](const auto& each) { return each.code == "nav2.scaling-differs"; });
+  };
+  QVERIFY(isTold(checked(text("3.0"))));
+  QVERIFY(!isTold(checked(text("4.0"))));
+}
+
+void Nav2CheckTest::noFile_isAnError() {
+  QVERIFY(base::hasErrors(app::checkNav2File("nowhere/nav2_params.yaml")));
+  QVERIFY(base::hasErrors(app::checkNav2File("/dev/zero")));
+}
+
+QTEST_APPLESS_MAIN(Nav2CheckTest)
+#include "tst_Nav2Check.moc"
