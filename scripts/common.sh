@@ -19,7 +19,7 @@ packages_to_run=(
   librandom123-dev libxsimd-dev libboost-dev libssl-dev libhdf5-dev libsqlite3-dev libgif-dev
   fonts-dejavu-core
 )
-packages_to_test=(clang-format-14 xvfb xauth xdotool imagemagick locales)
+packages_to_test=(clang-format-14 mold xvfb xauth xdotool imagemagick locales)
 packages_to_compare=(parallel slurmctld slurmd slurm-client munge chromium ffmpeg)  # what tests run beside us
 packages_to_fuzz=(clang-14 libclang-rt-14-dev)
 packages_to_check=(clang-14 clang-tidy-14 libclang-14-dev llvm-14)  # llvm-14: lines of a report
