@@ -505,6 +505,15 @@ constexpr ProblemText kTexts[] = {
     {"tracks.no-dataset", "no table 'trajectory' with id, frame, x and y in it"},
     {"tracks.bad-json", "no frames of people: {reason}"},
 
+    // Messages of ROS 2 as bytes.
+    {"cdr.no-encapsulation", "{type}: {found} bytes are no message, its head alone takes 4"},
+    {"cdr.encapsulation", "{type}: encapsulation {found} is unknown (plain CDR has 0 or 1)"},
+    {"cdr.too-short", "{type}: {field} goes beyond the end of {found} bytes"},
+    {"cdr.bad-bool", "{type}: {field} is {found}, a bool is 0 or 1"},
+    {"cdr.bad-length", "{type}: {field} cannot have the length {found}"},
+    {"cdr.open-text", "{type}: the text {field} does not end after {found} bytes"},
+    {"cdr.rest", "{type}: {found} bytes too many (of another version of this type?)"},
+
     // Runs.
     {"run.not-played", "{reason}"},
     {"run.groups-not-played", "the groups could not be played"},
