@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
-#include <vector>
 
 namespace bridge {
 
@@ -19,8 +18,23 @@ struct DomainSettings {
   bool localhostOnly = true;  // false: every interface, with multicast
 };
 
+/// "/" or "/lab/a": words of letters, digits and _, no digit first.
+inline bool isNamespace(const std::string& name) {
+  bool begins = true;  // a word
+  for (std::size_t i = 1; i < name.size(); ++i) {
+    const char c = name[i];
+    const bool isLetter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    const bool isInside = !begins && ((c >= '0' && c <= '9') || c == '/');
+    if (!isLetter && !isInside) {
+      return false;
+    }
+    begins = c == '/';
+  }
+  return !name.empty() && name.front() == '/' && (name.size() == 1 || !begins);
+}
+
 /// A message in CDR with its header of four bytes.
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = std::string;
 
 /// How samples are kept and sent. The defaults are those of a plain ROS 2 topic.
 struct Qos {

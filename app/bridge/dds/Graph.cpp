@@ -1,56 +1,49 @@
 #include "app/bridge/dds/Graph.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "app/bridge/messages/Codec.h"
+#include "app/bridge/messages/DiscoveryMessages.h"
+
 namespace bridge {
 namespace {
 
-class GraphWriter {
- public:
-  explicit GraphWriter(Distro distro) : gidSize_(distro == Distro::Humble ? 24 : 16) {}
+constexpr std::size_t kHumbleGid = 24, kLaterGid = 16;  // [bytes]
 
-  void number(std::size_t value) {
-    while ((bytes.size() - kHeader) % 4 != 0) {
-      bytes.push_back(0);
-    }
-    for (int shift = 0; shift < 32; shift += 8) {
-      bytes.push_back(static_cast<std::uint8_t>(value >> shift & 0xffU));
-    }
-  }
-  void text(const std::string& words) {
-    number(words.size() + 1);
-    bytes.insert(bytes.end(), words.begin(), words.end());
-    bytes.push_back(0);
-  }
-  void gid(const Guid& guid) {
-    bytes.insert(bytes.end(), guid.begin(), guid.end());
-    bytes.resize(bytes.size() + gidSize_ - guid.size(), 0);
-  }
-  void gids(const std::vector<Guid>& guids) {
-    number(guids.size());
-    for (const Guid& guid : guids) {
-      gid(guid);
-    }
-  }
+template <std::size_t Size>
+rmw_dds_common::Gid<Size> gidOf(const Guid& guid) {
+  rmw_dds_common::Gid<Size> gid;
+  std::copy(guid.begin(), guid.end(), gid.data.begin());
+  return gid;
+}
 
-  static constexpr std::size_t kHeader = 4;
-  Bytes bytes = {0, 1, 0, 0};
+template <std::size_t Size>
+std::vector<rmw_dds_common::Gid<Size>> gidsOf(const std::vector<Guid>& guids) {
+  std::vector<rmw_dds_common::Gid<Size>> gids;
+  std::transform(guids.begin(), guids.end(), std::back_inserter(gids), gidOf<Size>);
+  return gids;
+}
 
- private:
-  std::size_t gidSize_;
-};
+template <std::size_t Size>
+Bytes sampleOf(const Guid& participant, const std::vector<NodeEndpoints>& nodes) {
+  rmw_dds_common::ParticipantEntitiesInfo<Size> info;
+  info.gid = gidOf<Size>(participant);
+  for (const NodeEndpoints& node : nodes) {
+    rmw_dds_common::NodeEntitiesInfo<Size>& entry = info.nodeEntitiesInfoSeq.emplace_back();
+    entry.nodeNamespace = node.space;
+    entry.nodeName = node.name;
+    entry.readerGidSeq = gidsOf<Size>(node.readers);
+    entry.writerGidSeq = gidsOf<Size>(node.writers);
+  }
+  return encode(info);
+}
 
 }  // namespace
 
 Bytes graphSample(const Guid& participant, const std::vector<NodeEndpoints>& nodes, Distro distro) {
-  GraphWriter writer(distro);
-  writer.gid(participant);
-  writer.number(nodes.size());
-  for (const NodeEndpoints& node : nodes) {
-    writer.text(node.space);
-    writer.text(node.name);
-    writer.gids(node.readers);
-    writer.gids(node.writers);
-  }
-  return std::move(writer.bytes);
+  return distro == Distro::Humble ? sampleOf<kHumbleGid>(participant, nodes)
+                                  : sampleOf<kLaterGid>(participant, nodes);
 }
 
 }  // namespace bridge

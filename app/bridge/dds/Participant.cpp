@@ -8,6 +8,7 @@
 
 #include "app/bridge/dds/DdsInside.h"
 #include "app/bridge/dds/RosNames.h"
+#include "app/bridge/messages/TypeNames.h"
 
 namespace bridge {
 namespace {
@@ -96,8 +97,7 @@ class DdsParticipant : public Participant {
     return there.empty() || there == type ? base::error("ros2.endpoint-refused", {name})
                                           : base::error("ros2.other-type", {name, there, type});
   }
-  std::optional<ServiceNames> namesOf(int node, const std::string& service,
-                                      const std::string& type) const;
+  ServiceNames namesOf(int node, const std::string& service, const std::string& type) const;
 
   DdsPtr dds_;
   std::unique_ptr<OwnedWriter> graph_;
@@ -108,11 +108,10 @@ base::Result<std::unique_ptr<Publisher>> DdsParticipant::publisher(int node,
                                                                    const std::string& type,
                                                                    const Qos& qos) {
   const std::string name = resolved(node, topic);
-  const std::optional<std::string> mangled = ddsType(type);
-  efd::DataWriter* const writer =
-      mangled ? dds_->makeWriter(ddsTopic(name), *mangled, qos, {}, nullptr) : nullptr;
+  const std::string mangled = ddsTypeName(type);
+  efd::DataWriter* const writer = dds_->makeWriter(ddsTopic(name), mangled, qos, {}, nullptr);
   if (writer == nullptr) {
-    return refusal(name, ddsTopic(name), mangled.value_or(type));
+    return refusal(name, ddsTopic(name), mangled);
   }
   return std::unique_ptr<Publisher>(std::make_unique<DdsPublisher>(dds_, node, writer));
 }
@@ -123,47 +122,38 @@ base::Result<std::unique_ptr<Subscription>> DdsParticipant::subscription(int nod
                                                                          const Qos& qos,
                                                                          Handler handler) {
   const std::string name = resolved(node, topic);
-  const std::optional<std::string> mangled = ddsType(type);
-  efd::DataReader* const reader =
-      mangled ? dds_->makeReader(ddsTopic(name), *mangled, qos, {}) : nullptr;
+  const std::string mangled = ddsTypeName(type);
+  efd::DataReader* const reader = dds_->makeReader(ddsTopic(name), mangled, qos, {});
   if (reader == nullptr) {
-    return refusal(name, ddsTopic(name), mangled.value_or(type));
+    return refusal(name, ddsTopic(name), mangled);
   }
   return std::unique_ptr<Subscription>(
       std::make_unique<DdsSubscription>(dds_, node, reader, std::move(handler)));
 }
 
-std::optional<ServiceNames> DdsParticipant::namesOf(int node, const std::string& service,
-                                                    const std::string& type) const {
+ServiceNames DdsParticipant::namesOf(int node, const std::string& service,
+                                     const std::string& type) const {
   const std::string name = resolved(node, service);
-  const std::optional<std::string> request = ddsRequestType(type);
-  const std::optional<std::string> reply = ddsReplyType(type);
-  if (!request || !reply) {
-    return std::nullopt;
-  }
-  return ServiceNames{ddsRequestTopic(name), ddsReplyTopic(name), *request, *reply};
+  return {ddsRequestTopic(name), ddsReplyTopic(name), ddsRequestType(type), ddsReplyType(type)};
 }
 
 base::Result<std::unique_ptr<Server>> DdsParticipant::server(int node, const std::string& service,
                                                              const std::string& type,
                                                              const Qos& qos, Answer answer) {
-  const std::optional<ServiceNames> names = namesOf(node, service, type);
-  std::unique_ptr<Server> made =
-      names ? makeServer(dds_, node, *names, qos, std::move(answer)) : nullptr;
+  const ServiceNames names = namesOf(node, service, type);
+  std::unique_ptr<Server> made = makeServer(dds_, node, names, qos, std::move(answer));
   if (made == nullptr) {
-    return refusal(resolved(node, service), names ? names->requestTopic : "",
-                   names ? names->requestType : "");
+    return refusal(resolved(node, service), names.requestTopic, names.requestType);
   }
   return made;
 }
 
 base::Result<std::unique_ptr<Client>> DdsParticipant::client(int node, const std::string& service,
                                                              const std::string& type) {
-  const std::optional<ServiceNames> names = namesOf(node, service, type);
-  std::unique_ptr<Client> made = names ? makeClient(dds_, node, *names) : nullptr;
+  const ServiceNames names = namesOf(node, service, type);
+  std::unique_ptr<Client> made = makeClient(dds_, node, names);
   if (made == nullptr) {
-    return refusal(resolved(node, service), names ? names->requestTopic : "",
-                   names ? names->requestType : "");
+    return refusal(resolved(node, service), names.requestTopic, names.requestType);
   }
   return made;
 }

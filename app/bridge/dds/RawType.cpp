@@ -29,7 +29,8 @@ bool RawType::serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_
 }
 
 bool RawType::deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) {
-  static_cast<Bytes*>(data)->assign(payload->data, payload->data + payload->length);
+  const auto* const first = reinterpret_cast<const char*>(payload->data);
+  static_cast<Bytes*>(data)->assign(first, payload->length);
   return true;
 }
 

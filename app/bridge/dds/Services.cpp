@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 #include <fastdds/rtps/common/WriteParams.h>
@@ -26,7 +25,7 @@ struct CallId {
 
 void putNumber(std::uint64_t value, Bytes& to) {
   for (int shift = 0; shift < 64; shift += 8) {
-    to.push_back(static_cast<std::uint8_t>(value >> shift & 0xffU));
+    to.push_back(static_cast<char>(value >> shift & 0xffU));
   }
 }
 
@@ -34,7 +33,7 @@ std::uint64_t numberAt(const Bytes& from, std::size_t at, bool isBigEndian) {
   std::uint64_t value = 0;
   for (std::size_t i = 0; i < 8; ++i) {
     const std::size_t shift = 8 * (isBigEndian ? 7 - i : i);
-    value |= static_cast<std::uint64_t>(from[at + i]) << shift;
+    value |= static_cast<std::uint64_t>(static_cast<std::uint8_t>(from[at + i])) << shift;
   }
   return value;
 }
@@ -47,21 +46,18 @@ std::optional<CallId> takeCallId(Bytes& bytes) {
   const bool isBigEndian = bytes[1] == 0;
   const CallId id = {numberAt(bytes, kHeader, isBigEndian),
                      static_cast<std::int64_t>(numberAt(bytes, kHeader + 8, isBigEndian))};
-  const auto first = bytes.begin() + kHeader;
-  bytes.erase(first, first + kCallId);
+  bytes.erase(kHeader, kCallId);
   return id;
 }
 
 Bytes withCallId(const Bytes& bytes, const CallId& id) {
-  Bytes whole(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(
-                                                 std::min(kHeader, bytes.size())));
-  whole.resize(kHeader, 0);
+  if (bytes.size() < kHeader) {
+    return bytes;
+  }
+  Bytes whole = bytes.substr(0, kHeader);
   putNumber(id.client, whole);
   putNumber(static_cast<std::uint64_t>(id.number), whole);
-  if (bytes.size() > kHeader) {
-    whole.insert(whole.end(), bytes.begin() + kHeader, bytes.end());
-  }
-  return whole;
+  return whole.append(bytes, kHeader);
 }
 
 bool isKnown(const rtps::GUID_t& guid) {
