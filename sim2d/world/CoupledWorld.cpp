@@ -7,6 +7,7 @@
 namespace sim2d {
 namespace {
 
+constexpr double kUnmoved = 1e12;     // [kg]; takes no share of an impact
 constexpr double kFeltAtMost = 50.0;  // [m]; no force of a wall is left there
 
 Obstacles::Point pointAt(const Vec2& place, const Vec2& seenFrom) {
@@ -139,6 +140,10 @@ bool CoupledWorld::step(double dt, std::optional<int> only) {
   if (!isSound()) {
     return false;
   }
+  moves_ = motion_.wanted();
+  if (!model_.peoplePass) {
+    keepBodiesApart(dt);
+  }
   for (std::size_t human = 0; human < state_.present.size(); ++human) {
     if (moves(human)) {
       move(human, dt);
@@ -165,8 +170,44 @@ bool CoupledWorld::isSound() {
   return true;
 }
 
+/// The robot goes where the other simulator lets it go, whoever is in its way.
+void CoupledWorld::keepBodiesApart(double dt) {
+  const std::size_t people = state_.present.size();
+  discs_.assign(people + state_.robots.size(), MovingDisc{});
+  pairs_.clear();
+  double reach = 0.0;  // two radii, and what two can walk towards each other
+  for (std::size_t human = 0; human < people; ++human) {
+    const ResolvedHuman& person = model_.people[human].constants;
+    discs_[human] = {state_.position(human), moves_[human], person.radius, person.mass, nullptr};
+    if (state_.present[human] != 0) {
+      reach = std::max(reach, 2.0 * (person.radius + moves_[human].norm() * dt));
+    }
+  }
+  for (std::size_t robot = 0; robot < state_.robots.size(); ++robot) {
+    discs_[people + robot] = {state_.robots[robot].pose.position, state_.robots[robot].velocity,
+                              model_.robots[robot].radius, kUnmoved, nullptr};
+  }
+  for (std::size_t human = 0; human < people; ++human) {
+    if (state_.present[human] == 0) {
+      continue;
+    }
+    grid_.forEachNear(state_.position(human), reach, [&](int other) {
+      if (other > static_cast<int>(human)) {
+        pairs_.push_back({static_cast<int>(human), other});
+      }
+    });
+    for (std::size_t robot = 0; robot < state_.robots.size(); ++robot) {
+      pairs_.push_back({static_cast<int>(human), static_cast<int>(people + robot)});
+    }
+  }
+  keepApart(discs_, pairs_, dt);
+  for (std::size_t human = 0; human < people; ++human) {
+    moves_[human] = discs_[human].velocity;
+  }
+}
+
 void CoupledWorld::move(std::size_t human, double dt) {
-  const Vec2& velocity = motion_.wanted()[human];
+  const Vec2& velocity = moves_[human];
   const Intent& intent = intents_.of(static_cast<int>(human));
   const double before = headingsBefore_[human];
   state_.positions[human] += velocity * dt;

@@ -34,7 +34,9 @@ struct CoupledRobot {
 
 /// The people of a scenario in the world of another simulator: that one owns clock, places and
 /// obstacles and gives its state before each step; trees, ways and forces are ours and move people
-/// from there. Bodies do not meet here: whether somebody can go where they want is up to the other.
+/// from there. There are no contacts and no walls to run into, that is up to the other; but as in
+/// other worlds people and the robot lose the speed that would press them into each other before
+/// the step ends, unless people pass (`hunav2`).
 /// Doors, sources, sinks, start times, `at_end` and the scenario's robots have no part in it.
 ///
 /// People take part from the first state on that holds them, each with a fresh mind. Walls of the
@@ -81,6 +83,7 @@ class CoupledWorld {
   void put(std::size_t human, const CoupledPerson& person);
   void takeRobot(const std::optional<CoupledRobot>& robot);
   bool isSound();
+  void keepBodiesApart(double dt);
   void move(std::size_t human, double dt);
   bool moves(std::size_t human) const {
     return state_.present[human] != 0 && view_.decides(static_cast<int>(human));
@@ -102,6 +105,9 @@ class CoupledWorld {
   std::vector<std::vector<Obstacles::Point>> walls_;  // by person
   std::vector<char> entered_;                         // by person
   std::vector<double> headingsBefore_;
+  std::vector<Vec2> moves_;         // velocities of this step, by person [m/s]
+  std::vector<MovingDisc> discs_;   // of people, then robots
+  std::vector<DiscPair> pairs_;
   std::string failure_;
 };
 

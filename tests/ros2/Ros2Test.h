@@ -29,11 +29,13 @@ constexpr Milliseconds kLong(15000);  // until others are met, on a busy machine
 /// Both spin until it is done; false: it never was.
 inline bool spinBoth(Participant& a, Participant& b, const std::function<bool()>& isDone) {
   const auto until = std::chrono::steady_clock::now() + kLong;
-  while (!isDone() && std::chrono::steady_clock::now() < until) {
+  bool done = isDone();
+  while (!done && std::chrono::steady_clock::now() < until) {
     a.spin(Milliseconds(5));
     b.spin(Milliseconds(5));
+    done = isDone();
   }
-  return isDone();
+  return done;
 }
 
 }  // namespace ros2test

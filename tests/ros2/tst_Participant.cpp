@@ -58,7 +58,7 @@ constexpr const char* kService = "test_msgs/srv/Words";
 /// Answers "x" by "x!".
 std::unique_ptr<Server> echo(Participant& to, int node) {
   base::Result<std::unique_ptr<Server>> made =
-      to.server(node, "echo", kService, Qos::keepLast(10), [](const ServiceRequest& request) {
+      to.server(node, "echo", kService, Qos::keepLast(100), [](const ServiceRequest& request) {
         return text(wordsOf(request.bytes) + "!");
       });
   return made ? *std::move(made) : nullptr;

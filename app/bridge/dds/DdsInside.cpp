@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kAnnouncementPeriodMs = 200;
 constexpr unsigned kFirstPort = 7400, kPortsPerDomain = 250, kUnicastOffset = 10;
-constexpr unsigned kPeers = 10;     // participants that are looked for on this machine
+constexpr unsigned kPeers = 40;     // participants that are looked for on this machine
 constexpr int kUsualSamples = 400;  // as Fast DDS has it
 constexpr int kAllocatedSamples = 4;
 

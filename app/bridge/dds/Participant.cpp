@@ -200,13 +200,12 @@ base::Result<std::unique_ptr<Participant>> Participant::create(const DomainSetti
 
 bool Participant::spinUntil(const std::function<bool()>& isDone, Milliseconds atMost) {
   const Clock::time_point until = Clock::now() + atMost;
-  while (!isDone()) {
-    if (Clock::now() >= until) {
-      return isDone();
-    }
+  bool done = isDone();
+  while (!done && Clock::now() < until) {
     spin(Milliseconds(10));
+    done = isDone();
   }
-  return true;
+  return done;
 }
 
 }  // namespace bridge

@@ -260,7 +260,7 @@ std::unique_ptr<Server> makeServer(const DdsPtr& dds, int node, const ServiceNam
 std::unique_ptr<Client> makeClient(const DdsPtr& dds, int node, const ServiceNames& names) {
   const bool tellsId = dds->settings.rmw == Rmw::CycloneDds;
   const std::string id = tellsId ? idText("clientid", callerGuid(*dds)) : std::string();
-  const Qos qos = Qos::keepLast(10);
+  const Qos qos = Qos::keepLast(100);  // answers to others come too
   efd::DataReader* const replies = dds->makeReader(names.replyTopic, names.replyType, qos, id);
   efd::DataWriter* const requests =
       replies == nullptr ? nullptr
