@@ -514,6 +514,36 @@ constexpr ProblemText kTexts[] = {
     {"cdr.open-text", "{type}: the text {field} does not end after {found} bytes"},
     {"cdr.rest", "{type}: {found} bytes too many (of another version of this type?)"},
 
+    // ROS 2.
+    {"ros2.not-built",
+     "this build does not speak to ROS 2 (install libfastrtps-dev and libfastcdr-dev and build "
+     "anew)"},
+    {"ros2.bad-domain", "ROS_DOMAIN_ID is '{found}', a domain is 0 to 232"},
+    {"ros2.bad-namespace", "'{found}' is no namespace of ROS 2 (such as /lab)"},
+    {"ros2.no-participant", "DDS cannot take part in domain {domain}"},
+    {"ros2.endpoint-refused", "DDS refuses an endpoint for {name}"},
+    {"ros2.other-type", "{name} has the type {found} here already, not {wanted}"},
+    {"ros2.other-rmw",
+     "{service}: a request is written for {found}, this side speaks {wanted} (start with --rmw "
+     "{found}, or the others with RMW_IMPLEMENTATION={implementation})"},
+    {"ros2.other-version",
+     "{service}: a request cannot be read, it is answered as if it were empty (is the other side "
+     "HuNavSim 1.x? only 1.5 and 2.0 are understood): {reason}"},
+    {"ros2.bad-message", "{topic}: a message cannot be read and is left out: {reason}"},
+    {"ros2.stranger",
+     "'{name}' (id {id}) is not in the scenario and is taken as the message describes them, with "
+     "the tree of their behaviour"},
+    {"ros2.no-world", "the people of the request cannot be served, they keep still"},
+    {"ros2.minds-anew", "somebody new came: the trees of all begin anew"},
+    {"ros2.agent-twice", "{agent} is in a request twice, the first counts"},
+    {"ros2.agent-negative", "{agent}: ids are 0 or more, such agents keep still"},
+    {"ros2.bad-agent", "{agent}: {reason}; the state before counts"},
+    {"ros2.robot-gone", "the robot '{name}' is not in the requests any more"},
+    {"ros2.unknown-agent", "there is no agent {id}: the answer is empty"},
+    {"ros2.time-back", "the stamp runs backwards: nobody moves until it advances again"},
+    {"ros2.time-leap", "the stamp leaps by {seconds} s: nobody moves in this step"},
+    {"ros2.step-failed", "a step failed and nobody moved: {reason}"},
+
     // Runs.
     {"run.not-played", "{reason}"},
     {"run.groups-not-played", "the groups could not be played"},

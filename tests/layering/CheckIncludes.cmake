@@ -21,7 +21,10 @@ set(below_editor "${core}")
 set(allowed_app_bridge_messages "sim2d/base")
 set(allowed_app_bridge_topics "${core};app/bridge/messages")
 set(allowed_app_bridge_bag "${core};app/bridge/messages;app/bridge/topics")
-list(APPEND core app/bridge/messages app/bridge/topics app/bridge/bag)  # all that knows no Qt
+set(allowed_app_bridge_dds "sim2d/base;app/bridge/messages")
+set(allowed_app_bridge_agents "${core};app/bridge/messages")
+set(allowed_app_bridge_nodes "${core};app/bridge/messages;app/bridge/dds;app/bridge/agents;app/bridge/topics")
+list(APPEND core app/bridge/messages app/bridge/topics app/bridge/bag app/bridge/dds app/bridge/agents app/bridge/nodes)  # all that knows no Qt
 set(allowed_editor_look "${below_editor}")
 set(allowed_editor_document "${below_editor};editor/look")
 set(allowed_editor_canvas "${allowed_editor_document};editor/document")
@@ -34,7 +37,7 @@ set(allowed_app_cli "${core};${rooms}")
 set(allowed_app_window "${core};${rooms};app/cli")
 set(allowed_app "app/cli;app/window")
 
-set(third_party "include *<((yaml-cpp|box2d|nlohmann|openssl|Random123|CLI|xsimd|boost)/|(tinyxml2|hdf5|sqlite3|zstd)\\.h)")
+set(third_party "include *<((yaml-cpp|box2d|nlohmann|openssl|Random123|CLI|xsimd|boost|fastdds|fastrtps|fastcdr)/|(tinyxml2|hdf5|sqlite3|zstd)\\.h)")
 
 # Sets `complaint` in the caller; empty = allowed.
 function(check_include folder name line)
