@@ -514,6 +514,14 @@ constexpr ProblemText kTexts[] = {
     {"cdr.open-text", "{type}: the text {field} does not end after {found} bytes"},
     {"cdr.rest", "{type}: {found} bytes too many (of another version of this type?)"},
 
+    // The live view.
+    {"live.port-taken", "port {port} is taken by another program (--foxglove 0 takes a free one)"},
+    {"live.no-port", "nothing can connect to {address}, port {port}: {reason}"},
+    {"live.no-address", "'{found}' is no address in digits, such as 127.0.0.1 or ::1"},
+    {"live.not-local", "whoever reaches {address} can watch this run and steer it"},
+    {"live.page-refused",
+     "a page of {origin} wanted to connect and was refused (--foxglove-origin {origin} lets it)"},
+
     // Runs.
     {"run.not-played", "{reason}"},
     {"run.groups-not-played", "the groups could not be played"},

@@ -21,7 +21,8 @@ set(below_editor "${core}")
 set(allowed_app_bridge_messages "sim2d/base")
 set(allowed_app_bridge_topics "${core};app/bridge/messages")
 set(allowed_app_bridge_bag "${core};app/bridge/messages;app/bridge/topics")
-list(APPEND core app/bridge/messages app/bridge/topics app/bridge/bag)  # all that knows no Qt
+set(allowed_app_bridge_live "${core};app/bridge/messages;app/bridge/topics")
+list(APPEND core app/bridge/messages app/bridge/topics app/bridge/bag app/bridge/live)  # all that knows no Qt
 set(allowed_editor_look "${below_editor}")
 set(allowed_editor_document "${below_editor};editor/look")
 set(allowed_editor_canvas "${allowed_editor_document};editor/document")

@@ -12,9 +12,9 @@ namespace {
 
 using RequestJson = nlohmann::json;
 
-constexpr int kDeepest = 16;                 // brackets within each other
-constexpr std::size_t kMostItems = 1000;     // of a list
-constexpr std::size_t kLongestName = 1000;   // [B], of what a client calls something
+constexpr int kDeepest = 16;                // brackets within each other
+constexpr std::size_t kMostItems = 1000;    // of a list
+constexpr std::size_t kLongestName = 1000;  // [B], of what a client calls something
 
 /// Thrown by the readers below, caught where they begin.
 struct Wrong {
@@ -93,8 +93,8 @@ ParameterValue valueOf(const RequestJson& value) {
   if (value.is_number_integer()) {
     const bool isTooLarge =
         value.is_number_unsigned() &&
-        value.get<std::uint64_t>() > static_cast<std::uint64_t>(
-                                         std::numeric_limits<std::int64_t>::max());
+        value.get<std::uint64_t>() >
+            static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
     return isTooLarge ? ParameterValue(value.get<double>())
                       : ParameterValue(value.get<std::int64_t>());
   }

@@ -67,10 +67,9 @@ struct Refused {
 }  // namespace request
 
 using ClientRequest =
-    std::variant<request::Subscribe, request::Unsubscribe, request::Advertise,
-                 request::Unadvertise, request::GetParameters, request::SetParameters,
-                 request::WatchParameters, request::Publish, request::CallService,
-                 request::Refused>;
+    std::variant<request::Subscribe, request::Unsubscribe, request::Advertise, request::Unadvertise,
+                 request::GetParameters, request::SetParameters, request::WatchParameters,
+                 request::Publish, request::CallService, request::Refused>;
 
 /// Any bytes are fine; what is no request is Refused.
 ClientRequest requestOfText(std::string_view message);

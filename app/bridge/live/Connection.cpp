@@ -19,9 +19,8 @@ void Connection::read(std::string_view bytes, Clock::time_point now, const Event
   if (isLast_ || state_ == State::Request) {
     return;
   }
-  const auto wrong = reader_.read(bytes, [&](WebSocketMessage&& message) {
-    return take(std::move(message), now, events);
-  });
+  const auto wrong = reader_.read(
+      bytes, [&](WebSocketMessage&& message) { return take(std::move(message), now, events); });
   if (wrong) {
     close(wrong->code, wrong->reason, now);
   }
@@ -40,8 +39,8 @@ std::string_view Connection::readRequest(std::string_view bytes, Clock::time_poi
     return {};
   }
   const std::size_t size = end + kHeadEnd.size();
-  const HandshakeAnswer answer = answerHandshake(std::string_view(request_).substr(0, size),
-                                                 rules_.protocols, rules_.origins);
+  const HandshakeAnswer answer =
+      answerHandshake(std::string_view(request_).substr(0, size), rules_.protocols, rules_.origins);
   request_ = {};
   if (!answer.isAccepted) {
     refuse(answer.response, now);

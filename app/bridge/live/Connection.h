@@ -26,14 +26,14 @@ struct ConnectionRules {
 };
 
 /// One client: from the request of HTTP to the close frame, without input and output. What it does
-/// against the rules ends it; nothing that it sends makes us keep more than a message of the largest
-/// size, a request, and `kMostAnswers` of answers. Thread: one at a time.
+/// against the rules ends it; nothing that it sends makes us keep more than a message of the
+/// largest size, a request, and `kMostAnswers` of answers. Thread: one at a time.
 class Connection {
  public:
   /// What is told of it, in this order.
   struct Events {
     std::function<void()> opened;
-    std::function<void(WebSocketMessage&&)> received;      // Text or Binary
+    std::function<void(WebSocketMessage&&)> received;        // Text or Binary
     std::function<void(const std::string& origin)> refused;  // a page of that origin
   };
 
@@ -74,8 +74,7 @@ class Connection {
     Closing,  // our last word is said
     Ended
   };
-  std::string_view readRequest(std::string_view bytes, Clock::time_point now,
-                               const Events& events);
+  std::string_view readRequest(std::string_view bytes, Clock::time_point now, const Events& events);
   bool take(WebSocketMessage&& message, Clock::time_point now, const Events& events);
   void refuse(const std::string& response, Clock::time_point now);
   void sendControl(Opcode opcode, std::string_view payload);

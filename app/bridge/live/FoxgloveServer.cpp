@@ -19,8 +19,8 @@ enum BinaryOp : char { MessageData = 1, TimeOfServer = 2, ServiceResponse = 3 };
 std::string summaryOf(const std::vector<std::string>& problems) {
   constexpr std::size_t kTold = 3;
   const std::vector<std::string> first(
-      problems.begin(), problems.begin() + static_cast<std::ptrdiff_t>(
-                                               std::min(problems.size(), kTold)));
+      problems.begin(),
+      problems.begin() + static_cast<std::ptrdiff_t>(std::min(problems.size(), kTold)));
   const std::string more = problems.size() > kTold
                                ? " and " + std::to_string(problems.size() - kTold) + " more"
                                : std::string();
@@ -124,10 +124,9 @@ void FoxgloveServer::tellParameters() {
   }
   for (const auto& [client, table] : tables_) {
     std::vector<NamedValue> watched;
-    std::copy_if(changed.begin(), changed.end(), std::back_inserter(watched),
-                 [&set = table.watched](const NamedValue& each) {
-                   return set.count(each.name) > 0;
-                 });
+    std::copy_if(
+        changed.begin(), changed.end(), std::back_inserter(watched),
+        [&set = table.watched](const NamedValue& each) { return set.count(each.name) > 0; });
     if (!watched.empty()) {
       tell(client, parametersText(watched, std::nullopt));
     }
@@ -228,9 +227,8 @@ void FoxgloveServer::answer(Client client, const request::Unsubscribe& asked) {
 
 /// One that is not there is gone already.
 void FoxgloveServer::unsubscribe(Table& table, std::uint32_t subscription) {
-  const auto found =
-      std::find_if(table.wanted.begin(), table.wanted.end(),
-                   [&](const auto& each) { return each.second == subscription; });
+  const auto found = std::find_if(table.wanted.begin(), table.wanted.end(),
+                                  [&](const auto& each) { return each.second == subscription; });
   if (found != table.wanted.end()) {
     --outlets_.at(found->first - 1)->wanted;
     table.wanted.erase(found);
@@ -294,8 +292,8 @@ void FoxgloveServer::answer(Client client, const request::CallService& asked) {
     fail("the encodings of services are cdr and json");
     return;
   }
-  const ServiceAnswer done = settings_.services[asked.service - 1].call(asked.encoding,
-                                                                        asked.payload);
+  const ServiceAnswer done =
+      settings_.services[asked.service - 1].call(asked.encoding, asked.payload);
   if (!done.isFine) {
     fail(done.payload);
     return;
@@ -312,9 +310,8 @@ void FoxgloveServer::answer(Client client, const request::CallService& asked) {
 }
 
 const Parameter* FoxgloveServer::parameter(const std::string& name) const {
-  const auto found =
-      std::find_if(settings_.parameters.begin(), settings_.parameters.end(),
-                   [&](const Parameter& each) { return each.name == name; });
+  const auto found = std::find_if(settings_.parameters.begin(), settings_.parameters.end(),
+                                  [&](const Parameter& each) { return each.name == name; });
   return found == settings_.parameters.end() ? nullptr : &*found;
 }
 
@@ -356,9 +353,8 @@ void FoxgloveServer::answer(Client client, const request::SetParameters& asked) 
 void FoxgloveServer::answer(Client client, const request::WatchParameters& asked) {
   std::set<std::string>& watched = tables_[client].watched;
   for (const Parameter& each : settings_.parameters) {
-    const bool isMeant =
-        asked.names.empty() ||
-        std::find(asked.names.begin(), asked.names.end(), each.name) != asked.names.end();
+    const bool isMeant = asked.names.empty() || std::find(asked.names.begin(), asked.names.end(),
+                                                          each.name) != asked.names.end();
     if (isMeant && asked.isWatched) {
       watched.insert(each.name);
     } else if (isMeant) {

@@ -23,7 +23,7 @@ using ChannelId = std::uint32_t;
 /// What is published.
 struct Channel {
   std::string topic, schemaName, schema;  // "/scan", "sensor_msgs/msg/LaserScan", text of ros2msg
-  bool isLatched = false;  // whoever subscribes gets the newest message at once
+  bool isLatched = false;                 // whoever subscribes gets the newest message at once
 };
 
 /// The text of a type in ros2msg, with its name.

@@ -13,7 +13,7 @@ namespace live {
 /// Bytes that many clients may wait for, held once.
 using SharedBytes = std::shared_ptr<const std::string>;
 
-constexpr std::size_t kMostWaiting = std::size_t{8} << 20U;  // [B] of messages for a slow client
+constexpr std::size_t kMostWaiting = std::size_t{8} << 20U;    // [B] of messages for a slow client
 constexpr std::size_t kMostAnswers = std::size_t{256} << 10U;  // [B] of all else that waits for it
 
 /// What waits to be sent to one client, in order. Messages of which newer ones follow may be left

@@ -94,8 +94,7 @@ std::string servicesText(const std::vector<Service>& services) {
 }
 
 std::string statusText(StatusLevel level, const std::string& message, const std::string& id) {
-  ServerJson json = {
-      {"op", "status"}, {"level", static_cast<int>(level)}, {"message", message}};
+  ServerJson json = {{"op", "status"}, {"level", static_cast<int>(level)}, {"message", message}};
   if (!id.empty()) {
     json["id"] = id;
   }
@@ -116,10 +115,8 @@ std::string parametersText(const std::vector<NamedValue>& values,
 }
 
 std::string callFailureText(std::uint32_t service, std::uint32_t call, const std::string& why) {
-  return lineOf({{"op", "serviceCallFailure"},
-                 {"serviceId", service},
-                 {"callId", call},
-                 {"message", why}});
+  return lineOf(
+      {{"op", "serviceCallFailure"}, {"serviceId", service}, {"callId", call}, {"message", why}});
 }
 
 }  // namespace live

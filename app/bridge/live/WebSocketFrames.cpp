@@ -18,8 +18,8 @@ bool isKnown(unsigned opcode) {
 
 /// 7.4: those that may be sent in a frame.
 bool isCloseCode(unsigned code) {
-  const bool isStandard = code >= 1000 && code <= 1014 && code != 1004 && code != 1005 &&
-                          code != 1006;
+  const bool isStandard =
+      code >= 1000 && code <= 1014 && code != 1004 && code != 1005 && code != 1006;
   return isStandard || (code >= 3000 && code <= 4999);
 }
 
@@ -181,9 +181,9 @@ std::optional<Violation> FrameReader::checkOrder(bool isLast) const {
     return Violation{CloseCode::ProtocolError, "unknown opcode"};
   }
   if (isControl()) {
-    return isLast ? std::nullopt
-                  : std::optional(
-                        Violation{CloseCode::ProtocolError, "a control frame in fragments"});
+    return isLast
+               ? std::nullopt
+               : std::optional(Violation{CloseCode::ProtocolError, "a control frame in fragments"});
   }
   if ((opcode_ == static_cast<unsigned>(Opcode::Continuation)) != begun_.has_value()) {
     return Violation{CloseCode::ProtocolError, "fragments of two messages are mixed"};

@@ -86,9 +86,8 @@ std::vector<std::string> listOf(const Headers& headers, const char* name) {
 
 bool holds(const Headers& headers, const char* name, const std::string& wanted) {
   const std::vector<std::string> words = listOf(headers, name);
-  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
-    return base::lowered(word) == wanted;
-  });
+  return std::any_of(words.begin(), words.end(),
+                     [&](const std::string& word) { return base::lowered(word) == wanted; });
 }
 
 /// 16 bytes in base64.
@@ -102,12 +101,12 @@ bool isKey(const std::string& key) {
 
 /// The host of "http://localhost:8080"; none for another scheme, or where there is more behind it.
 std::optional<std::string> webHostOf(std::string_view origin) {
-  for (const std::string_view scheme : {std::string_view("http://"), std::string_view("https://")}) {
+  for (const std::string_view scheme :
+       {std::string_view("http://"), std::string_view("https://")}) {
     if (origin.substr(0, scheme.size()) == scheme) {
       std::string_view host = origin.substr(scheme.size());
-      const std::size_t port = host.find(':', host.find(']') == std::string_view::npos
-                                                  ? 0
-                                                  : host.find(']'));
+      const std::size_t port =
+          host.find(':', host.find(']') == std::string_view::npos ? 0 : host.find(']'));
       const std::string_view digits =
           port == std::string_view::npos ? std::string_view("0") : host.substr(port + 1);
       if (digits.empty() || !std::all_of(digits.begin(), digits.end(), base::isDigit)) {
@@ -154,8 +153,8 @@ std::optional<HandshakeAnswer> wrongRequest(const std::optional<Headers>& header
 
 bool isAllowedOrigin(std::string_view origin, const std::vector<std::string>& more) {
   const auto same = [&](std::string_view other) { return origin == other; };
-  if (same("https://app.foxglove.dev") || same("https://studio.foxglove.dev") ||
-      same("file://") || std::any_of(more.begin(), more.end(), same)) {
+  if (same("https://app.foxglove.dev") || same("https://studio.foxglove.dev") || same("file://") ||
+      std::any_of(more.begin(), more.end(), same)) {
     return true;
   }
   const std::optional<std::string> host = webHostOf(origin);
@@ -198,19 +197,20 @@ HandshakeAnswer answerHandshake(std::string_view head, const std::vector<std::st
     return answer;
   }
   const std::vector<std::string> offered = listOf(*headers, "sec-websocket-protocol");
-  const auto chosen = std::find_first_of(offered.begin(), offered.end(), protocols.begin(),
-                                         protocols.end());
+  const auto chosen =
+      std::find_first_of(offered.begin(), offered.end(), protocols.begin(), protocols.end());
   if (chosen == offered.end()) {
-    return refused(kBadRequest, "One of these protocols is wanted: " +
-                                    base::join(protocols, ", ") + ".");
+    return refused(kBadRequest,
+                   "One of these protocols is wanted: " + base::join(protocols, ", ") + ".");
   }
   HandshakeAnswer answer;
   answer.isAccepted = true;
   answer.protocol = *chosen;
-  answer.response = "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\n"
-                    "Connection: Upgrade\r\nSec-WebSocket-Accept: " +
-                    acceptOf(valueOf(*headers, "sec-websocket-key")) +
-                    "\r\nSec-WebSocket-Protocol: " + *chosen + "\r\n\r\n";
+  answer.response =
+      "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\n"
+      "Connection: Upgrade\r\nSec-WebSocket-Accept: " +
+      acceptOf(valueOf(*headers, "sec-websocket-key")) + "\r\nSec-WebSocket-Protocol: " + *chosen +
+      "\r\n\r\n";
   return answer;
 }
 

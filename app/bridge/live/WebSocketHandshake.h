@@ -20,7 +20,7 @@ bool isAllowedOrigin(std::string_view origin, const std::vector<std::string>& mo
 std::string acceptOf(std::string_view key);
 
 struct HandshakeAnswer {
-  std::string response;       // for the client, whether it may stay or not
+  std::string response;  // for the client, whether it may stay or not
   bool isAccepted = false;
   std::string protocol;       // what was agreed on
   std::string refusedOrigin;  // of a page that may not connect

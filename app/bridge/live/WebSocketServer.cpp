@@ -24,13 +24,13 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kTurn{100};                           // between looks at the clock
-constexpr milliseconds kLastWords{1000};                     // for all clients at the end
-constexpr milliseconds kNoSocket{500};                       // until the system may have one again
-constexpr std::size_t kPiece = std::size_t{64} << 10U;       // [B], of one reading
-constexpr std::size_t kMostAtOnce = std::size_t{1} << 20U;   // [B], to one client in a turn
-constexpr int kSystemBuffer = 256 << 10;                     // [B]: what waits there is not dropped
-constexpr std::size_t kMostParts = 32;                       // of one call to the system
+constexpr milliseconds kTurn{100};                          // between looks at the clock
+constexpr milliseconds kLastWords{1000};                    // for all clients at the end
+constexpr milliseconds kNoSocket{500};                      // until the system may have one again
+constexpr std::size_t kPiece = std::size_t{64} << 10U;      // [B], of one reading
+constexpr std::size_t kMostAtOnce = std::size_t{1} << 20U;  // [B], to one client in a turn
+constexpr int kSystemBuffer = 256 << 10;                    // [B]: what waits there is not dropped
+constexpr std::size_t kMostParts = 32;                      // of one call to the system
 constexpr int kMostWaitingToConnect = 16;
 
 void setOption(int socket, int level, int option, int value) {
@@ -120,11 +120,10 @@ base::Diagnostics WebSocketServer::open() {
     return {base::error("live.no-address", {settings_.address})};
   }
   const addrinfo& place = *found.first;
-  listener_ = sim2d::Descriptor(
-      ::socket(place.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  listener_ =
+      sim2d::Descriptor(::socket(place.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   setOption(listener_.number(), SOL_SOCKET, SO_REUSEADDR, 1);  // after a run that has just ended
-  if (!listener_.isOpen() ||
-      ::bind(listener_.number(), place.ai_addr, place.ai_addrlen) != 0 ||
+  if (!listener_.isOpen() || ::bind(listener_.number(), place.ai_addr, place.ai_addrlen) != 0 ||
       ::listen(listener_.number(), kMostWaitingToConnect) != 0) {
     const int why = errno;
     return {why == EADDRINUSE
@@ -156,6 +155,7 @@ void WebSocketServer::stop(std::string_view reason) {
     }
   });
   thread_.join();
+  listener_.close();
 }
 
 void WebSocketServer::exclusively(const std::function<void()>& work) {

@@ -38,7 +38,7 @@ class WebSocketServer {
     virtual ~Handler() = default;
     virtual void opened(Client client) = 0;
     virtual void received(Client client, WebSocketMessage&& message) = 0;  // Text or Binary
-    virtual void closed(Client client) = 0;  // only of those that were opened
+    virtual void closed(Client client) = 0;               // only of those that were opened
     virtual void refused(const std::string& origin) = 0;  // a page that may not connect
     virtual void tick() {}                                // ten times a second or more often
   };
