@@ -544,6 +544,14 @@ constexpr ProblemText kTexts[] = {
     {"ros2.time-leap", "the stamp leaps by {seconds} s: nobody moves in this step"},
     {"ros2.step-failed", "a step failed and nobody moved: {reason}"},
 
+    // The live view.
+    {"live.port-taken", "port {port} is taken by another program (--foxglove 0 takes a free one)"},
+    {"live.no-port", "nothing can connect to {address}, port {port}: {reason}"},
+    {"live.no-address", "'{found}' is no address in digits, such as 127.0.0.1 or ::1"},
+    {"live.not-local", "whoever reaches {address} can watch this run and steer it"},
+    {"live.page-refused",
+     "a page of {origin} wanted to connect and was refused (--foxglove-origin {origin} lets it)"},
+
     // Runs.
     {"run.not-played", "{reason}"},
     {"run.groups-not-played", "the groups could not be played"},
