@@ -289,6 +289,7 @@ constexpr ProblemText kTexts[] = {
     {"nav2.bad-parameter", "{key}: must be {wanted}"},
     {"nav2.polygon-unreadable", "'{found}' is no list of points (\"[[x, y], [x, y], …]\")"},
     {"nav2.polygon-too-small", "'{found}' has fewer than 3 points"},
+    {"nav2.polygon-too-large", "a polygon has up to {most} points, no farther than {far} m"},
     {"nav2.inflation-cut",
      "{layer}: inflation_radius {radius} is less than the robot's inscribed radius {inscribed}: "
      "cells in which it collides count as free"},
@@ -303,6 +304,12 @@ constexpr ProblemText kTexts[] = {
 
     // nav2_params.yaml and navigator trees.
     {"nav2.no-parameters", "no parameters of ROS 2 in it (a node with ros__parameters)"},
+    {"nav2.too-many-parameters",
+     "more than {most} parameters, or more than {nodes} nodes with some"},
+    {"nav2.value-too-long",
+     "{key} is longer than {characters} characters, or a list of more than {values}"},
+    {"nav2.too-many-names", "{key} names {count}, {most} at most"},
+    {"nav2.number-out-of-range", "{key} {found}: numbers here are finite, up to {most}"},
     {"nav2.outside-node", "'{found}' stands below no ros__parameters: ROS 2 does not read it"},
     {"nav2.unknown-key", "unknown key '{key}': nothing in Nav2 reads it{nearest}"},
     {"nav2.node-of-others", "{node} is a node of {distros}: {distro} does not have it"},
@@ -543,6 +550,14 @@ constexpr ProblemText kTexts[] = {
     {"ros2.time-back", "the stamp runs backwards: nobody moves until it advances again"},
     {"ros2.time-leap", "the stamp leaps by {seconds} s: nobody moves in this step"},
     {"ros2.step-failed", "a step failed and nobody moved: {reason}"},
+
+    // The live view.
+    {"live.port-taken", "port {port} is taken by another program (--foxglove 0 takes a free one)"},
+    {"live.no-port", "nothing can connect to {address}, port {port}: {reason}"},
+    {"live.no-address", "'{found}' is no address in digits, such as 127.0.0.1 or ::1"},
+    {"live.not-local", "whoever reaches {address} can watch this run and steer it"},
+    {"live.page-refused",
+     "a page of {origin} wanted to connect and was refused (--foxglove-origin {origin} lets it)"},
 
     // Runs.
     {"run.not-played", "{reason}"},

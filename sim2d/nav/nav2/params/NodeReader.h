@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -13,6 +14,8 @@
 
 /// Parameters of one node read by tables of keys, and what became of every one of them.
 namespace sim2d::nav2 {
+
+constexpr std::size_t kMostNames = 100;  // of plugins, critics, sources, polygons in a list
 
 enum class KeyUse : std::uint8_t {
   Used,
