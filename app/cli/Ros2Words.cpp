@@ -11,8 +11,6 @@ namespace app {
 
 namespace {
 
-constexpr int kLastDomain = 232;
-
 std::string variable(const char* name) {
   const char* const value = std::getenv(name);
   return value == nullptr ? std::string() : value;
@@ -27,7 +25,7 @@ base::Result<int> domainOf(const Ros2Words& words) {
     return 0;
   }
   const auto number = base::parseInt(text);
-  if (!number || *number < 0 || *number > kLastDomain) {
+  if (!number || *number < 0 || *number > bridge::kLastDomain) {
     return base::error("ros2.bad-domain", {text});
   }
   return static_cast<int>(*number);
@@ -38,7 +36,7 @@ base::Result<int> domainOf(const Ros2Words& words) {
 void addRos2Options(CLI::App& command, Ros2Words& words, const std::string& help) {
   command.add_flag("--ros2", words.ros2, help);
   command.add_option("--domain", words.domain, "ROS_DOMAIN_ID; else the variable, or 0")
-      ->check(CLI::Range(0, kLastDomain));
+      ->check(CLI::Range(0, bridge::kLastDomain));
   command
       .add_option("--rmw", words.rmw,
                   "Middleware of the other nodes: fastrtps or cyclonedds; else RMW_IMPLEMENTATION")

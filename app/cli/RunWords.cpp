@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/CommandRegistry.h"
+#include "app/cli/RunOnRos2.h"
 #include "app/run/DataPaths.h"
 
 namespace app {
@@ -35,6 +36,8 @@ base::Result<RunOptions> readRunWords(const std::vector<std::string>& words) {
   command.add_flag("-q,--quiet", ignored);
   command.add_flag("--json", ignored);
   addRunWords(command, options);
+  RunOnRos2Words ignoredWords;  // what came over ROS 2 is recorded
+  addRunOnRos2Options(command, ignoredWords);
   try {
     root.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::Error&) {

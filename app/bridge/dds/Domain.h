@@ -11,6 +11,8 @@ enum class Rmw { FastRtps, CycloneDds };
 /// From Iron on the graph has shorter identities; the rest is the same.
 enum class Distro { Humble, Jazzy };
 
+constexpr int kLastDomain = 232;  // its ports are the last that UDP has
+
 struct DomainSettings {
   int domain = 0;  // ROS_DOMAIN_ID, 0 … 232
   Rmw rmw = Rmw::FastRtps;

@@ -191,7 +191,9 @@ bool DdsParticipant::spin(Milliseconds atMost) {
 }  // namespace
 
 base::Result<std::unique_ptr<Participant>> Participant::create(const DomainSettings& settings) {
-  DdsPtr dds = DdsEntities::create(settings);
+  // DDS ends the whole program when ports would be too high.
+  const bool isPossible = settings.domain >= 0 && settings.domain <= kLastDomain;
+  DdsPtr dds = isPossible ? DdsEntities::create(settings) : nullptr;
   if (dds == nullptr) {
     return base::error("ros2.no-participant", {std::to_string(settings.domain)});
   }

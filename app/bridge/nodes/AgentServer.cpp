@@ -62,12 +62,12 @@ class DdsAgentServer final : public AgentServer {
   bool hasStarted_ = false;
   std::uint64_t answered_ = 0;
   std::unique_ptr<Node> node_, sayNode_, loaderNode_;
-  Topic<tf2_msgs::TFMessage> transforms_;
-  Topic<visualization_msgs::MarkerArray> forces_;
-  Topic<hunav_msgs::Agents> humans_;
-  Topic<hunav_msgs::Agent> robot_;
-  std::optional<Topic<people_msgs::People>> people_;
-  Topic<std_msgs::String> sayings_;
+  TopicOf<tf2_msgs::TFMessage> transforms_;
+  TopicOf<visualization_msgs::MarkerArray> forces_;
+  TopicOf<hunav_msgs::Agents> humans_;
+  TopicOf<hunav_msgs::Agent> robot_;
+  std::optional<TopicOf<people_msgs::People>> people_;
+  TopicOf<std_msgs::String> sayings_;
 };
 
 base::Diagnostics DdsAgentServer::start() {

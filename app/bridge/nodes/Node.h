@@ -15,10 +15,10 @@ namespace bridge {
 
 /// A publisher of one type.
 template <class M>
-class Topic {
+class TopicOf {
  public:
-  Topic() = default;
-  explicit Topic(std::unique_ptr<Publisher> publisher) : publisher_(std::move(publisher)) {}
+  TopicOf() = default;
+  explicit TopicOf(std::unique_ptr<Publisher> publisher) : publisher_(std::move(publisher)) {}
   bool publish(const M& message) const {
     return publisher_ != nullptr && publisher_->publish(encode(message));
   }
@@ -45,8 +45,8 @@ class Node {
   Node& operator=(Node&&) = delete;
 
   template <class M>
-  Topic<M> publisher(const std::string& topic, const Qos& qos) {
-    return Topic<M>(taken(participant_.publisher(node_, topic, M::kType, qos)));
+  TopicOf<M> publisher(const std::string& topic, const Qos& qos) {
+    return TopicOf<M>(taken(participant_.publisher(node_, topic, M::kType, qos)));
   }
 
   template <class M>
@@ -76,6 +76,8 @@ class Node {
     };
     servers_.push_back(taken(participant_.server(node_, service, S::kType, qos, reply)));
   }
+
+  int number() const { return node_; }  // in the participant
 
   /// To /rosout; level as in rcl_interfaces::Log.
   void log(std::uint8_t level, const std::string& text);
@@ -109,8 +111,8 @@ class Node {
   int node_;
   Parameters parameters_;
   Tell tell_;
-  Topic<rcl_interfaces::Log> log_;
-  Topic<rcl_interfaces::ParameterEvent> events_;
+  TopicOf<rcl_interfaces::Log> log_;
+  TopicOf<rcl_interfaces::ParameterEvent> events_;
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
   std::vector<std::unique_ptr<Server>> servers_;
 };

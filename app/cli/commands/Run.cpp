@@ -8,6 +8,7 @@
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/MapImages.h"
+#include "app/cli/RunOnRos2.h"
 #include "app/cli/RunWords.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
@@ -27,16 +28,25 @@ std::string oneDecimal(double value) {
   return base::formatDecimals(std::round(value * 10.0) / 10.0, 1);
 }
 
+/// Who else sees each state; null: not there.
+struct Watchers {
+  RunAgain* again = nullptr;
+  RunOnRos2* ros2 = nullptr;
+};
+
 FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::World& world,
-                          RunWriter& writer, RunAgain* again, const Invocation& given) {
+                          RunWriter& writer, const Watchers& watchers, const Invocation& given) {
   const double end = static_cast<double>(session.rule().maximumSteps) * world.dt();
   Progress progress(given.quiet);
   return simulate(session, world, setup, writer, [&](const sim2d::Frame& frame) {
     if (progress.isDue()) {
       progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
     }
-    if (again != nullptr) {
-      again->look(frame, world, session);
+    if (watchers.again != nullptr) {
+      watchers.again->look(frame, world, session);
+    }
+    if (watchers.ros2 != nullptr) {
+      watchers.ros2->tell(frame);
     }
     return wasInterrupted();
   });
@@ -228,7 +238,11 @@ void tellTroubles(sim2d::World& world, const FinishedRun& run) {
   }
 }
 
-int runCommand(const RunOptions& options, const Invocation& given) {
+struct RunCommandOptions : RunOptions {
+  RunOnRos2Words onRos2;
+};
+
+int runCommand(const RunCommandOptions& options, const Invocation& given) {
   Prepared prepared = prepare(options);
   const Bundle& bundle = prepared.bundle;
   Verdict& verdict = prepared.verdict;
@@ -250,8 +264,10 @@ int runCommand(const RunOptions& options, const Invocation& given) {
   if (options.counterfactual) {
     session.keepHistory(bundle.scenario->desktop.recordEvery.value_or(1));
   }
-  FinishedRun run =
-      simulateShown(session, verdict.scenarioMetrics, world, writer, prepared.again.get(), given);
+  const std::unique_ptr<RunOnRos2> ros2 =
+      RunOnRos2::open(options.onRos2, *bundle.scenario, world, session);
+  FinishedRun run = simulateShown(session, verdict.scenarioMetrics, world, writer,
+                                  {prepared.again.get(), ros2.get()}, given);
   run.totalsOnly = options.totals;
   if (prepared.again) {
     requireFine(prepared.again->trouble(run.result));
@@ -270,8 +286,9 @@ int runCommand(const RunOptions& options, const Invocation& given) {
 
 void addRun(CommandRegistry& commands) {
   const auto added = commands.add("run", "Simulate one scenario without a window", runCommand);
-  RunOptions& options = added.second;
+  RunCommandOptions& options = added.second;
   addRunWords(added.first, options);
+  addRunOnRos2Options(added.first, options.onRos2);
   added.first.callback([&options] {
     if (options.scenario.empty() && options.from.empty()) {
       throw CLI::RequiredError("scenario");
