@@ -390,9 +390,11 @@ void addWindow(CommandRegistry& commands) {
   root.add_option("--size", window->size, "Size of the window, WxH");
   root.add_option("--scale", window->scale, "Pixels per point");
   root.add_option("--theme", window->theme, "light or dark")->check(oneOf({"light", "dark"}));
-  root.add_option("--overlay", window->overlays,
-                  "What a picture shows over the run: density, sight, gaussian, velocities, plans, "
-                  "contacts, thoughts, zones, forces; several with commas")
+  root.add_option(
+          "--overlay", window->overlays,
+          "What a picture shows over the run: density, sight, gaussian, velocities, plans, "
+          "contacts, thoughts, zones, forces, ways, local-costs, global-costs; several with "
+          "commas")
       ->delimiter(',')
       ->check(oneOf(OverlayActions::names()));
   root.add_option("--select", window->select, "Who is selected in a picture, by name");
