@@ -15,7 +15,7 @@ using sim2d::nav2::KnownKey;
 bt::Nav2Loaded sheetLoaded(const sim2d::Robot& robot, const std::string& scenarioPath) {
   const sim2d::Nav2Choice choice{robot.nav2Params.value_or(""), robot.nav2Tree.value_or(""),
                                  robot.nav2Distro, robot.nav2Values};
-  return bt::loadNav2(choice, folderOfPlanners(scenarioPath), robot.name, shippedNav2());
+  return bt::loadNav2Parameters(choice, folderOfPlanners(scenarioPath), robot.name, shippedNav2());
 }
 
 std::string withoutNode(const KnownKey& key) {

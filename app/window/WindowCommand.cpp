@@ -187,6 +187,7 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
   }
   if (const editor::RecordingPtr recording = runner.recording()) {
     showStates(workspace, *recording, recording->size());
+    workspace.scene().showFrame(runner.newestFrame(), recording.get());  // with what robots sense
   }
   return {};
 }
@@ -240,12 +241,12 @@ base::Diagnostics selectNamed(editor::ScenarioDocument& document, const std::str
 base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& options) {
   window.workspace().document().checkNow();  // the issues are those of the file
   pass(kSettleMs);
+  window.actions().ofRuns->show(options.overlays);  // some are gathered while they are on
   if (!window.isOnStartPage() && options.at > 0.0) {
     if (base::Diagnostics problems = runTo(window.workspace(), options.at); !problems.empty()) {
       return problems;
     }
   }
-  window.actions().ofRuns->show(options.overlays);
   if (base::Diagnostics problems = selectNamed(window.workspace().document(), options.select);
       !problems.empty()) {
     return problems;

@@ -188,8 +188,8 @@ void loadThrough(const std::string& folder, const Nav2Folders& shipped, Nav2Load
 
 }  // namespace
 
-Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
-                    const std::string& robot, const Nav2Folders& shipped) {
+Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string& folder,
+                              const std::string& robot, const Nav2Folders& shipped) {
   Nav2Loaded loaded;
   loaded.paramsFile = nav2ParamsFile(choice.params, folder, shipped);
   if (loaded.paramsFile.empty()) {
@@ -208,6 +208,15 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
   loaded.parameters = std::move(reading.parameters);
   loaded.masks = loadNav2Masks(loaded.parameters);
   base::append(loaded.problems, loaded.masks.problems);
+  return loaded;
+}
+
+Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
+                    const std::string& robot, const Nav2Folders& shipped) {
+  Nav2Loaded loaded = loadNav2Parameters(choice, folder, robot, shipped);
+  if (loaded.parameters.file.empty()) {  // it could not be read
+    return loaded;
+  }
   const std::string named =
       choice.tree.empty() ? loaded.parameters.btNavigator.defaultNavToPoseBtXml : choice.tree;
   loaded.treeFile = nav2TreeFile(named, folder, loaded.parameters.distro, shipped);

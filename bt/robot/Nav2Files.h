@@ -65,6 +65,9 @@ struct Nav2Loaded {
   }
 };
 /// `robot`: its name, whose namespace counts first in the file.
+Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string& folder,
+                              const std::string& robot, const Nav2Folders& shipped);
+/// With the tree.
 Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
                     const std::string& robot, const Nav2Folders& shipped);
 

@@ -69,9 +69,7 @@ PlannerSample shareSample(const Theme& theme, double share) {
 }
 
 QString priceText(double price) {
-  const double size = std::abs(price);
-  return size != 0.0 && (size >= 1e5 || size < 0.01) ? QString::number(price, 'g', 3)
-                                                     : QString::number(price, 'f', 2);
+  return std::abs(price) >= 1e5 ? QString::number(price, 'g', 3) : QString::number(price, 'f', 2);
 }
 
 }  // namespace
@@ -91,7 +89,7 @@ LegendPart costPart(const MapScene& scene) {
     return costColor(theme, static_cast<std::uint8_t>(std::lround(252.0 * share)));
   });
   part.rows = {ramp,
-               {QObject::tr("Centre would touch"), QStringLiteral("253"), cellSample(theme, 253)},
+               {QObject::tr("Would touch"), QStringLiteral("253"), cellSample(theme, 253)},
                {QObject::tr("Obstacle"), QStringLiteral("254"), cellSample(theme, 254)},
                {QObject::tr("Unknown"), QStringLiteral("255"), cellSample(theme, 255)}};
   return part;

@@ -71,6 +71,7 @@ class Nav2FormTest : public QObject {
     QTest::keyClicks(field, text);
     QTest::keyClick(field, Qt::Key_Return);
     QCoreApplication::processEvents();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // of the field
   }
   QString help() const { return form().findChild<QLabel*>(QStringLiteral("nav2_help"))->text(); }
 
