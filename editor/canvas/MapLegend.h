@@ -28,6 +28,10 @@ struct LegendPart {
 std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre);
 /// Whether an overlay is on that has a legend: then there is room for it, whoever is selected.
 bool wantsLegend(const MapScene& scene);
+/// Costs of the cells of a planner's costmaps; what its ways cost, and what each critic gave the
+/// chosen one (no rows: it does not tell).
+LegendPart costPart(const MapScene& scene);
+LegendPart pricePart(const MapScene& scene);
 /// Of lidar, detector and ways weighed by the one robot that is selected.
 std::vector<LegendRow> senseRows(const MapScene& scene);
 

@@ -7,6 +7,7 @@
 #include "editor/canvas/MapLegend.h"
 #include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/PlannerPainter.h"
 
 // What the colours of lidar, detector and weighed ways say, while a robot of a run is selected.
 namespace editor {
@@ -89,7 +90,7 @@ std::vector<LegendRow> senseRows(const MapScene& scene) {
            paintRing(painter, pen, 6.0, box.center());
          }});
   }
-  if (scene.options().candidates && !senses->ways.empty()) {
+  if (scene.options().candidates && !senses->ways.empty() && !hasPrices(*senses)) {
     addWayRows(rows, theme);
   }
   return rows;
