@@ -7,6 +7,7 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/LiveWords.h"
 #include "app/cli/MapImages.h"
 #include "app/cli/RunWords.h"
 #include "app/run/Bundle.h"
@@ -27,16 +28,25 @@ std::string oneDecimal(double value) {
   return base::formatDecimals(std::round(value * 10.0) / 10.0, 1);
 }
 
+/// Who sees each state of a run.
+struct Watchers {
+  RunAgain* again = nullptr;  // null: a run from the beginning
+  live::LiveRun* live = nullptr;
+};
+
 FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::World& world,
-                          RunWriter& writer, RunAgain* again, const Invocation& given) {
+                          RunWriter& writer, const Watchers& watchers, const Invocation& given) {
   const double end = static_cast<double>(session.rule().maximumSteps) * world.dt();
   Progress progress(given.quiet);
   return simulate(session, world, setup, writer, [&](const sim2d::Frame& frame) {
     if (progress.isDue()) {
       progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
     }
-    if (again != nullptr) {
-      again->look(frame, world, session);
+    if (watchers.live != nullptr) {
+      watchers.live->show(frame);
+    }
+    if (watchers.again != nullptr) {
+      watchers.again->look(frame, world, session);
     }
     return wasInterrupted();
   });
@@ -250,8 +260,13 @@ int runCommand(const RunOptions& options, const Invocation& given) {
   if (options.counterfactual) {
     session.keepHistory(bundle.scenario->desktop.recordEvery.value_or(1));
   }
-  FinishedRun run =
-      simulateShown(session, verdict.scenarioMetrics, world, writer, prepared.again.get(), given);
+  const std::unique_ptr<live::LiveRun> live =
+      openLive(options, bundle, verdict.metrics, session, world);
+  FinishedRun run = simulateShown(session, verdict.scenarioMetrics, world, writer,
+                                  {prepared.again.get(), live.get()}, given);
+  if (live) {
+    live->finish(world.frame(), "the run is over: " + run.result.reason);
+  }
   run.totalsOnly = options.totals;
   if (prepared.again) {
     requireFine(prepared.again->trouble(run.result));
