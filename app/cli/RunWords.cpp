@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/CommandRegistry.h"
+#include "app/cli/LiveWords.h"
 #include "app/cli/RunOnRos2.h"
 #include "app/run/DataPaths.h"
 
@@ -22,6 +23,7 @@ void addRunWords(CLI::App& command, RunOptions& options) {
   command.add_flag("--counterfactual", options.counterfactual,
                    "The same seed again without robots: what they did to people");
   addForce(command, options.force);
+  addLiveWords(command, options);
   command.add_flag("--totals", options.totals,
                    "Only manifest.json and the totals of metrics.json, for many long runs");
 }

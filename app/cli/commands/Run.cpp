@@ -7,6 +7,7 @@
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/LiveWords.h"
 #include "app/cli/MapImages.h"
 #include "app/cli/RunOnRos2.h"
 #include "app/cli/RunWords.h"
@@ -28,10 +29,11 @@ std::string oneDecimal(double value) {
   return base::formatDecimals(std::round(value * 10.0) / 10.0, 1);
 }
 
-/// Who else sees each state; null: not there.
+/// Who sees each state of a run; null: not there.
 struct Watchers {
   RunAgain* again = nullptr;
   RunOnRos2* ros2 = nullptr;
+  live::LiveRun* live = nullptr;
 };
 
 FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::World& world,
@@ -42,11 +44,14 @@ FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::Wo
     if (progress.isDue()) {
       progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
     }
-    if (watchers.again != nullptr) {
-      watchers.again->look(frame, world, session);
-    }
     if (watchers.ros2 != nullptr) {
       watchers.ros2->tell(frame);
+    }
+    if (watchers.live != nullptr) {
+      watchers.live->show(frame);
+    }
+    if (watchers.again != nullptr) {
+      watchers.again->look(frame, world, session);
     }
     return wasInterrupted();
   });
@@ -266,8 +271,13 @@ int runCommand(const RunCommandOptions& options, const Invocation& given) {
   }
   const std::unique_ptr<RunOnRos2> ros2 =
       RunOnRos2::open(options.onRos2, *bundle.scenario, world, session);
+  const std::unique_ptr<live::LiveRun> live =
+      openLive(options, bundle, verdict.metrics, session, world);
   FinishedRun run = simulateShown(session, verdict.scenarioMetrics, world, writer,
-                                  {prepared.again.get(), ros2.get()}, given);
+                                  {prepared.again.get(), ros2.get(), live.get()}, given);
+  if (live) {
+    live->finish(world.frame(), "the run is over: " + run.result.reason);
+  }
   run.totalsOnly = options.totals;
   if (prepared.again) {
     requireFine(prepared.again->trouble(run.result));
