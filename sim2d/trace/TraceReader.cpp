@@ -8,6 +8,7 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
 #include "sim2d/trace/Recording.h"
+#include "sim2d/trace/TraceTexts.h"
 
 namespace sim2d {
 
@@ -272,36 +273,37 @@ class TreesReader {
 
 }  // namespace
 
-base::Result<Trace> readTrace(const std::string& directory) {
+base::Result<Trace> parseTrace(const TraceTexts& texts) {
   base::Diagnostics problems;
-  const std::string folder = directory + (directory.empty() || directory.back() == '/' ? "" : "/");
-  const std::string trajectoryFile = folder + "trajectory.csv";
-  const std::string eventsFile = folder + "events.csv";
-  const std::string headerFile = folder + "trace.json";
-  const std::string trajectory = textOf(trajectoryFile, problems);
-  const std::string events = textOf(eventsFile, problems);
-  const std::string headerText = textOf(headerFile, problems);
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
   Trace trace;
-  base::Result<TraceHeader> header = parseTraceJson(headerText, headerFile);
+  base::Result<TraceHeader> header = parseTraceJson(texts.header.content, texts.header.path);
   base::append(problems, header.diagnostics());
   if (!header) {
     return problems;  // the rows mean nothing without it
   }
   trace.header = *std::move(header);
-  CsvTable rows(trajectory, trajectoryFile, problems);
+  CsvTable rows(texts.trajectory.content, texts.trajectory.path, problems);
   TrajectoryReader(rows, trace).read();
-  CsvTable eventRows(events, eventsFile, problems);
+  CsvTable eventRows(texts.events.content, texts.events.path, problems);
   readEvents(eventRows, trace);
   if (!base::hasErrors(problems)) {
-    checkEnd(trace, trajectoryFile, problems);
+    checkEnd(trace, texts.trajectory.path, problems);
   }
   if (base::hasErrors(problems)) {
     return problems;
   }
   return {std::move(trace), std::move(problems)};
+}
+
+base::Result<Trace> readTrace(const std::string& directory) {
+  base::Diagnostics problems;
+  const std::string folder = directory + (directory.empty() || directory.back() == '/' ? "" : "/");
+  TraceTexts texts{
+      {folder + "trajectory.csv", {}}, {folder + "events.csv", {}}, {folder + "trace.json", {}}};
+  for (base::FileContent* text : {&texts.trajectory, &texts.events, &texts.header}) {
+    text->content = textOf(text->path, problems);
+  }
+  return base::hasErrors(problems) ? base::Result<Trace>(problems) : parseTrace(texts);
 }
 
 std::shared_ptr<Recording> recordingOf(Trace trace, std::size_t mostInMemory) {

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/bridge/bag/RunBagFolder.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/LiveWords.h"
@@ -194,7 +195,11 @@ std::unique_ptr<OutputFolder> openOutput(const RunOptions& options, Verdict& ver
     return nullptr;
   }
   const std::vector<std::string> robots = metrics::robotNames(verdict.world->header().robots);
-  const base::Diagnostics lost = (*opened)->inTheWay(runFileNames(robots, options.totals));
+  std::vector<std::string> names = runFileNames(robots, options.totals);
+  if (!options.record.empty()) {
+    names.insert(names.end(), std::begin(bridge::kBagFiles), std::end(bridge::kBagFiles));
+  }
+  const base::Diagnostics lost = (*opened)->inTheWay(names);
   base::append(verdict.problems, lost);
   return lost.empty() ? *std::move(opened) : nullptr;
 }
@@ -222,6 +227,9 @@ Prepared prepareAgain(const RunOptions& options) {
 Prepared prepare(const RunOptions& options) {
   const base::Result<RunSettings> settings = runSettingsOf(options);
   base::Diagnostics wrong = checkFromWords(options);
+  if (!options.record.empty() && (options.output.empty() || options.totals)) {
+    wrong.push_back(base::error(options.totals ? "option.record-totals" : "option.record-folder"));
+  }
   base::append(wrong, settings.diagnostics());
   requireFine(wrong, ExitWrongCommandLine);
   if (!options.from.empty()) {
@@ -247,6 +255,16 @@ struct RunCommandOptions : RunOptions {
   RunOnRos2Words onRos2;
 };
 
+/// Null: none is asked for. Robots then tell what they see.
+std::unique_ptr<bridge::RunBagFolder> bagOf(const RunOptions& options, const Bundle& bundle,
+                                            sim2d::World& world, const OutputFolder* output) {
+  if (options.record.empty()) {
+    return nullptr;
+  }
+  world.tellSenses(true);
+  return std::make_unique<bridge::RunBagFolder>(output->staging(), *bundle.scenario, world);
+}
+
 int runCommand(const RunCommandOptions& options, const Invocation& given) {
   Prepared prepared = prepare(options);
   const Bundle& bundle = prepared.bundle;
@@ -265,6 +283,8 @@ int runCommand(const RunCommandOptions& options, const Invocation& given) {
   RunWriter writer(hasFiles ? output->staging() : std::string(), world,
                    prepared.again ? prepared.again->header() : world.header(),
                    verdict.metrics.selection, verdict.metrics.parameters);
+  const std::unique_ptr<bridge::RunBagFolder> bag = bagOf(options, bundle, world, output.get());
+  writer.setCompanion(bag.get());
   Session session(sim2d::stopRuleOf(*bundle.scenario));
   if (options.counterfactual) {
     session.keepHistory(bundle.scenario->desktop.recordEvery.value_or(1));
