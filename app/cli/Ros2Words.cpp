@@ -62,8 +62,8 @@ base::Result<bridge::DomainSettings> domainSettingsOf(const Ros2Words& words) {
                                    : variable("RMW_IMPLEMENTATION") == "rmw_cyclonedds_cpp";
   settings.rmw = isCyclone ? bridge::Rmw::CycloneDds : bridge::Rmw::FastRtps;
   const std::string distro = words.distro.value_or(variable("ROS_DISTRO"));
-  settings.distro = distro.empty() || distro == "humble" ? bridge::Distro::Humble
-                                                          : bridge::Distro::Jazzy;
+  settings.distro =
+      distro.empty() || distro == "humble" ? bridge::Distro::Humble : bridge::Distro::Jazzy;
   settings.localhostOnly = !words.network;
   return settings;
 }

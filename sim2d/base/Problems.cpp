@@ -548,7 +548,7 @@ constexpr ProblemText kTexts[] = {
     {"ros2.robot-gone", "the robot '{name}' is not in the requests any more"},
     {"ros2.unknown-agent", "there is no agent {id}: the answer is empty"},
     {"ros2.time-back", "the stamp runs backwards: nobody moves until it advances again"},
-    {"ros2.time-leap", "the stamp leaps by {seconds} s: nobody moves in this step"},
+    {"ros2.time-leap", "the stamp leaps by more than 10 s: nobody moves in this step"},
     {"ros2.step-failed", "a step failed and nobody moved: {reason}"},
 
     // The live view.

@@ -105,8 +105,8 @@ class CoupledWorld {
   std::vector<std::vector<Obstacles::Point>> walls_;  // by person
   std::vector<char> entered_;                         // by person
   std::vector<double> headingsBefore_;
-  std::vector<Vec2> moves_;         // velocities of this step, by person [m/s]
-  std::vector<MovingDisc> discs_;   // of people, then robots
+  std::vector<Vec2> moves_;        // velocities of this step, by person [m/s]
+  std::vector<MovingDisc> discs_;  // of people, then robots
   std::vector<DiscPair> pairs_;
   std::string failure_;
 };

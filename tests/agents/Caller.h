@@ -73,8 +73,7 @@ inline Agent agentAt(int id, double x, double y) {
 inline void setStamp(Agents& agents, double seconds) {
   const auto whole = static_cast<std::int32_t>(seconds);
   agents.header.stamp.sec = whole;
-  agents.header.stamp.nanosec =
-      static_cast<std::uint32_t>((seconds - whole) * 1e9 + 0.5);
+  agents.header.stamp.nanosec = static_cast<std::uint32_t>((seconds - whole) * 1e9 + 0.5);
 }
 
 inline hunav_msgs::ComputeAgents::Request requestOf(std::vector<Agent> agents, double seconds) {

@@ -362,7 +362,8 @@ void AgentManagerTest::move_onlyOne_movesWithItsOwnClock() {
   addPerson(scenario, 2, 0.0, 9.0, {1});
   AgentManager manager(bundleOf(scenario, "hunav2"));
   hunav_msgs::MoveAgent::Request request;
-  request.currentAgents = requestOf({agentAt(1, 0.0, 0.0), agentAt(2, 0.0, 9.0)}, 5.0).currentAgents;
+  request.currentAgents =
+      requestOf({agentAt(1, 0.0, 0.0), agentAt(2, 0.0, 9.0)}, 5.0).currentAgents;
   request.agentId = 1;
   QCOMPARE(xOf(manager.moveOne(request).updatedAgent), 0.0);
   QVERIFY(!manager.takeTopics());

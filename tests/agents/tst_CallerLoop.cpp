@@ -27,7 +27,7 @@ namespace {
 sim2d::Scenario busyHall() {
   sim2d::Scenario scenario;
   const sim2d::BehaviorType types[] = {
-      sim2d::BehaviorType::Regular,  sim2d::BehaviorType::Regular, sim2d::BehaviorType::Impassive,
+      sim2d::BehaviorType::Regular,   sim2d::BehaviorType::Regular, sim2d::BehaviorType::Impassive,
       sim2d::BehaviorType::Surprised, sim2d::BehaviorType::Scared,  sim2d::BehaviorType::Curious};
   for (int i = 0; i < 10; ++i) {
     const double y = -4.5 + i;
@@ -149,12 +149,12 @@ Difference differenceOfLoop(const sim2d::Scenario& scenario, const std::string& 
       putIntoScene(answer.agents[i], dt, agents[i]);
       const sim2d::HumanColumns& humans = alone.frame().humans;
       const geometry_msgs::Point& place = agents[i].position.position;
-      difference.place = std::max(
-          difference.place, std::hypot(place.x - humans.x[i], place.y - humans.y[i]));
-      difference.heading =
-          std::max(difference.heading,
-                   std::fabs(base::angleDiff(double{agents[i].yaw}, humans.heading[i])));
-      difference.active += answer.agents[i].behavior.state == humans.state[i] ? humans.state[i] : -1;
+      difference.place =
+          std::max(difference.place, std::hypot(place.x - humans.x[i], place.y - humans.y[i]));
+      difference.heading = std::max(
+          difference.heading, std::fabs(base::angleDiff(double{agents[i].yaw}, humans.heading[i])));
+      difference.active +=
+          answer.agents[i].behavior.state == humans.state[i] ? humans.state[i] : -1;
       const sim2d::Vec2& start = scenario.humans[i].initPose.position;
       walked[i] = std::max(walked[i], std::hypot(place.x - start.x(), place.y - start.y()));
     }

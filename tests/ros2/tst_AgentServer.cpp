@@ -44,9 +44,9 @@ struct Pair {
     if (change) {
       change(settings);
     }
-    auto made = AgentServer::create(agentstest::bundleOf(agentstest::oneWalker(), "hunav2"),
-                                    settings,
-                                    [this](const base::Diagnostic& said) { told.push_back(said); });
+    auto made =
+        AgentServer::create(agentstest::bundleOf(agentstest::oneWalker(), "hunav2"), settings,
+                            [this](const base::Diagnostic& said) { told.push_back(said); });
     server = made ? *std::move(made) : nullptr;
     caller = participant(inDomain(kDomain, rmw));
     node = caller->addNode("/", "wrapper");
@@ -109,8 +109,8 @@ void AgentServerTest::services_callOfAWrapper_movesAndPublishes() {
   std::vector<double> places;
   std::vector<std::unique_ptr<Subscription>> subscriptions;
   const auto hear = [&](const char* topic, const char* type, const Qos& qos) {
-    auto made = pair.caller->subscription(pair.node, topic, type, qos,
-                                          [&heard, topic](const Bytes&) { heard.push_back(topic); });
+    auto made = pair.caller->subscription(
+        pair.node, topic, type, qos, [&heard, topic](const Bytes&) { heard.push_back(topic); });
     subscriptions.push_back(made ? *std::move(made) : nullptr);
   };
   hear("tf", "tf2_msgs/msg/TFMessage", Qos::transforms());
@@ -175,8 +175,9 @@ void AgentServerTest::loader_parameters_areThoseGeneratorsAskFor() {
   const auto values =
       pair.client("/hunav_loader/get_parameters", rcl_interfaces::GetParameters::kType);
   rcl_interfaces::GetParameters::Request request;
-  request.names = {"agents", "person1.id", "person1.behavior.type", "person1.max_vel",
-                   "person1.cyclic_goals", "person1.goals", "global_goals.1.x"};
+  request.names = {"agents",          "person1.id",           "person1.behavior.type",
+                   "person1.max_vel", "person1.cyclic_goals", "person1.goals",
+                   "global_goals.1.x"};
   const auto found = pair.call<rcl_interfaces::GetParameters>(*values, request);
   QVERIFY(found);
   const std::vector<std::uint8_t> types = {9, 2, 4, 3, 1, 7, 3};
@@ -198,8 +199,7 @@ void AgentServerTest::parameters_setAndListed_asRclcpp() {
   Pair pair;
   using rcl_interfaces::ListParameters;
   using rcl_interfaces::SetParameters;
-  const auto list =
-      pair.client("/hunav_agent_manager/list_parameters", ListParameters::kType);
+  const auto list = pair.client("/hunav_agent_manager/list_parameters", ListParameters::kType);
   const auto listed = pair.call<ListParameters>(*list, {});
   QVERIFY(listed);
   QCOMPARE(listed->result.names,
@@ -231,13 +231,11 @@ void AgentServerTest::forces_switchedOff_areNotPublished() {
   const auto second = pair.caller->subscription(pair.node, "people", "people_msgs/msg/People",
                                                 Qos::keepLast(5), [&](const Bytes&) { ++people; });
   const auto client = pair.client("compute_agents", kCompute);
-  QVERIFY(pair.until([&] {
-    return (*first)->matched() > 0 && (*second)->matched() > 0 && client->isReady();
-  }));
+  QVERIFY(pair.until(
+      [&] { return (*first)->matched() > 0 && (*second)->matched() > 0 && client->isReady(); }));
   QTest::qWait(500);
   for (const double time : {1.0, 1.05, 1.1}) {
-    QVERIFY(pair.call<ComputeAgents>(*client,
-                                     agentstest::requestOf({agentAt(1, 0.0, 0.0)}, time)));
+    QVERIFY(pair.call<ComputeAgents>(*client, agentstest::requestOf({agentAt(1, 0.0, 0.0)}, time)));
   }
   QVERIFY(pair.until([&] { return people == 2; }));
   QCOMPARE(forces, 0);
@@ -250,8 +248,8 @@ void AgentServerTest::request_ofTheOtherRmw_isTold_data() {
 void AgentServerTest::request_ofTheOtherRmw_isTold() {
   QFETCH(const Rmw, rmw);
   Pair pair(rmw);
-  pair.caller = participant(
-      inDomain(kDomain, rmw == Rmw::FastRtps ? Rmw::CycloneDds : Rmw::FastRtps));
+  pair.caller =
+      participant(inDomain(kDomain, rmw == Rmw::FastRtps ? Rmw::CycloneDds : Rmw::FastRtps));
   pair.node = pair.caller->addNode("/", "wrapper");
   const auto client = pair.client("compute_agents", kCompute);
   QVERIFY(pair.until([&] { return client->isReady(); }));
@@ -310,8 +308,7 @@ void AgentServerTest::request_truncated_isAnsweredAndTold() {
   huge.replace(4 + 8, 4, "\xff\xff\xff\xff");  // the length of frame_id
   QVERIFY(pair.ask(*client, huge));
   QVERIFY(hasRemark(pair.told, "ros2.other-version"));
-  QVERIFY(pair.call<ComputeAgents>(*client,
-                                   agentstest::requestOf({agentAt(1, 0.0, 0.0)}, 1.0)));
+  QVERIFY(pair.call<ComputeAgents>(*client, agentstest::requestOf({agentAt(1, 0.0, 0.0)}, 1.0)));
 }
 
 QTEST_GUILESS_MAIN(AgentServerTest)

@@ -44,15 +44,14 @@ void CyclonePeerTest::peer_callsComputeAgents_walksByTheNumbersByHand() {
   bridge::ServeSettings settings;
   settings.domain = ros2test::inDomain(kDomain, bridge::Rmw::CycloneDds);
   base::Diagnostics told;
-  auto server = bridge::AgentServer::create(
-      agentstest::bundleOf(agentstest::oneWalker(), "hunav2"), settings,
-      [&](const base::Diagnostic& said) { told.push_back(said); });
+  auto server =
+      bridge::AgentServer::create(agentstest::bundleOf(agentstest::oneWalker(), "hunav2"), settings,
+                                  [&](const base::Diagnostic& said) { told.push_back(said); });
   QVERIFY(server);
 
   QProcess peer;
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-  environment.insert(QStringLiteral("CYCLONEDDS_URI"),
-                     QStringLiteral("file://") + file.fileName());
+  environment.insert(QStringLiteral("CYCLONEDDS_URI"), QStringLiteral("file://") + file.fileName());
   peer.setProcessEnvironment(environment);
   peer.start(program, {QString::number(kDomain), QStringLiteral("21")});
   QVERIFY(peer.waitForStarted());
@@ -69,8 +68,8 @@ void CyclonePeerTest::peer_callsComputeAgents_walksByTheNumbersByHand() {
   const QList<QByteArray> lines = said.split('\n');
   QVERIFY(lines.contains("answer 1 0.000000000 0.000000000 map"));
   QVERIFY(lines.contains("answer 2 0.015000000 0.300000000 map"));
-  QVERIFY(!said.contains("states 1 "));                  // nothing is published in the first call
-  QVERIFY(lines.contains("states 2 0.000000000"));       // the state before the step
+  QVERIFY(!said.contains("states 1 "));             // nothing is published in the first call
+  QVERIFY(lines.contains("states 2 0.000000000"));  // the state before the step
   QVERIFY(lines.contains("states 3 0.015000000"));
   // After 1 s x is 1.203459 m and v 1.482706 m/s: from the library of HuNavSim itself.
   for (const QByteArray& line : lines) {

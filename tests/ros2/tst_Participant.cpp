@@ -58,9 +58,8 @@ constexpr const char* kService = "test_msgs/srv/Words";
 /// Answers "x" by "x!".
 std::unique_ptr<Server> echo(Participant& to, int node) {
   base::Result<std::unique_ptr<Server>> made =
-      to.server(node, "echo", kService, Qos::keepLast(100), [](const ServiceRequest& request) {
-        return text(wordsOf(request.bytes) + "!");
-      });
+      to.server(node, "echo", kService, Qos::keepLast(100),
+                [](const ServiceRequest& request) { return text(wordsOf(request.bytes) + "!"); });
   return made ? *std::move(made) : nullptr;
 }
 
@@ -106,8 +105,8 @@ void ParticipantTest::namespaces_areChecked() {
   }
 }
 
-// By hand: header 4, gid 24 (16), count 4, "/" 4 + 2, "n" at 4: 2 + 4 + 2, readers at 4: 2 + 4 + gid,
-// writers 4.
+// By hand: header 4, gid 24 (16), count 4, "/" 4 + 2, "n" at 4: 2 + 4 + 2, readers at 4: 2 + 4 +
+// gid, writers 4.
 void ParticipantTest::graphSample_hasTheSizesOfEachDistro() {
   Guid participant{};
   participant[0] = 7;

@@ -116,9 +116,8 @@ void RunNodeTest::run_commandsOfOthers_driveTheRobot() {
   QCOMPARE(drive.robotX(), -3.0);  // it stands until somebody drives it
   // Who comes late still gets what is latched.
   const auto transforms = drive.hear<tf2_msgs::TFMessage>(
-      "/tf_static", Qos::latched(), [&](const tf2_msgs::TFMessage& all) {
-        fixed = static_cast<int>(all.transforms.size());
-      });
+      "/tf_static", Qos::latched(),
+      [&](const tf2_msgs::TFMessage& all) { fixed = static_cast<int>(all.transforms.size()); });
   const auto until = std::chrono::steady_clock::now() + kLong;
   while ((drive.robotX() < -2.5 || fixed == 0 || beams == 0) &&
          std::chrono::steady_clock::now() < until) {

@@ -147,7 +147,8 @@ void CoupledWorldTest::step_stateGivenBack_isTheHeadlessRun() {
   const std::unique_ptr<CoupledWorld> coupled = couple(scenario, "hunav2");
   std::vector<CoupledPerson> states;
   for (int i = 0; i < 10; ++i) {
-    states.push_back(personAt(i + 1, scenario.humans[static_cast<std::size_t>(i)].initPose.position));
+    states.push_back(
+        personAt(i + 1, scenario.humans[static_cast<std::size_t>(i)].initPose.position));
   }
   const int steps = static_cast<int>(std::lround(20.0 / dt));
   for (int k = 0; k < steps; ++k) {

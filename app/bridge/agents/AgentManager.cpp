@@ -6,7 +6,6 @@
 
 #include "app/bridge/agents/AgentMessages.h"
 #include "app/bridge/agents/CallerScenario.h"
-#include "sim2d/base/Text.h"
 
 namespace bridge {
 namespace {
@@ -49,8 +48,8 @@ base::Diagnostics AgentManager::prepare() {
 base::Result<std::unique_ptr<sim2d::CoupledWorld>> AgentManager::makeWorld(const Agents& agents) {
   app::Bundle bundle = bundle_;
   base::Diagnostics strangers;
-  bundle.scenario = std::make_shared<const sim2d::Scenario>(
-      scenarioFor(*bundle_.scenario, agents, strangers));
+  bundle.scenario =
+      std::make_shared<const sim2d::Scenario>(scenarioFor(*bundle_.scenario, agents, strangers));
   bundle.remarks.clear();
   app::Verdict verdict = app::check(bundle, app::CheckDepth::Setup);
   if (!verdict.setup) {
@@ -92,6 +91,8 @@ bool AgentManager::needWorld(const Agents& agents) {
     tell(base::Severity::Warning, "ros2.minds-anew");
   }
   world_ = *std::move(made);
+  lastAgents_.clear();
+  ownClocks_.clear();
   return true;
 }
 
@@ -156,7 +157,7 @@ double AgentManager::sinceLast(Stamped& stamped, std::int64_t now) {
     return 0.0;
   }
   if (dt > kLeap) {
-    tell(base::Severity::Warning, "ros2.time-leap", {base::formatDecimals(dt, 1)});
+    tell(base::Severity::Warning, "ros2.time-leap");
     return 0.0;
   }
   return dt;

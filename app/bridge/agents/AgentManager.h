@@ -66,11 +66,11 @@ class AgentManager {
   void tell(base::Severity severity, std::string_view code, base::ProblemValues values = {});
 
   app::Bundle bundle_;
-  std::unique_ptr<sim2d::CoupledWorld> world_;  // null: before the first request with agents
-  bool cannotBe_ = false;                       // the world; told
-  Stamped clock_;                               // of steps of everybody
-  std::map<int, Stamped> ownClocks_;            // of people in steps of their own, by id
-  double lastDt_ = 0.0;                         // [s]
+  std::unique_ptr<sim2d::CoupledWorld> world_;   // null: before the first request with agents
+  bool cannotBe_ = false;                        // the world; told
+  Stamped clock_;                                // of steps of everybody
+  std::map<int, Stamped> ownClocks_;             // of people in steps of their own, by id
+  double lastDt_ = 0.0;                          // [s]
   std::map<int, hunav_msgs::Agent> lastAgents_;  // as they came last and could be used, by id
   std::optional<sim2d::CoupledRobot> lastRobot_;
   std::optional<StepTopics> topics_;

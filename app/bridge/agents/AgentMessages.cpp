@@ -18,8 +18,8 @@ hunav_msgs::AgentBehavior behaviorOf(const hunav_msgs::AgentBehavior& asked,
                                      const sim2d::ResolvedHuman& person, bool isActive) {
   hunav_msgs::AgentBehavior behavior = asked;
   behavior.type = static_cast<std::uint8_t>(person.behavior);
-  behavior.state = isActive ? hunav_msgs::AgentBehavior::kBehActive1
-                            : hunav_msgs::AgentBehavior::kBehNoActive;
+  behavior.state =
+      isActive ? hunav_msgs::AgentBehavior::kBehActive1 : hunav_msgs::AgentBehavior::kBehNoActive;
   behavior.duration = static_cast<float>(person.reactionDuration);
   behavior.once = person.reactionOnce;
   behavior.vel = static_cast<float>(person.reactionSpeed);

@@ -71,8 +71,7 @@ void takeFactors(const AgentBehavior& from, sim2d::Behavior& to) {
 void takeBehavior(const AgentBehavior& from, sim2d::Behavior& to) {
   const bool isKnown =
       from.type >= AgentBehavior::kBehRegular && from.type <= AgentBehavior::kBehThreatening;
-  to.type =
-      isKnown ? static_cast<sim2d::BehaviorType>(from.type) : sim2d::BehaviorType::Regular;
+  to.type = isKnown ? static_cast<sim2d::BehaviorType>(from.type) : sim2d::BehaviorType::Regular;
   to.once = from.once;
   if (isPositive(from.duration)) {
     to.duration = double{from.duration};

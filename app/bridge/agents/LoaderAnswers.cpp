@@ -139,8 +139,7 @@ std::vector<Parameter> loaderParameters(const Scenario& scenario, long long seed
   all.push_back(parameter("yaml_base_name", scenario.yamlBaseName.value_or("")));
   all.push_back(parameter("publish_people", scenario.publishPeople.value_or(true)));
   std::vector<std::string> names;
-  sim2d::forEachListed(scenario.humans,
-                       [&](const Human& human) { names.push_back(human.name); });
+  sim2d::forEachListed(scenario.humans, [&](const Human& human) { names.push_back(human.name); });
   all.push_back(parameterOf("agents", std::move(names)));
   for (const sim2d::GlobalGoal& goal : scenario.goals) {
     const std::string of = "global_goals." + std::to_string(goal.id);

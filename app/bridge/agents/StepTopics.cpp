@@ -19,7 +19,7 @@ constexpr double kTextHeight = 1.0;    // [m] above the person
 constexpr double kTextSize = 0.5;      // [m]
 constexpr std::int32_t kLifetime = 1;  // [s]
 
-constexpr std::array<const char*, 7> kBehaviors = {"REGULAR", "REGULAR",  "IMPASSIVE", "SURPRISED",
+constexpr std::array<const char*, 7> kBehaviors = {"REGULAR", "REGULAR", "IMPASSIVE",  "SURPRISED",
                                                    "SCARED",  "CURIOUS", "THREATENING"};
 
 tf2_msgs::TFMessage transformOf(const Agent& agent, const std_msgs::Header& header) {
@@ -68,8 +68,8 @@ Marker label(const Agent& agent, const std_msgs::Header& header, std::size_t beh
   return marker;
 }
 
-void addForces(const Agent& agent, const std_msgs::Header& header,
-               const sim2d::CoupledWorld& world, std::vector<Marker>& to) {
+void addForces(const Agent& agent, const std_msgs::Header& header, const sim2d::CoupledWorld& world,
+               std::vector<Marker>& to) {
   const int human = world.view().indexOf(agent.id);
   const auto at = static_cast<std::size_t>(human);
   const sim2d::ForceColumns& all = world.forces();

@@ -1,13 +1,12 @@
 #include "app/bridge/dds/DdsInside.h"
 
 #include <algorithm>
-#include <utility>
-
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
 #include <fastdds/dds/log/Log.hpp>
 #include <fastdds/rtps/common/WriteParams.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <utility>
 
 #include "app/bridge/dds/RawType.h"
 
@@ -155,7 +154,8 @@ efd::Topic* DdsEntities::topicOf(const std::string& name, const std::string& typ
   }
   if (participant_->find_type(type).empty()) {
     efd::TypeSupport support(new RawType(type));
-    if (support.register_type(participant_) != eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+    if (support.register_type(participant_) !=
+        eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
       return nullptr;
     }
   }
@@ -191,9 +191,9 @@ efd::DataReader* DdsEntities::makeReader(const std::string& topic, const std::st
   }
   efd::DataReaderQos wanted = subscriber_->get_default_datareader_qos();
   apply(qos, userData, wanted);
-  return subscriber_->create_datareader(
-      on, wanted, &bell,
-      efd::StatusMask::data_available() << efd::StatusMask::subscription_matched());
+  return subscriber_->create_datareader(on, wanted, &bell,
+                                        efd::StatusMask::data_available()
+                                            << efd::StatusMask::subscription_matched());
 }
 
 void DdsEntities::drop(efd::DataWriter* writer) {

@@ -1,10 +1,9 @@
 #include "app/bridge/dds/Participant.h"
 
 #include <algorithm>
+#include <fastdds/rtps/common/WriteParams.h>
 #include <utility>
 #include <vector>
-
-#include <fastdds/rtps/common/WriteParams.h>
 
 #include "app/bridge/dds/DdsInside.h"
 #include "app/bridge/dds/RosNames.h"
@@ -116,11 +115,8 @@ base::Result<std::unique_ptr<Publisher>> DdsParticipant::publisher(int node,
   return std::unique_ptr<Publisher>(std::make_unique<DdsPublisher>(dds_, node, writer));
 }
 
-base::Result<std::unique_ptr<Subscription>> DdsParticipant::subscription(int node,
-                                                                         const std::string& topic,
-                                                                         const std::string& type,
-                                                                         const Qos& qos,
-                                                                         Handler handler) {
+base::Result<std::unique_ptr<Subscription>> DdsParticipant::subscription(
+    int node, const std::string& topic, const std::string& type, const Qos& qos, Handler handler) {
   const std::string name = resolved(node, topic);
   const std::string mangled = ddsTypeName(type);
   efd::DataReader* const reader = dds_->makeReader(ddsTopic(name), mangled, qos, {});

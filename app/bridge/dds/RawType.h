@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <fastdds/dds/topic/TopicDataType.hpp>
 #include <functional>
 #include <string>
-
-#include <fastdds/dds/topic/TopicDataType.hpp>
 
 #include "app/bridge/dds/Domain.h"
 

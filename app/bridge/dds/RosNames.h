@@ -2,7 +2,8 @@
 
 #include <string>
 
-/// How names of ROS 2 look in DDS. Source: design.ros2.org, "Topic and Service name mapping to DDS".
+/// How names of ROS 2 look in DDS. Source: design.ros2.org, "Topic and Service name mapping to
+/// DDS".
 namespace bridge {
 
 /// "human_states" in namespace "/lab" -> "/lab/human_states"; "~/x" of node "a" -> "/lab/a/x";

@@ -1,7 +1,6 @@
 #include <algorithm>
-#include <utility>
-
 #include <fastdds/rtps/common/WriteParams.h>
+#include <utility>
 
 #include "app/bridge/dds/DdsInside.h"
 
@@ -246,7 +245,8 @@ std::unique_ptr<Server> makeServer(const DdsPtr& dds, int node, const ServiceNam
   efd::DataWriter* const replies =
       dds->makeWriter(names.replyTopic, names.replyType, qos, id, met.get());
   efd::DataReader* const requests =
-      replies == nullptr ? nullptr : dds->makeReader(names.requestTopic, names.requestType, qos, id);
+      replies == nullptr ? nullptr
+                         : dds->makeReader(names.requestTopic, names.requestType, qos, id);
   if (requests == nullptr) {
     if (replies != nullptr) {
       dds->drop(replies);

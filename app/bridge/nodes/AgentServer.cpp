@@ -93,10 +93,10 @@ void DdsAgentServer::offerManager() {
                        isUsed("publish_sfm_forces", settings_.publishesForces),
                        isUsed("use_sim_time", false)},
       [this](const base::Diagnostic& said) { tellOnce(said); });
-  sayNode_ = std::make_unique<Node>(
-      *participant_, settings_.domain, settings_.space, "agent_say_node",
-      Node::Parameters{isUsed("use_sim_time", false)},
-      [this](const base::Diagnostic& said) { tellOnce(said); });
+  sayNode_ =
+      std::make_unique<Node>(*participant_, settings_.domain, settings_.space, "agent_say_node",
+                             Node::Parameters{isUsed("use_sim_time", false)},
+                             [this](const base::Diagnostic& said) { tellOnce(said); });
   transforms_ = node_->publisher<tf2_msgs::TFMessage>("/tf", Qos::transforms());
   forces_ = node_->publisher<visualization_msgs::MarkerArray>("sfm_forces", Qos::keepLast(5));
   humans_ = node_->publisher<hunav_msgs::Agents>("human_states", Qos::keepLast(1));
@@ -109,15 +109,14 @@ void DdsAgentServer::offerManager() {
       "compute_agents", [this](const auto& request) { return manager_.compute(request); });
   answer<hunav_msgs::ComputeAgent>(
       "compute_agent", [this](const auto& request) { return manager_.computeOne(request); });
-  answer<hunav_msgs::MoveAgent>(
-      "move_agent", [this](const auto& request) { return manager_.moveOne(request); });
-  answer<hunav_msgs::ResetAgents>(
-      "reset_agents", [this](const auto& request) { return manager_.reset(request); });
+  answer<hunav_msgs::MoveAgent>("move_agent",
+                                [this](const auto& request) { return manager_.moveOne(request); });
+  answer<hunav_msgs::ResetAgents>("reset_agents",
+                                  [this](const auto& request) { return manager_.reset(request); });
   if (settings_.actsAsGenerator) {
     const long long seed = scenario_->desktop.seed.value_or(1);
-    answer<hunav_msgs::GetAgents>("get_agents", [this, seed](const auto&) {
-      return agentsAtStart(*scenario_, seed);
-    });
+    answer<hunav_msgs::GetAgents>(
+        "get_agents", [this, seed](const auto&) { return agentsAtStart(*scenario_, seed); });
   }
 }
 
@@ -125,9 +124,9 @@ void DdsAgentServer::offerLoader() {
   const long long seed = scenario_->desktop.seed.value_or(1);
   Node::Parameters parameters = loaderParameters(*scenario_, seed);
   parameters.push_back(parameter("use_sim_time", false));
-  loaderNode_ = std::make_unique<Node>(
-      *participant_, settings_.domain, "/", "hunav_loader", std::move(parameters),
-      [this](const base::Diagnostic& said) { tellOnce(said); });
+  loaderNode_ = std::make_unique<Node>(*participant_, settings_.domain, "/", "hunav_loader",
+                                       std::move(parameters),
+                                       [this](const base::Diagnostic& said) { tellOnce(said); });
   loaderNode_->serve<hunav_msgs::GetParameters>(
       "/get_parameters", kServices,
       [this](const hunav_msgs::GetParameters::Request&) { return loaderSummary(*scenario_); });
@@ -153,7 +152,7 @@ void DdsAgentServer::publish(const StepTopics& topics) {
 }
 
 void DdsAgentServer::tellOnce(const base::Diagnostic& said) {
-  if (told_.size() >= kMostTold || !told_.insert(said.text()).second) {
+  if (told_.size() >= kMostTold || !told_.insert(causeOf(said)).second) {
     return;
   }
   if (!hasStarted_) {

@@ -12,9 +12,9 @@ namespace bridge {
 
 struct ServeSettings {
   DomainSettings domain;
-  std::string space = "/";         // namespace of the manager's node
-  bool actsAsLoader = false;       // also hunav_loader: the scenario as parameters
-  bool actsAsGenerator = false;    // also get_agents, which the world generator of a wrapper has
+  std::string space = "/";       // namespace of the manager's node
+  bool actsAsLoader = false;     // also hunav_loader: the scenario as parameters
+  bool actsAsGenerator = false;  // also get_agents, which the world generator of a wrapper has
   bool publishesForces = true;
   bool publishesTransforms = true;
 };

@@ -9,7 +9,7 @@ namespace {
 using rcl_interfaces::Parameter;
 using rcl_interfaces::ParameterValue;
 
-std::string causeOf(const base::Diagnostics& why) {
+std::string firstOf(const base::Diagnostics& why) {
   return why.empty() ? std::string() : why.front().message;
 }
 
@@ -47,12 +47,18 @@ bool isListed(const std::string& name, const rcl_interfaces::ListParameters::Req
 
 }  // namespace
 
+std::string causeOf(const base::Diagnostic& said) {
+  const bool isOfBytes = said.code == "ros2.other-version" || said.code == "ros2.bad-message";
+  return isOfBytes && !said.values.empty() ? std::string(said.code) + said.values.front().second
+                                           : said.text();
+}
+
 builtin_interfaces::Time wallTime() {
   using std::chrono::nanoseconds;
   constexpr std::int64_t kSecond = 1000000000;
-  const auto since = std::chrono::duration_cast<nanoseconds>(
-                         std::chrono::system_clock::now().time_since_epoch())
-                         .count();
+  const auto since =
+      std::chrono::duration_cast<nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+          .count();
   return {static_cast<std::int32_t>(since / kSecond), static_cast<std::uint32_t>(since % kSecond)};
 }
 
@@ -93,11 +99,9 @@ void Node::serveParameters() {
   });
   serve<GetParameterTypes>(
       "~/get_parameter_types", qos, [this](const GetParameterTypes::Request& request) {
-        return GetParameterTypes::Response{
-            ofAll<std::uint8_t>(request.names, *this, [](const std::string&,
-                                                         const ParameterValue& v) {
-              return v.type;
-            })};
+        return GetParameterTypes::Response{ofAll<std::uint8_t>(
+            request.names, *this,
+            [](const std::string&, const ParameterValue& v) { return v.type; })};
       });
   serve<DescribeParameters>(
       "~/describe_parameters", qos, [this](const DescribeParameters::Request& request) {
@@ -119,11 +123,10 @@ void Node::serveParameters() {
     }
     return response;
   });
-  serve<SetParametersAtomically>("~/set_parameters_atomically", qos,
-                                 [this](const SetParametersAtomically::Request& request) {
-                                   return SetParametersAtomically::Response{
-                                       set(request.parameters)};
-                                 });
+  serve<SetParametersAtomically>(
+      "~/set_parameters_atomically", qos, [this](const SetParametersAtomically::Request& request) {
+        return SetParametersAtomically::Response{set(request.parameters)};
+      });
 }
 
 std::string Node::whyNot(const Parameter& wanted) const {
@@ -167,8 +170,8 @@ rcl_interfaces::ListParametersResult Node::list(
     result.names.push_back(each.name);
     const std::size_t dot = each.name.rfind('.');
     const std::string prefix = dot == std::string::npos ? "" : each.name.substr(0, dot);
-    const bool isNew = std::find(result.prefixes.begin(), result.prefixes.end(), prefix) ==
-                       result.prefixes.end();
+    const bool isNew =
+        std::find(result.prefixes.begin(), result.prefixes.end(), prefix) == result.prefixes.end();
     if (!prefix.empty() && isNew) {
       result.prefixes.push_back(prefix);
     }
@@ -186,7 +189,7 @@ void Node::log(std::uint8_t level, const std::string& text) {
 }
 
 void Node::tellBadMessage(const std::string& topic, const base::Diagnostics& why) {
-  tell_(base::problem(base::Severity::Warning, "ros2.bad-message", {topic, causeOf(why)}));
+  tell_(base::problem(base::Severity::Warning, "ros2.bad-message", {topic, firstOf(why)}));
 }
 
 void Node::tellBadRequest(const std::string& service, const ServiceRequest& asked,
@@ -197,7 +200,7 @@ void Node::tellBadRequest(const std::string& service, const ServiceRequest& aske
         {service, rmwName(asked.writtenFor), rmwName(rmw_), implementationName(rmw_)}));
     return;
   }
-  tell_(base::problem(base::Severity::Warning, "ros2.other-version", {service, causeOf(why)}));
+  tell_(base::problem(base::Severity::Warning, "ros2.other-version", {service, firstOf(why)}));
 }
 
 }  // namespace bridge

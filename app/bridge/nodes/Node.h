@@ -67,8 +67,7 @@ class Node {
   void serve(const std::string& service, const Qos& qos,
              std::function<typename S::Response(const typename S::Request&)> answer) {
     const auto reply = [this, service, answer = std::move(answer)](const ServiceRequest& asked) {
-      const base::Result<typename S::Request> request =
-          decode<typename S::Request>(asked.bytes);
+      const base::Result<typename S::Request> request = decode<typename S::Request>(asked.bytes);
       if (!request) {
         tellBadRequest(service, asked, request.diagnostics());
       }
@@ -116,6 +115,9 @@ class Node {
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
   std::vector<std::unique_ptr<Server>> servers_;
 };
+
+/// What is told once: the same however the bytes of a message differ.
+std::string causeOf(const base::Diagnostic& said);
 
 /// Of the wall clock.
 builtin_interfaces::Time wallTime();

@@ -34,7 +34,7 @@ class DdsRunNode final : public RunNode {
  private:
   void takeCommand(const geometry_msgs::Twist& twist);
   void tellOnce(const base::Diagnostic& said) {
-    if (told_.insert(said.text()).second) {
+    if (told_.insert(causeOf(said)).second) {
       if (hasStarted_) {
         tell_(said);
       } else {
@@ -118,8 +118,7 @@ sim2d::StepInputs DdsRunNode::inputs(const sim2d::Frame& /*frame*/) {
 
 base::Result<std::unique_ptr<RunNode>> RunNode::create(const sim2d::TraceHeader& header,
                                                        const RunTopicsOptions& options,
-                                                       const RunNodeSettings& settings,
-                                                       Tell tell) {
+                                                       const RunNodeSettings& settings, Tell tell) {
   base::Result<std::unique_ptr<Participant>> participant = Participant::create(settings.domain);
   if (!participant) {
     return participant.diagnostics();

@@ -11,7 +11,6 @@
 #include "app/cli/Ros2Words.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
-#include "sim2d/base/Text.h"
 
 #ifdef HUNAV_ROS2
 #include "app/bridge/nodes/AgentServer.h"
@@ -56,8 +55,7 @@ int serveAgents(const ServeOptions& options, const bridge::DomainSettings& domai
   catchInterrupts();
   if (!given.quiet) {
     printLine("serving " + options.run.scenario + " in domain " + std::to_string(domain.domain) +
-              (domain.localhostOnly ? " on this machine" : " on the network") +
-              "; Ctrl-C ends it");
+              (domain.localhostOnly ? " on this machine" : " on the network") + "; Ctrl-C ends it");
   }
   while (!wasInterrupted()) {
     (*server)->spin(kLookEvery);
@@ -79,8 +77,7 @@ int serveCommand(const ServeOptions& options, const Invocation& given) {
   const base::Result<bridge::DomainSettings> domain = domainSettingsOf(options.ros2);
   requireFine(settings.diagnostics(), ExitWrongCommandLine);
   requireFine(domain.diagnostics());
-  Bundle bundle = readBundle(options.run, *settings, loadMapImage);
-  bundle.left = interruptStop();
+  const Bundle bundle = readBundle(options.run, *settings, loadMapImage);
   requireFine(bundle.wrongWords, ExitWrongCommandLine);
   return serveAgents(options, *domain, bundle, given);
 }
@@ -93,7 +90,8 @@ void addServe(CommandRegistry& commands) {
       serveCommand);
   CLI::App& command = added.first;
   ServeOptions& options = added.second;
-  command.add_option("scenario", options.run.scenario, "Scenario: a file, or a name of list scenarios")
+  command
+      .add_option("scenario", options.run.scenario, "Scenario: a file, or a name of list scenarios")
       ->required()
       ->transform(scenarioFile);
   addRos2Options(command, options.ros2, "Offer the services of HuNavSim's nodes in ROS 2");
