@@ -25,6 +25,8 @@ class Nav2ExtremesTest : public QObject {
   void file_ofMasses_isRefused();
   void tree_thatGoesRound_endsWithALine();
   void problem_ofTheParameterFile_namesIt();
+  void futures_ofWordsThatDoNotFit_areRefused_data();
+  void futures_ofWordsThatDoNotFit_areRefused();
 };
 
 namespace {
@@ -195,6 +197,27 @@ void Nav2ExtremesTest::problem_ofTheParameterFile_namesIt() {
   const QString place = text("wrong.yaml:%1:").arg(line);
   QVERIFY2(ended.err.contains(place), qPrintable(ended.err));
   QVERIFY2(!ended.err.contains(text("yard.yaml:%1:").arg(line)), qPrintable(ended.err));
+}
+
+void Nav2ExtremesTest::futures_ofWordsThatDoNotFit_areRefused_data() {
+  QTest::addColumn<QStringList>("words");
+  QTest::newRow("planner") << QStringList{text("--planner"), text("nope")};
+  QTest::newRow("speed") << QStringList{text("--set"), text("*.max_vel=1e308")};
+  QTest::newRow("parameter") << QStringList{text("--set"), text("robot1.nav2.FollowPath.nope=1")};
+}
+
+/// As words of `run` are.
+void Nav2ExtremesTest::futures_ofWordsThatDoNotFit_areRefused() {
+  QFETCH(QStringList, words);
+  const Ended made = outside::runForked(
+      folder_.path(), text("run yard.yaml -q --duration 0.5 -o r --force").split(QLatin1Char(' ')),
+      kSeconds);
+  QVERIFY2(made.status == 0, qPrintable(made.err));
+  const Ended ended = outside::runForked(
+      folder_.path(), QStringList{text("futures"), text("r@0.2"), text("-q")} + words, kSeconds);
+  QVERIFY2(outside::signalOf(ended).isEmpty(), qPrintable(outside::signalOf(ended)));
+  QCOMPARE(WEXITSTATUS(ended.status), 64);
+  QVERIFY2(ended.err.contains(text("error")), qPrintable(ended.err));
 }
 
 QTEST_APPLESS_MAIN(Nav2ExtremesTest)
