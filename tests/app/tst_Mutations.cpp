@@ -69,7 +69,7 @@ const std::vector<Kind>& kinds() {
       words("render r -q -o p.svg --overlay contacts,density --time-marks 0.2")};
   static const QStringList kHumble = words(
       "run n/yard.yaml -q -o o --duration 0.6 --nav2-params n/params_humble.yaml --nav2-distro "
-      "humble --nav2-tree n/tree.xml");
+      "humble");
   static const QStringList kJazzy =
       words("run n/yard.yaml -q -o o --duration 0.6 --nav2-params n/params_jazzy.yaml");
   static const QStringList kMain = words(
@@ -226,18 +226,10 @@ QString faultOfMutation(std::uint64_t number) {
 /// A robot of Nav2 that sets out at once, with all that its files can say.
 void writeNav2Yard(const QString& folder) {
   outside::writeNav2Yard(folder);
-  for (const char* file : {"params_humble.yaml", "params_jazzy.yaml", "params_main.yaml"}) {
-    outside::writeText(folder + QLatin1Char('/') + text(file),
-                       outside::bytesOf(text(TEST_DATA_DIR "/nav2/") + text(file)));
-  }
-  outside::writeText(
-      folder + text("/tree.xml"),
-      outside::bytesOf(text(SOURCE_DIR "/resources/nav2_trees/humble/"
-                                       "navigate_to_pose_w_replanning_and_recovery.xml")));
   outside::writeText(folder + text("/study.yaml"),
                      "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 1\nduration: 0.2\n"
                      "record: metrics\nvalues:\n  robot1.nav2.FollowPath.batch_size: [100, 200]\n"
-                     "  robot1.nav2_params: [params_jazzy.yaml]\n");
+                     "");
 }
 
 }  // namespace
