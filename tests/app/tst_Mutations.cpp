@@ -65,7 +65,7 @@ const std::vector<Kind>& kinds() {
       words("run --from r@0.3 -q --seed 7 --duration 0.5")};
   static const std::vector<QStringList> kDrawn = {
       words("render r -q -o p.svg --strip 2"), words("render r -q -o p.svg --strip 0.1,0.4"),
-      words("render r -q -o p.svg --plot minimum_distance_to_people"),
+      words("render r -q -o p.svg --plot avg_robot_linear_speed"),
       words("render r -q -o p.svg --overlay contacts,density --time-marks 0.2")};
   static const QStringList kHumble = words(
       "run n/yard.yaml -q -o o --duration 0.6 --nav2-params n/params_humble.yaml --nav2-distro "

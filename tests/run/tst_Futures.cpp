@@ -292,7 +292,7 @@ class FuturesTest : public QObject {
     row("/options/horizon", "1e300");
     row("/options/spread", "-1.0");
     row("/stages", "3");
-    row("/trees", "[]");
+    row("/trees", "[3]");
   }
   void question_withOneWrongValue_isRefused() {
     QFETCH(QString, path);
