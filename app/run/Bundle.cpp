@@ -112,7 +112,8 @@ void tellCode(const Bundle& bundle, const std::vector<ForeignCode>& code, Verdic
 }
 
 void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup, Verdict& verdict) {
-  setup.scenario = withNav2GoalRadius(bundle.scenario, bundle.path);
+  base::Diagnostics unread;
+  setup.scenario = withNav2GoalRadius(bundle.scenario, bundle.path, unread);
   setup.compatibility = bundle.settings.compatibility;
   setup.threads = bundle.settings.threads;
   setup.exact = bundle.settings.exact;
@@ -128,6 +129,11 @@ void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup, 
   base::append(all, ofWorld);
   base::append(world ? verdict.worldRemarks : verdict.problems, withoutEchoes(ofWorld, all));
   if (world && isRunnable) {
+    base::append(unread, unlistedNav2Trees(*bundle.scenario, bundle.path, bundle.inputs));
+    if (base::hasErrors(unread)) {  // and could be read now
+      base::append(verdict.problems, unread);
+      return;
+    }
     verdict.world = *std::move(world);
   }
 }
