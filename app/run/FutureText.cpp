@@ -90,6 +90,7 @@ FutureJson mapJson(const sim2d::OccupancyGrid& map) {
           {"cells", FutureJson::binary({cells, cells + map.cells().size()})}};
 }
 
+/// Null: it has not the cells that it should.
 std::shared_ptr<const sim2d::OccupancyGrid> mapOf(const FutureJson& json) {
   if (json.is_null()) {
     return std::make_shared<const sim2d::OccupancyGrid>();
@@ -100,11 +101,18 @@ std::shared_ptr<const sim2d::OccupancyGrid> mapOf(const FutureJson& json) {
   for (const std::uint8_t byte : bytes) {
     cells.push_back(static_cast<std::int8_t>(byte));
   }
+  const int width = json.at("width").get<int>(), height = json.at("height").get<int>();
+  const double resolution = json.at("resolution").get<double>();
+  const bool isWhole =
+      width > 0 && height > 0 && resolution > 0.0 && std::isfinite(resolution) &&
+      static_cast<std::size_t>(width) * static_cast<std::size_t>(height) == cells.size();
+  if (!isWhole) {
+    return nullptr;
+  }
   const base::Pose2 origin{{json.at("x").get<double>(), json.at("y").get<double>()},
                            json.at("heading").get<double>()};
-  return std::make_shared<const sim2d::OccupancyGrid>(
-      json.at("width").get<int>(), json.at("height").get<int>(),
-      json.at("resolution").get<double>(), origin, std::move(cells));
+  return std::make_shared<const sim2d::OccupancyGrid>(width, height, resolution, origin,
+                                                      std::move(cells));
 }
 
 FutureJson treesJson(const bt::TreeFiles& trees) {
@@ -157,7 +165,41 @@ FuturesOptions futureOptionsOf(const FutureJson& json) {
   return options;
 }
 
-FuturesQuestion questionFrom(const FutureJson& json) {
+/// Says no to what lies deeper than any question: the library's reader calls itself for each level.
+class ShallowReader : public nlohmann::json_sax<FutureJson> {
+ public:
+  bool null() override { return true; }
+  bool boolean(bool /*value*/) override { return true; }
+  bool number_integer(number_integer_t /*value*/) override { return true; }
+  bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+  bool string(string_t& /*value*/) override { return true; }
+  bool binary(binary_t& /*value*/) override { return true; }
+  bool key(string_t& /*value*/) override { return true; }
+  bool start_object(std::size_t /*elements*/) override { return ++depth_ < kDeepest; }
+  bool end_object() override { return --depth_ >= 0; }
+  bool start_array(std::size_t /*elements*/) override { return ++depth_ < kDeepest; }
+  bool end_array() override { return --depth_ >= 0; }
+  bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
+                   const nlohmann::detail::exception& /*problem*/) override {
+    return false;
+  }
+
+ private:
+  static constexpr int kDeepest = 16;
+  int depth_ = 0;
+};
+
+bool areOptions(const FuturesOptions& options) {
+  constexpr double kLeastGap = 1e-3;  // [s]
+  return options.count >= 1 && options.count <= kMostFutures && options.jobs >= 1 &&
+         options.jobs <= kMostFutures && options.horizon >= 0.0 &&
+         options.horizon <= kLongestFuture && options.spread >= 0.0 && options.spread <= 1.0 &&
+         options.sampleGap >= kLeastGap && options.sampleGap <= kLongestFuture;
+}
+
+/// Nothing: values that cannot be.
+std::optional<FuturesQuestion> questionFrom(const FutureJson& json) {
   FuturesQuestion question;
   Bundle& bundle = question.bundle;
   bundle.path = json.at("path").get<std::string>();
@@ -168,8 +210,12 @@ FuturesQuestion questionFrom(const FutureJson& json) {
   bundle.settings.exact = json.at("exact").get<bool>();
   bundle.settings.code = sim2d::CodeUse::Refused;
   const auto quirks = json.at("compat").get<std::string>();
+  const auto compatibility = sim2d::Compatibility::parse(quirks);
+  if (bundle.map == nullptr || (!quirks.empty() && !compatibility)) {
+    return std::nullopt;
+  }
   if (!quirks.empty()) {
-    bundle.settings.compatibility = *sim2d::Compatibility::parse(quirks);
+    bundle.settings.compatibility = *compatibility;
   }
   for (const FutureJson& stage : json.at("stages")) {
     question.stages.push_back(stageOf(stage));
@@ -180,7 +226,9 @@ FuturesQuestion questionFrom(const FutureJson& json) {
   question.at = json.at("at").get<std::int64_t>();
   question.state = json.at("state").get<std::string>();
   question.options = futureOptionsOf(json.at("options"));
-  return question;
+  return question.at >= 0 && areOptions(question.options)
+             ? std::optional<FuturesQuestion>(std::move(question))
+             : std::nullopt;
 }
 
 }  // namespace
@@ -251,12 +299,18 @@ std::string questionBytes(const FuturesQuestion& question) {
 }
 
 base::Result<FuturesQuestion> questionOf(const std::string& bytes) {
-  const FutureJson json = FutureJson::from_cbor(bytes, true, false);
-  try {
-    return questionFrom(json);
-  } catch (const FutureJson::exception&) {
+  ShallowReader shallow;
+  if (!FutureJson::sax_parse(bytes, &shallow, FutureJson::input_format_t::cbor)) {
     return base::error("futures.bad-question");
   }
+  const FutureJson json = FutureJson::from_cbor(bytes, true, false);
+  try {
+    if (std::optional<FuturesQuestion> question = questionFrom(json)) {
+      return *std::move(question);
+    }
+  } catch (const FutureJson::exception&) {  // told below
+  }
+  return base::error("futures.bad-question");
 }
 
 }  // namespace app

@@ -46,7 +46,8 @@ base::Diagnostics wrongNav2Values(const sim2d::Scenario& scenario,
 }
 
 std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
-    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath) {
+    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath,
+    base::Diagnostics& unread) {
   std::shared_ptr<sim2d::Scenario> changed;
   for (std::size_t i = 0; i < scenario->robots.size(); ++i) {
     const sim2d::Robot& robot = scenario->robots[i];
@@ -57,9 +58,30 @@ std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
     if (loaded.ok()) {
       changed = changed != nullptr ? changed : std::make_shared<sim2d::Scenario>(*scenario);
       changed->robots[i].goalRadius = sim2d::nav2::xyGoalTolerance(loaded.parameters);
+    } else {
+      base::append(unread, loaded.problems);
     }
   }
   return changed != nullptr ? changed : scenario;
+}
+
+base::Diagnostics unlistedNav2Trees(const sim2d::Scenario& scenario,
+                                    const std::string& scenarioPath,
+                                    const std::vector<std::string>& inputs) {
+  const auto isListed = [&inputs](const std::string& file) {
+    return std::find(inputs.begin(), inputs.end(), file) != inputs.end();
+  };
+  base::Diagnostics unlisted;
+  sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
+    if (!isNav2(robot)) {
+      return;
+    }
+    const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
+    if (isListed(loaded.paramsFile) && !loaded.treeFile.empty() && !isListed(loaded.treeFile)) {
+      unlisted.push_back(base::error("nav2.read-late", {loaded.treeFile}, loaded.paramsFile));
+    }
+  });
+  return unlisted;
 }
 
 std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,

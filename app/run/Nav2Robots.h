@@ -18,9 +18,15 @@ bt::Nav2Folders shippedNav2();
 /// Problems of the files are told where the world is made.
 base::Diagnostics wrongNav2Values(const sim2d::Scenario& scenario, const std::string& scenarioPath);
 /// The scenario as a world takes it: robots of `nav2` without a `goal_radius` have that of their
-/// file's goal checker.
+/// file's goal checker. `unread`: why it is not known; of a file that can be read by the time its
+/// world is made, nobody else tells.
 std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
-    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath);
+    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath,
+    base::Diagnostics& unread);
+/// Trees that were not known when `inputs` were listed, as their parameter file could not be read.
+base::Diagnostics unlistedNav2Trees(const sim2d::Scenario& scenario,
+                                    const std::string& scenarioPath,
+                                    const std::vector<std::string>& inputs);
 
 /// The parameter files and trees that they read.
 std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,

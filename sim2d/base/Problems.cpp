@@ -303,6 +303,7 @@ constexpr ProblemText kTexts[] = {
     {"nav2.data-type", "{layer}.{source}: data_type '{found}' counts as LaserScan"},
 
     // nav2_params.yaml and navigator trees.
+    {"nav2.read-late", "could not be read at first: {tree} is not among the inputs of the run"},
     {"nav2.no-parameters", "no parameters of ROS 2 in it (a node with ros__parameters)"},
     {"nav2.too-many-parameters",
      "more than {most} parameters, or more than {nodes} nodes with some"},
