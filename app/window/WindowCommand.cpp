@@ -187,9 +187,16 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
   }
   if (const editor::RecordingPtr recording = runner.recording()) {
     showStates(workspace, *recording, recording->size());
-    workspace.scene().showFrame(runner.newestFrame(), recording.get());  // with what robots sense
   }
   return {};
+}
+
+/// What no recording holds and overlays show: ways of people, what robots sense and weigh.
+void showNewest(Workspace& workspace, const WindowOptions& options) {
+  const SimulationRunner& runner = workspace.runner();
+  if (!options.overlays.empty() && !runner.isRecorded() && runner.newestFrame() != nullptr) {
+    workspace.scene().showFrame(runner.newestFrame(), runner.recording().get());
+  }
 }
 
 base::Diagnostics showTreeOf(MainWindow& window, const std::string& person) {
@@ -246,6 +253,7 @@ base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& option
     if (base::Diagnostics problems = runTo(window.workspace(), options.at); !problems.empty()) {
       return problems;
     }
+    showNewest(window.workspace(), options);
   }
   if (base::Diagnostics problems = selectNamed(window.workspace().document(), options.select);
       !problems.empty()) {

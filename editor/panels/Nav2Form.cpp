@@ -283,7 +283,7 @@ void Nav2Form::showHelp() {
   }
   QStringList lines;
   if (!parameter->meaning.empty()) {
-    lines << words(parameter->meaning);
+    lines << capitalized(words(parameter->meaning));
   }
   lines << tr("Nav2's default %1").arg(withUnit(parameter->fallback, *parameter)) +
                (parameter->filed

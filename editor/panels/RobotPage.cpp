@@ -123,6 +123,15 @@ QString publishedOf(const std::string& name) {
            QString::fromStdString(type->source).toHtmlEscaped());
 }
 
+/// A field with no label that takes the place of one too.
+void overBothColumns(QWidget& field) {
+  auto* grid = qobject_cast<QGridLayout*>(field.parentWidget()->layout());
+  int row = 0, column = 0, rows = 0, columns = 0;
+  grid->getItemPosition(grid->indexOf(&field), &row, &column, &rows, &columns);
+  grid->removeWidget(&field);
+  grid->addWidget(&field, row, 0, rows, column + columns);
+}
+
 /// A chooser of names, the usual one marked as it counts without a word in the file.
 FieldLook namesLook(std::vector<std::string> names, const std::string& usual,
                     const std::function<QString(const std::string&)>& title,
@@ -249,9 +258,13 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
       return robotOf(each).planner == std::string(sim2d::kNav2Planner);
     });
   };
-  for (const char* const key : {"nav2_params", "nav2_tree", "nav2_distro"}) {
-    addField<Robot>(section, key, nav2);
-  }
+  nav2.placeholder = tr("of the generic robot");
+  addField<Robot>(section, "nav2_params", nav2);
+  nav2.placeholder = tr("Nav2's own");
+  addField<Robot>(section, "nav2_tree", nav2);
+  nav2.words = QStringList{tr("Humble"), tr("Jazzy"), tr("Main")};
+  nav2.none = tr("As the file tells (default)");
+  addField<Robot>(section, "nav2_distro", nav2);
   QLabel* help = secondaryLabel({}, this);
   help->setObjectName(QStringLiteral("planner_help"));
   help->setWordWrap(true);
@@ -270,6 +283,7 @@ void RobotPage::addNav2Section() {
   section->setOpen(false);
   nav2_ = new Nav2Form(this);
   section->addRow({}, nav2_);
+  overBothColumns(*nav2_);
   QToolButton* all = section->addLink(tr("Reset"), tr("Take all values of the file again"), [this] {
     apply(tr("Take the file's parameters of Nav2"),
           [](Entity& entity) { std::get<Robot>(entity).nav2Values.clear(); });

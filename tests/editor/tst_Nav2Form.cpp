@@ -135,6 +135,9 @@ class Nav2FormTest : public QObject {
     QVERIFY(help().contains(QStringLiteral("in the file 0.3")));
     // what a run is made of
     QVERIFY(app::wrongNav2Values(document_.scenario(), {}).empty());
+    if (const QByteArray folder = qgetenv("HUNAV_PICTURES"); !folder.isEmpty()) {
+      page_->grab().save(QString::fromLocal8Bit(folder) + QStringLiteral("/nav2_form.png"));
+    }
     document_.undoStack().undo();
     QVERIFY(robot().nav2Values.empty());
     page_->refresh();
