@@ -43,7 +43,7 @@ struct RunOptions {
   LiveWords live;
   bool allowCode = false;  // programs and libraries that the scenario names may start
   bool force = false;      // files of others in the output folder may be replaced
-  std::string record;   // "mcap": a rosbag2 folder too; empty: nothing more
+  std::string record;      // "mcap": a rosbag2 folder too; empty: nothing more
   bool totals = false;  // manifest.json and metrics.json alone, nothing per step or behaviour type
 };
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
-#include <set>
+#include <limits>
+#include <map>
 
 #include <sqlite3.h>
 
@@ -51,11 +52,10 @@ std::string different(const metrics::Evaluation& a, const metrics::Evaluation& b
   std::string keys;
   for (const metrics::MetricResult& result : a.results) {
     const metrics::MetricResult* const other = b.find(result.info.key);
-    const std::optional<double> x = result.value.value;
-    const std::optional<double> y = other != nullptr ? other->value.value : std::nullopt;
-    const bool isSame =
-        x.has_value() == y.has_value() &&
-        (!x || *x == *y || std::fabs(*x - *y) <= tolerance * std::max(1.0, std::fabs(*x)));
+    const double none = std::numeric_limits<double>::lowest();
+    const double x = result.value.value.value_or(none);
+    const double y = other != nullptr ? other->value.value.value_or(none) : none;
+    const bool isSame = x == y || std::fabs(x - y) <= tolerance * std::max(1.0, std::fabs(x));
     keys += isSame ? "" : result.info.key + " ";
   }
   return keys;
@@ -191,7 +191,6 @@ class BagTest : public QObject {
     QCOMPARE(countOf("/map"), 1);
     QVERIFY(countOf("/scan") >= 39 && countOf("/scan") <= 41);  // 10 Hz
     // Where everybody was is what the run's own table says.
-    std::set<std::pair<double, int>> seen;
     std::map<std::pair<double, int>, std::pair<double, double>> places;
     for (const std::string& row : base::split(bytes(path("run/trajectory.csv")), '\n')) {
       const std::vector<std::string> fields = base::split(row, ',');
@@ -291,7 +290,7 @@ class BagTest : public QObject {
     QCOMPARE(codesOf(bag.diagnostics()), std::string("bag.cut"));
     const std::size_t count = messagesIn(**bag);
     base::Result<std::unique_ptr<Bag>> all = openBag(bagFile());
-    QVERIFY(count > 0 && count < messagesIn(**all));
+    QVERIFY(count > 100 && count < messagesIn(**all));  // also those of the chunk that is cut
     const base::Result<sim2d::Trace> trace = readBagTrace(cut, {}, {});
     QVERIFY2(static_cast<bool>(trace), firstText(trace.diagnostics()).c_str());
     QVERIFY(codesOf(trace.diagnostics()).find("bag.cut") != std::string::npos);

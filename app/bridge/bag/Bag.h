@@ -41,6 +41,9 @@ bool isBag(const std::string& path);
 /// Errors: no bag, or of a kind that cannot be read. Warnings: it is cut off.
 base::Result<std::unique_ptr<Bag>> openBag(const std::string& path);
 
+/// The files of a bag, for a manifest; those that its metadata names.
+std::vector<std::string> filesOfBag(const std::string& path);
+
 // the kinds
 base::Result<std::unique_ptr<Bag>> openMcap(const std::string& path);
 base::Result<std::unique_ptr<Bag>> openDatabase(const std::string& path);

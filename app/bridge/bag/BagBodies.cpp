@@ -303,7 +303,7 @@ base::Diagnostics BagBodies::losses() const {
           base::warning("bag.bad-messages", {losses.lost, topic, losses.first}, path_));
     }
     if (losses.read == 0) {
-      problems.push_back(base::error("bag.no-messages", {topic}, path_));
+      problems.push_back(base::warning("bag.no-messages", {topic}, path_));
     }
   }
   for (const auto& [frame, count] : strange_) {

@@ -46,7 +46,7 @@ class BagBodies {
  public:
   BagBodies(Bag& bag, BagChoice choice, std::string path);
 
-  /// All problems; errors: a topic of which nothing can be read.
+  /// All problems; warnings: what could not be read, topics of which nothing could.
   base::Diagnostics read();
 
   const std::map<int, BagBody>& people() const { return people_; }

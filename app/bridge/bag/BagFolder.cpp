@@ -137,6 +137,16 @@ bool isBag(const std::string& path) {
   return kindOf(path) != Kind::None;
 }
 
+std::vector<std::string> filesOfBag(const std::string& path) {
+  if (kindOf(path) != Kind::Folder) {
+    return {path};
+  }
+  base::Diagnostics ignored;  // told when it is opened
+  std::vector<std::string> files = filesOf(path, ignored);
+  files.insert(files.begin(), (fs::path(path) / kMetadataFile).string());
+  return files;
+}
+
 base::Result<std::unique_ptr<Bag>> openBagFolder(const std::string& folder) {
   base::Diagnostics problems;
   std::vector<std::unique_ptr<Bag>> bags;

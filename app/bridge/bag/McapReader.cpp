@@ -5,14 +5,12 @@
 #include <system_error>
 #include <utility>
 
-#include "app/bridge/bag/Compression.h"
 #include "app/bridge/bag/Crc32.h"
 
 namespace bridge {
 namespace {
 
-constexpr std::uint64_t kFooter = kRecordHead + 20;               // [B]
-constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 30U;  // [B] of one chunk
+constexpr std::uint64_t kFooter = kRecordHead + 20;  // [B]
 
 }  // namespace
 
@@ -62,6 +60,18 @@ void McapReader::noteMetadata(std::string_view content) {
   }
 }
 
+/// Several writers of one topic have a channel each.
+std::size_t McapReader::placeOf(const BagChannel& channel) {
+  const auto known = std::find_if(channels_.begin(), channels_.end(), [&](const BagChannel& other) {
+    return other.topic == channel.topic && other.type == channel.type;
+  });
+  const auto place = static_cast<std::size_t>(known - channels_.begin());
+  if (known == channels_.end()) {
+    channels_.push_back(channel);
+  }
+  return place;
+}
+
 void McapReader::note(const McapPiece& piece) {
   McapFields fields(piece.content);
   if (piece.op == McapOp::Schema) {
@@ -74,8 +84,8 @@ void McapReader::note(const McapPiece& piece) {
     channel.topic = std::string(fields.text());
     channel.encoding = std::string(fields.text());
     channel.type = schema == schemas_.end() ? std::string() : schema->second;
-    if (!fields.hasFailed() && places_.emplace(id, channels_.size()).second) {
-      channels_.push_back(std::move(channel));
+    if (!fields.hasFailed() && places_.count(id) == 0) {
+      places_[id] = placeOf(channel);
     }
   } else if (piece.op == McapOp::Metadata) {
     noteMetadata(piece.content);
@@ -141,38 +151,11 @@ bool McapReader::readSummary() {
   return isIndexed_;
 }
 
-/// The records of a chunk; none when it is damaged, which is told.
-std::optional<std::string> McapReader::unpacked(std::string_view chunk, std::uint64_t place) {
-  McapFields fields(chunk);
-  fields.skip(2 * sizeof(std::uint64_t));
-  const auto size = fields.number<std::uint64_t>();
-  const auto sum = fields.number<std::uint32_t>();
-  const std::string compression(fields.text());
-  const std::string_view packed = fields.bytes64();
-  if (!compression.empty() && compression != "zstd") {
-    const base::Diagnostic unknown = base::warning("bag.compression", {compression}, path_);
-    if (problems_.empty() || problems_.back().code != unknown.code) {  // once for many chunks
-      problems_.push_back(unknown);
-    }
-    return std::nullopt;
-  }
-  std::optional<std::string> records;
-  if (!fields.hasFailed() && size <= kMostUnpacked) {
-    records = compression.empty() ? std::optional(std::string(packed))
-                                  : zstdUnpacked(packed, static_cast<std::size_t>(size));
-  }
-  if (!records || (sum != 0 && crc32(*records) != sum)) {
-    damaged("chunk", place);
-    return std::nullopt;
-  }
-  return records;
-}
-
 /// What is in a record of the data section, when there is no summary.
 void McapReader::lookInto(const Placed& record) {
   const bool isChunk = record.op == McapOp::Chunk;
   if (isChunk || record.op == McapOp::Message) {
-    chunks_.push_back({record.place, kRecordHead + record.size, {}});
+    chunks_.push_back({record.place, kRecordHead + record.size, false, {}});
   }
   const bool isTold =
       record.op == McapOp::Schema || record.op == McapOp::Channel || record.op == McapOp::Metadata;
@@ -207,6 +190,7 @@ void McapReader::scan() {
     const std::optional<Placed> record = recordAt(place);
     if (!record) {
       problems_.push_back(base::warning("bag.cut", {std::to_string(place)}, path_));
+      keepBeginning(place);
       return;
     }
     lookInto(*record);
@@ -231,62 +215,6 @@ base::Result<std::unique_ptr<Bag>> McapReader::open(const std::string& path) {
     }
   }
   return {std::unique_ptr<Bag>(std::move(reader)), std::move(told)};
-}
-
-void McapReader::visitMessages(std::string_view records, std::uint64_t place, const Visit& visit,
-                               const std::vector<bool>& wanted) {
-  McapPiece piece;
-  while (nextRecord(records, piece)) {
-    if (piece.op != McapOp::Message) {
-      continue;
-    }
-    McapFields fields(piece.content);
-    const auto channel = places_.find(fields.number<std::uint16_t>());
-    fields.skip(sizeof(std::uint32_t));  // sequence
-    const auto time = fields.number<std::int64_t>();
-    fields.skip(sizeof(std::uint64_t));  // publish time
-    if (!fields.hasFailed() && channel != places_.end() && wanted[channel->second]) {
-      visit(channel->second, time, fields.rest());
-    }
-  }
-  if (!records.empty()) {
-    damaged("message", place);
-  }
-}
-
-void McapReader::readChunk(const Chunk& chunk, const Visit& visit,
-                           const std::vector<bool>& wanted) {
-  const std::optional<Placed> record = recordAt(chunk.place);
-  const std::optional<std::string> bytes =
-      record ? bytesAt(chunk.place, kRecordHead + record->size) : std::nullopt;
-  if (!bytes || (record->op != McapOp::Chunk && record->op != McapOp::Message)) {
-    damaged("chunk", chunk.place);
-    return;
-  }
-  if (record->op == McapOp::Message) {
-    visitMessages(*bytes, chunk.place, visit, wanted);
-    return;
-  }
-  const std::optional<std::string> records =
-      unpacked(std::string_view(*bytes).substr(kRecordHead), chunk.place);
-  if (records) {
-    visitMessages(*records, chunk.place, visit, wanted);
-  }
-}
-
-base::Diagnostics McapReader::read(const std::vector<bool>& channels, const Visit& visit) {
-  problems_.clear();
-  const auto isWanted = [&](std::uint16_t id) {
-    const auto place = places_.find(id);
-    return place != places_.end() && channels[place->second];
-  };
-  for (const Chunk& chunk : chunks_) {
-    if (!isIndexed_ || chunk.channels.empty() ||
-        std::any_of(chunk.channels.begin(), chunk.channels.end(), isWanted)) {
-      readChunk(chunk, visit, channels);
-    }
-  }
-  return std::move(problems_);
 }
 
 std::string McapReader::metadata(const std::string& name, const std::string& key) {

@@ -26,6 +26,7 @@ class McapReader final : public Bag {
  private:
   struct Chunk {
     std::uint64_t place = 0, size = 0;    // of its record, with the head
+    bool isCut = false;                   // the file ends in it
     std::vector<std::uint16_t> channels;  // ids of those with messages in it
   };
   struct Placed {
@@ -42,11 +43,15 @@ class McapReader final : public Bag {
   void scan();
   void lookInto(const Placed& record);
   void note(const McapPiece& piece);  // schema, channel, metadata
+  std::size_t placeOf(const BagChannel& channel);
   void noteMetadata(std::string_view content);
   std::optional<std::string> unpacked(std::string_view chunk, std::uint64_t place);
+  void keepBeginning(std::uint64_t place);
+  std::string beginningOf(const Chunk& chunk);
   void readChunk(const Chunk& chunk, const Visit& visit, const std::vector<bool>& wanted);
-  void visitMessages(std::string_view records, std::uint64_t place, const Visit& visit,
-                     const std::vector<bool>& wanted);
+  /// The bytes that are left: no whole record.
+  std::size_t visitMessages(std::string_view records, const Visit& visit,
+                            const std::vector<bool>& wanted) const;
   void damaged(const char* part, std::uint64_t place);
 
   std::string path_;

@@ -85,20 +85,20 @@ std::string RunBag::metadata(const std::string& name) const {
   return bagMetadata(name, topics, {totals.begin, totals.end, totals.messages});
 }
 
-base::Diagnostics writeRunBag(const std::string& path, const sim2d::Recording& recording) {
+base::Diagnostics writeRunBag(const std::string& path, const sim2d::Recording& recording,
+                              const std::vector<sim2d::RecordedScan>& scans) {
   const sim2d::TraceHeader header = *recording.header();
   RunBag bag(path, header, {}, {});
-  std::size_t event = 0;
+  for (std::size_t k = 0; k < recording.events().size(); ++k) {
+    bag.addEvent(recording.events()[k].first, recording.events()[k].second);
+  }
+  auto scan = scans.begin();
   for (std::size_t k = recording.first(); k < recording.size() && !bag.hasFailed(); ++k) {
     sim2d::Frame frame = *recording.frame(k);
-    for (; event < recording.events().size() && recording.events()[event].first <= frame.step;
-         ++event) {
-      bag.addEvent(recording.events()[event].first, recording.events()[event].second);
+    for (; scan != scans.end() && scan->step < frame.step; ++scan) {  // of the state before
+      frame.scans.push_back(*scan);
     }
     bag.append(frame);
-  }
-  for (; event < recording.events().size(); ++event) {
-    bag.addEvent(recording.events()[event].first, recording.events()[event].second);
   }
   return bag.finish(header);
 }

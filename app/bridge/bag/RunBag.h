@@ -50,7 +50,8 @@ class RunBag : public sim2d::FrameSink {
   std::string events_;  // rows of events.csv
 };
 
-/// The same of a run that is over: its states, and its events at the step where they happened.
-base::Diagnostics writeRunBag(const std::string& path, const sim2d::Recording& recording);
+/// The same of a run that is over. `scans`: of its lidars, in the order of their steps.
+base::Diagnostics writeRunBag(const std::string& path, const sim2d::Recording& recording,
+                              const std::vector<sim2d::RecordedScan>& scans = {});
 
 }  // namespace bridge

@@ -276,6 +276,9 @@ std::vector<std::string> inputsOf(const EvaluateOptions& options) {
       for (const char* name : kWay) {
         inputs.push_back((fs::path(read) / name).string());
       }
+    } else if (bridge::isBag(read)) {
+      const std::vector<std::string> files = bridge::filesOfBag(read);
+      inputs.insert(inputs.end(), files.begin(), files.end());
     } else if (std::error_code ignored; read == "-" || fs::is_regular_file(read, ignored)) {
       inputs.push_back(read);
     }

@@ -26,6 +26,7 @@
 #include "editor/look/Images.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/trace/Scans.h"
 #include "sim2d/trace/Trace.h"
 
 namespace app {
@@ -257,7 +258,20 @@ bool makeFilm(const RenderOptions& options, const sim2d::Trace& trace, RunPictur
 
 base::Diagnostics writeBag(const std::string& path, const std::string& run) {
   const base::Result<RecordedRun> recorded = readRecordedRun(run);
-  return recorded ? bridge::writeRunBag(path, *recorded->recording) : recorded.diagnostics();
+  if (!recorded) {
+    return recorded.diagnostics();
+  }
+  const std::string file = (fs::path(run) / "scans.csv").string();
+  std::error_code none;  // mostly nobody records a lidar
+  if (!fs::exists(file, none)) {
+    return bridge::writeRunBag(path, *recorded->recording);
+  }
+  const base::Result<std::string> text = base::readTextFile(file, base::kMostRecord);
+  if (!text) {
+    return text.diagnostics();
+  }
+  const auto scans = sim2d::parseScans(*text, file);
+  return scans ? bridge::writeRunBag(path, *recorded->recording, *scans) : scans.diagnostics();
 }
 
 int renderCommand(const RenderOptions& options, const Invocation& given) {
