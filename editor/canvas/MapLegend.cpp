@@ -231,7 +231,8 @@ bool wantsLegend(const MapScene& scene) {
   const CanvasOptions& on = scene.options();
   return scene.isRunMode() &&
          (on.forces || on.velocities || on.proxemics || on.gaussian || on.sight || on.density ||
-          on.plans || on.contacts || on.thoughts || on.detections || on.candidates);
+          on.plans || on.contacts || on.thoughts || on.detections || on.candidates ||
+          (on.lidar && isLidarChosen(scene)) || !senseRows(scene).empty());
 }
 
 std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
@@ -254,6 +255,9 @@ std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
   add(on.contacts, [&] { return contactPart(scene); });
   add(on.thoughts, [] { return thoughtPart(); });
   std::vector<LegendRow> senses = senseRows(scene);
+  if (senses.empty() && on.lidar && isLidarChosen(scene)) {
+    senses.push_back(noteRow(QObject::tr("laser: newest moment only")));
+  }
   if (!senses.empty()) {
     parts.push_back({QObject::tr("Robot"), std::move(senses)});
   }

@@ -77,8 +77,17 @@ class SimulationRunner : public QObject {
   const std::optional<sim2d::TreeBreak>& brokeAt() const { return brokeAt_; }
   /// Whose blackboard is told from now on, by id.
   void watchEntries(std::optional<int> person);
+  std::optional<int> watched() const { return watched_; }
   /// Of that person in the newest state of a run that goes on; none: nothing is known.
   const std::optional<app::Entries>& entries() const { return entries_; }
+  /// The same in the state that is shown, which may lie in the past; none: nobody watched then. Null
+  /// too for recorded runs: their files hold none.
+  const app::Entries* shownEntries() const;
+
+  /// A run goes on, and its newest state is shown: inputs act in its next step.
+  bool isLive() const;
+  /// Acts in the next step and is recorded. Nothing without a run that goes on.
+  void give(sim2d::Input input);
 
   /// Shows a recorded run from its beginning; it holds states. reset() leaves it. `again`: the same
   /// run made here; null: what it was made of is not known.
@@ -136,6 +145,7 @@ class SimulationRunner : public QObject {
   void breakpointsChanged();
   void broke(const sim2d::TreeBreak& at);  // paused there
   void entriesChanged();
+  void inputsRefused(const base::Diagnostics& problems);
   void speedMeasured(double factor);
   void finished(const sim2d::RunResult& result);
   void failed(const QString& reason);                     // the world stopped; last state stays
@@ -195,6 +205,7 @@ class SimulationRunner : public QObject {
   std::optional<sim2d::TreeBreak> brokeAt_;
   std::optional<int> watched_;
   std::optional<app::Entries> entries_;
+  std::vector<app::StepEntries> pastEntries_;  // of the same person, by step
   std::optional<Part> loop_;
   bool isLooping_ = false;  // in the past of a run that has not come to its end
   std::vector<RunBranch> branches_;

@@ -98,12 +98,12 @@ class RunsAndFuturesTest : public QObject {
     QVERIFY(runs().comparison().partings().startsWith(text("B parts at 0:03.")));
     quiet::shoot(*window_, "runs_light");
     QTest::mouseClick(&runs().besideButton(), Qt::LeftButton);
-    QVERIFY(runs().sideView() != nullptr && runs().sideView()->isVisible());
+    QVERIFY(runs().beside() != nullptr && runs().beside()->isVisible());
     QVERIFY(runs().ghosts().ghosts().empty());
     QTest::qWait(300);
     quiet::shoot(*window_, "runs_beside");
     QTest::mouseClick(&runs().besideButton(), Qt::LeftButton);
-    QVERIFY(runs().sideView() == nullptr);
+    QVERIFY(runs().beside() == nullptr);
     tick(0);
     QTRY_VERIFY(runs().ghosts().ghosts().empty());
     QTRY_VERIFY(runs().comparison().partings().isEmpty());
