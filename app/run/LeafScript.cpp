@@ -14,9 +14,9 @@ namespace {
 using base::NodeStatus;
 using base::YamlNode;
 
-constexpr const char* kStatuses = "SUCCESS, FAILURE or RUNNING";
+constexpr const char* kScriptStatuses = "SUCCESS, FAILURE or RUNNING";
 
-std::optional<NodeStatus> statusOf(const std::string& word) {
+std::optional<NodeStatus> scriptStatusOf(const std::string& word) {
   for (const NodeStatus status : {NodeStatus::Success, NodeStatus::Failure, NodeStatus::Running}) {
     if (word == base::nodeStatusName(status)) {
       return status;
@@ -75,13 +75,14 @@ class ScriptReader {
   }
 
   void readStatus(const YamlNode& word, LeafScript::Entry& entry) {
-    const std::optional<NodeStatus> status = word.isScalar() ? statusOf(word.text) : std::nullopt;
+    const std::optional<NodeStatus> status =
+        word.isScalar() ? scriptStatusOf(word.text) : std::nullopt;
     if (status) {
       entry.statuses.push_back(*status);
       return;
     }
     const std::string what = word.isScalar() ? "'" + word.text + "' is" : "this is";
-    error(word, "script.no-status", {what, kStatuses});
+    error(word, "script.no-status", {what, kScriptStatuses});
   }
 
   void error(const YamlNode& node, std::string_view code, base::ProblemValues values = {}) {

@@ -224,6 +224,7 @@ base::Result<RecordedRun> readKilled(const std::string& folder, const std::strin
   }
   RecordedRun run;
   sim2d::RecordCut& cut = run.cut.emplace();
+  cut.isUnfinished = true;
   const auto recording = sim2d::readRecording(rest, mostInMemory, &cut);
   if (!recording) {
     return recording.diagnostics();
@@ -258,8 +259,7 @@ base::Result<RecordedRun> readRecordedRun(const std::string& folder, std::size_t
   }
   std::error_code none;
   if (!fs::exists(fs::path(folder) / "trace.json", none)) {
-    const std::string rest =
-        cuts == CutRecords::Shown ? restOfKilled(folder) : std::string();
+    const std::string rest = cuts == CutRecords::Shown ? restOfKilled(folder) : std::string();
     if (!rest.empty()) {
       return readKilled(folder, rest, mostInMemory);
     }
@@ -267,8 +267,8 @@ base::Result<RecordedRun> readRecordedRun(const std::string& folder, std::size_t
     return base::error(isCut ? "trace.unfinished" : "trace.no-run", {}, folder);
   }
   sim2d::RecordCut cut;
-  const auto recording = sim2d::readRecording(folder, mostInMemory,
-                                              cuts == CutRecords::Shown ? &cut : nullptr);
+  const auto recording =
+      sim2d::readRecording(folder, mostInMemory, cuts == CutRecords::Shown ? &cut : nullptr);
   base::Diagnostics problems = recording.diagnostics();
   if (recording && (*recording)->size() == 0) {
     problems.push_back(base::error("trace.no-states", {}, folder));

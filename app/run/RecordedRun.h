@@ -20,12 +20,12 @@ struct RecordedRun {
 enum class CutRecords { Refused, Shown };
 
 /// All problems, with their places; warnings tell when the scenario is not there any more.
-/// `mostInMemory` [B]: of the recording's states, once it is read. `cuts`: whether files that end in
-/// the midst, and what a killed run has left in the folder, are shown as far as they are whole; a
-/// warning says how far.
-base::Result<RecordedRun> readRecordedRun(
-    const std::string& folder, std::size_t mostInMemory = sim2d::Recording::kUsualMemory,
-    CutRecords cuts = CutRecords::Refused);
+/// `mostInMemory` [B]: of the recording's states, once it is read. `cuts`: whether files that end
+/// in the midst, and what a killed run has left in the folder, are shown as far as they are whole;
+/// a warning says how far.
+base::Result<RecordedRun> readRecordedRun(const std::string& folder,
+                                          std::size_t mostInMemory = sim2d::Recording::kUsualMemory,
+                                          CutRecords cuts = CutRecords::Refused);
 
 /// The scenario of a record: people, robots, walls and doors as far as it tells. With `read`, the
 /// scenario that was run: what its options had made different.

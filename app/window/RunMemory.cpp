@@ -9,11 +9,14 @@ using editor::SimulationRunner;
 namespace {
 
 constexpr const char* kTrails = "run/trailSeconds";
-constexpr const char* kLoops = "run/loops";  // rows of folder, A and B
+constexpr const char* kLoops = "run/loops";                    // rows of folder, A and B
 constexpr double kShortestTrail = 1.0, kLongestTrail = 600.0;  // [s]
 
 QString rowOf(const QString& folder, const SimulationRunner::Part& part) {
-  return QStringLiteral("%1\t%2\t%3").arg(folder).arg(part.from, 0, 'g', 17).arg(part.to, 0, 'g', 17);
+  return QStringLiteral("%1\t%2\t%3")
+      .arg(folder)
+      .arg(part.from, 0, 'g', 17)
+      .arg(part.to, 0, 'g', 17);
 }
 
 }  // namespace

@@ -250,8 +250,9 @@ void TreeRewriter::findComments(const NodeSpec& node, const SourceElement& sourc
 }
 
 const CommentedNode* TreeRewriter::commentedLike(const NodeSpec& node) const {
-  const auto found = std::find_if(commented_.begin(), commented_.end(),
-                                  [&node](const CommentedNode& each) { return *each.node == node; });
+  const auto found =
+      std::find_if(commented_.begin(), commented_.end(),
+                   [&node](const CommentedNode& each) { return *each.node == node; });
   return found == commented_.end() ? nullptr : &*found;
 }
 

@@ -26,8 +26,8 @@ struct LegendPart {
 /// Of everything that is switched on; empty while nothing of a run is. `pixelsPerMetre`: of the
 /// view, for the scales of arrows.
 std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre);
-/// Whether an overlay is on that has a legend: then there is room for it, whoever is selected. Laser
-/// scans, which are on at first, ask for it only while a robot with a lidar is selected.
+/// Whether an overlay is on that has a legend: then there is room for it, whoever is selected.
+/// Laser scans, which are on at first, ask for it only while a robot with a lidar is selected.
 bool wantsLegend(const MapScene& scene);
 /// Of lidar, detector and ways weighed by the one robot that is selected.
 std::vector<LegendRow> senseRows(const MapScene& scene);

@@ -50,7 +50,7 @@ class PanelContext : public QObject {
   void comparedChanged(const std::vector<editor::TimelineRun>& runs);
   /// To stand beside the canvas, so many times as wide as that; null: nothing.
   void besideWanted(QWidget* view, int columns);
-  void goalsWanted();                // for the people who are selected
+  void goalsWanted();  // for the people who are selected
 };
 
 /// Where a panel is found.

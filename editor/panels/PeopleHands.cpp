@@ -67,8 +67,9 @@ void PeopleHands::dropIn(const std::string& like, const Vec2& place) {
 void PeopleHands::addDropIn(QMenu& menu, std::optional<int> person, const Vec2& place) {
   const auto add = [&](QMenu& to, const QString& text, const std::string& like) {
     QAction* action = to.addAction(text, this, [this, like, place] { dropIn(like, place); });
-    action->setToolTip(tr("Somebody with the same tree and goals comes in here, as an input of "
-                          "the run"));
+    action->setToolTip(
+        tr("Somebody with the same tree and goals comes in here, as an input of "
+           "the run"));
   };
   if (person) {
     return;  // somebody stands there
@@ -94,10 +95,9 @@ void PeopleHands::fillMenu(QMenu& menu, std::optional<int> person, const Vec2& p
                                    [this, id = *person] { scene_.armPush(id); });
     push->setToolTip(tr("Then drag an arrow: a metre of it is a metre per second"));
     const bool stopped = isStopped(*person);
-    QAction* stop = menu.addAction(stopped ? tr("Let %1 go on").arg(name) : tr("Stop %1").arg(name),
-                                   this, [this, stopped, id = *person] {
-                                     stopped ? letGo(id) : PeopleHands::stop(id);
-                                   });
+    QAction* stop = menu.addAction(
+        stopped ? tr("Let %1 go on").arg(name) : tr("Stop %1").arg(name), this,
+        [this, stopped, id = *person] { stopped ? letGo(id) : PeopleHands::stop(id); });
     stop->setToolTip(tr("They brake and stay until they are let go on"));
   }
   addDropIn(menu, person, place);

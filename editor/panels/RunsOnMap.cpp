@@ -78,7 +78,7 @@ void RunsPanel::showBeside() {
     if (side_ == nullptr) {
       side_ = std::make_unique<SideBySide>(context_.view, context_.document);
     }
-    side_->show(runs);
+    side_->showRuns(runs);
     if (before != side_->columns()) {
       Q_EMIT context_.besideWanted(side_.get(), side_->columns());
     }

@@ -32,8 +32,8 @@ class RunsPanel : public QWidget {
   QPushButton& forkButton() const { return *fork_; }
   QPushButton& besideButton() const { return *beside_; }
   SideBySide* beside() const { return side_.get(); }  // null: nothing stands beside the map
-  void addRecorded(const QString& folder);  // read beside the window
-  void forkShown();                         // asks how
+  void addRecorded(const QString& folder);            // read beside the window
+  void forkShown();                                   // asks how
 
  private:
   /// A row: a branch of the run, or a recorded run of a folder.

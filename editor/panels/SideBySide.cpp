@@ -14,23 +14,23 @@ SideBySide::SideBySide(MapView& canvas, const ScenarioDocument& edited, QWidget*
   grid_->setSpacing(1);
 }
 
-void SideBySide::show(const std::vector<Run>& runs) {
+void SideBySide::showRuns(const std::vector<Run>& runs) {
   std::vector<std::unique_ptr<SideView>> before = std::exchange(views_, {});
   const std::vector<Run> runsBefore = std::exchange(runs_, {});
   for (const Run& run : runs) {
     if (views_.size() == kMost) {
       break;
     }
-    const auto same =
-        std::find_if(runsBefore.begin(), runsBefore.end(),
-                     [&run](const Run& each) { return each.recording == run.recording; });
+    const auto same = std::find_if(runsBefore.begin(), runsBefore.end(), [&run](const Run& each) {
+      return each.recording == run.recording;
+    });
     std::unique_ptr<SideView> view;
     if (same != runsBefore.end()) {
       view = std::move(before[static_cast<std::size_t>(same - runsBefore.begin())]);
     }
     if (view == nullptr) {
-      view = std::make_unique<SideView>(
-          canvas_, documentOf(*run.recording, edited_, run.isOfEdited), this);
+      view = std::make_unique<SideView>(canvas_,
+                                        documentOf(*run.recording, edited_, run.isOfEdited), this);
     }
     view->setTitle(run.title);
     views_.push_back(std::move(view));

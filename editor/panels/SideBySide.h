@@ -24,7 +24,7 @@ class SideBySide : public QWidget {
   SideBySide(MapView& canvas, const ScenarioDocument& edited, QWidget* parent = nullptr);
 
   /// The first of these; views of runs that were there already stay.
-  void show(const std::vector<Run>& runs);
+  void showRuns(const std::vector<Run>& runs);
   void showAt(double time);  // [s]
   void setTheme(const Theme& theme);
   int columns() const { return views_.size() > 2 ? 2 : 1; }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kDisplayMs = 16;
 constexpr int kEndingMs = 1000;
-constexpr std::size_t kMostEntryChanges = 40000;  // of the person who is watched
+constexpr std::size_t kMostEntryChanges = 40000;     // of the person who is watched
 constexpr double kFastest = 64.0;                    // at which a recorded run is played
 constexpr std::chrono::milliseconds kPatience(100);  // with a run that is to end
 

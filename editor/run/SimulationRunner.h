@@ -80,8 +80,8 @@ class SimulationRunner : public QObject {
   std::optional<int> watched() const { return watched_; }
   /// Of that person in the newest state of a run that goes on; none: nothing is known.
   const std::optional<app::Entries>& entries() const { return entries_; }
-  /// The same in the state that is shown, which may lie in the past; none: nobody watched then. Null
-  /// too for recorded runs: their files hold none.
+  /// The same in the state that is shown, which may lie in the past; none: nobody watched then.
+  /// Null too for recorded runs: their files hold none.
   const app::Entries* shownEntries() const;
 
   /// A run goes on, and its newest state is shown: inputs act in its next step.

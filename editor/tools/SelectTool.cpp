@@ -11,7 +11,7 @@ namespace editor {
 namespace {
 
 constexpr double kNudge = 0.1, kBigNudge = 1.0, kFineNudge = 0.01;  // [m]
-constexpr double kStrongestPush = 4.0;                                  // [m/s]
+constexpr double kStrongestPush = 4.0;                              // [m/s]
 constexpr Qt::KeyboardModifiers kAddModifiers = Qt::ShiftModifier | Qt::ControlModifier;
 
 bool isAdding(const CanvasMouse& mouse) {
@@ -104,8 +104,7 @@ class SelectTool : public Tool {
   void move(const CanvasMouse& mouse) override {
     if (pushedPerson_) {
       const bool isArrow = scene().push() || isDrag(from_, mouse);
-      scene().setPush(
-          MapScene::Push{*pushedPerson_, isArrow ? pushTo(mouse) : Vec2(Vec2::Zero())});
+      scene().setPush(MapScene::Push{*pushedPerson_, isArrow ? pushTo(mouse) : Vec2(Vec2::Zero())});
     } else if (pulledRobot_ && (scene().pull() || isDrag(from_, mouse))) {
       const bool begins = !scene().pull();
       scene().setPull(MapScene::Pull{*pulledRobot_, mouse.world});
@@ -230,7 +229,7 @@ class SelectTool : public Tool {
   /// With Shift from a person, or from anywhere after the menu has asked for it.
   bool beginPush(std::optional<int> agent, const CanvasMouse& mouse) {
     const bool isPerson = agent && *agent >= 0 && mouse.modifiers.testFlag(Qt::ShiftModifier);
-    pushedPerson_ = scene().armedPush() ? scene().armedPush()
+    pushedPerson_ = scene().armedPush()                ? scene().armedPush()
                     : isPerson && scene().isPullable() ? agent
                                                        : std::nullopt;
     scene().armPush({});

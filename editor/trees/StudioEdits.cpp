@@ -93,8 +93,7 @@ bool TreeStudio::applyToSelected(
   const auto named = [&](QString words) {  // not all sentences name them
     return words.replace(QStringLiteral("%1"), selectedWords());
   };
-  return apply(named(text), named(ifNot),
-               [&](bt::TreeFile& file) { return edit(file, *places); });
+  return apply(named(text), named(ifNot), [&](bt::TreeFile& file) { return edit(file, *places); });
 }
 
 QString TreeStudio::selectedWords() const {
@@ -156,8 +155,8 @@ void TreeStudio::addAt(const QString& xml, const DropPlace& to) {
     say(QString::fromStdString(nodes.diagnostics().front().message));
     return;
   }
-  const QString name = nodes->size() == 1 ? nodeTitle(nodes->front())
-                                          : tr("%1 nodes").arg(nodes->size());
+  const QString name =
+      nodes->size() == 1 ? nodeTitle(nodes->front()) : tr("%1 nodes").arg(nodes->size());
   const bool isAround = to.how == DropPlace::How::Around;
   apply(isAround ? tr("Put %1 around %2").arg(name, label(to.node)) : tr("Add %1").arg(name),
         tr("%1 has no place for %2").arg(label(to.node), name), [&](bt::TreeFile& file) {

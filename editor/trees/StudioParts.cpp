@@ -132,7 +132,8 @@ void TreeStudio::makeLayout() {
   halves_->setStretchFactor(0, 1);
   halves_->setCollapsible(0, false);
   connect(halves_, &QSplitter::splitterMoved, this, [this] { isDivided_ = true; });
-  auto* layout = arranged(new QVBoxLayout(this), {}, 0, {makeHead(), dividerLine(this), problem_, empty_});
+  auto* layout =
+      arranged(new QVBoxLayout(this), {}, 0, {makeHead(), dividerLine(this), problem_, empty_});
   layout->addWidget(halves_, 1);
 }
 

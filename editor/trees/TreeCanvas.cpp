@@ -14,9 +14,9 @@ namespace editor {
 namespace {
 
 constexpr double kLeastZoom = 0.2, kMostZoom = 2.0;
-constexpr double kReadableZoom = 0.6;        // smaller only when asked for
-constexpr double kDots = 20.0;               // of the ground [px]
-constexpr double kEdgeRoom = 40.0;           // of the tree that stays in the window [px]
+constexpr double kReadableZoom = 0.6;  // smaller only when asked for
+constexpr double kDots = 20.0;         // of the ground [px]
+constexpr double kEdgeRoom = 40.0;     // of the tree that stays in the window [px]
 
 }  // namespace
 

@@ -21,8 +21,8 @@ bool TreeCanvas::isCommand(const QKeyEvent& event) const {
   const Qt::KeyboardModifiers held = event.modifiers() & ~Qt::KeypadModifier;
   const bool isPlain =
       held == Qt::NoModifier && std::count(std::begin(plain), std::end(plain), event.key()) > 0;
-  const bool isCtrl = held == Qt::ControlModifier &&
-                      (event.key() == Qt::Key_D || event.key() == Qt::Key_A);
+  const bool isCtrl =
+      held == Qt::ControlModifier && (event.key() == Qt::Key_D || event.key() == Qt::Key_A);
   const bool isArrow =
       event.key() >= Qt::Key_Left && event.key() <= Qt::Key_Down &&
       (held == Qt::NoModifier || held == Qt::AltModifier || held == Qt::ShiftModifier);

@@ -74,8 +74,9 @@ QString TreeEntries::whyEmpty() const {
                : tr("The files of a run hold no blackboard.");
   }
   if (runner_.isLookingBack() || runner_.isFinished()) {
-    return tr("Nobody looked at this blackboard then: it is kept from the moment on in which the "
-              "person is selected.");
+    return tr(
+        "Nobody looked at this blackboard then: it is kept from the moment on in which the "
+        "person is selected.");
   }
   return tr("The tree has no entries.");
 }

@@ -239,8 +239,7 @@ void TreeGraph::setPlacing(Placing placing) {
     int down = 0;
     for (const OutlineNode& each : nodes_) {
       const auto place = placeInFile(*each.node);
-      const auto above =
-          each.parent < 0 ? std::nullopt : placeInFile(*node(each.parent).node);
+      const auto above = each.parent < 0 ? std::nullopt : placeInFile(*node(each.parent).node);
       if (place && above) {
         const QPointF way = *place - *above;
         down += std::abs(way.y()) >= std::abs(way.x()) ? 1 : -1;
@@ -350,8 +349,8 @@ std::vector<DropPlace> TreeGraph::dropPlaces(const bt::NodeSpec& what,
                                              const std::vector<int>& moving) const {
   std::vector<DropPlace> places;
   for (const int each : shown_) {
-    const bool isMoving = std::any_of(moving.begin(), moving.end(),
-                                      [&](int above) { return isBelow(each, above); });
+    const bool isMoving =
+        std::any_of(moving.begin(), moving.end(), [&](int above) { return isBelow(each, above); });
     if (!isEditable(each) || isMoving || isFolded(each)) {
       continue;
     }

@@ -99,8 +99,7 @@ class TreeGraph {
   void moveToFilePlaces();
   double widthOf(int node) const;
   bool isBelow(int node, int above) const;  // or the same
-  std::vector<DropPlace> dropPlaces(const bt::NodeSpec& what,
-                                    const std::vector<int>& moving) const;
+  std::vector<DropPlace> dropPlaces(const bt::NodeSpec& what, const std::vector<int>& moving) const;
   bool hasRoom(int parent, const std::vector<int>& moving) const;
   void addPlacesBelow(int parent, std::vector<DropPlace>& places) const;
 

@@ -158,8 +158,7 @@ std::string nodesText(const std::vector<const bt::NodeSpec*>& nodes) {
   return text;
 }
 
-base::Result<std::vector<bt::NodeSpec>> nodesFromText(const std::string& text,
-                                                      bt::TreeFile& into) {
+base::Result<std::vector<bt::NodeSpec>> nodesFromText(const std::string& text, bt::TreeFile& into) {
   const base::Result<bt::NodeSpec> one = nodeFromText(text, into);
   if (one) {
     return std::vector<bt::NodeSpec>{*one};

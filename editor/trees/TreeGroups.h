@@ -1,12 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "editor/trees/TreeEdits.h"
 
-/// Edits of several nodes of a tree file at once. Each returns where they stand afterwards; nothing:
-/// it cannot be done with all of them, and the file must not be used any more.
+/// Edits of several nodes of a tree file at once. Each returns where they stand afterwards;
+/// nothing: it cannot be done with all of them, and the file must not be used any more.
 namespace editor {
 
 using MaybePlaces = std::optional<std::vector<TreePlace>>;

@@ -104,8 +104,7 @@ void TreeStudio::showProblems(const base::Diagnostics& problems) {
   problem_->setVisible(!problems.empty());
   if (!problems.empty()) {
     const std::size_t more = problems.size() - 1;
-    problem_->setText(QStringLiteral("⚠ ") +
-                      QString::fromStdString(problems.front().message) +
+    problem_->setText(QStringLiteral("⚠ ") + QString::fromStdString(problems.front().message) +
                       (more > 0 ? tr(" (and %1 more)").arg(more) : QString()));
   }
 }

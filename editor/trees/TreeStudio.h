@@ -46,7 +46,7 @@ class TreeStudio : public QWidget {
   std::vector<EntityId> edited() const;
   QToolButton& sharing() const { return *sharing_; }
   QToolButton& placing() const { return *placing_; }  // hidden where the file has no places
-  MapInset& inset() const { return *inset_; }  // while the map is not seen
+  MapInset& inset() const { return *inset_; }         // while the map is not seen
   QString hint() const { return hint_->text(); }
   QString problem() const { return problem_->isHidden() ? QString() : problem_->text(); }
   QLineEdit& nameField() const { return *nameField_; }

@@ -1,6 +1,7 @@
 #include "sim2d/trace/CutRecord.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 
 namespace sim2d {
@@ -47,8 +48,7 @@ std::string wholeOrUnfinished(const std::string& folder, const std::string& name
 
 void takeWholePart(Trace& trace, bool lacksRobot, RecordCut& cut) {
   constexpr const char* kTrajectory = "trajectory.csv";
-  const bool hasStop =
-      !trace.events.empty() && trace.events.back().second.kind == EventKind::Stop;
+  const bool hasStop = !trace.events.empty() && trace.events.back().second.kind == EventKind::Stop;
   const std::int64_t last = trace.frames.empty() ? -1 : trace.frames.back().step;
   if (hasStop) {
     const std::int64_t every = trace.header.recordEvery;

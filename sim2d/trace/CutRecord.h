@@ -17,6 +17,10 @@ struct RecordCut {
   double time = 0.0;               // of the last state that is whole [s]
   std::optional<double> end;       // of the run, where its events tell it [s]
 
+  /// Set by who reads: of a run that was killed. Its header was written when the run began and does
+  /// not know who came later; they are met when they are read.
+  bool isUnfinished = false;
+
   bool isCut() const { return !files.empty(); }
   bool has(std::string_view name) const;
   void note(const std::string& name);

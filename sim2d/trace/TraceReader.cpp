@@ -37,9 +37,12 @@ void addInstant(Trace& trace, std::int64_t step) {
 
 class TrajectoryReader {
  public:
-  /// `mayBeCut`: the last state may lack its robots, and people may be missing in the header.
-  TrajectoryReader(CsvTable& table, Trace& trace, bool mayBeCut)
-      : table_(table), trace_(trace), mayBeCut_(mayBeCut) {
+  /// `cut` null: nothing may be missing.
+  TrajectoryReader(CsvTable& table, Trace& trace, const RecordCut* cut)
+      : table_(table),
+        trace_(trace),
+        mayBeCut_(cut != nullptr),
+        meetsPeople_(cut != nullptr && cut->isUnfinished) {
     for (const TraceHuman& human : trace.header.humans) {
       humanIds_.insert(human.id);
     }
@@ -95,7 +98,7 @@ class TrajectoryReader {
     } else if (std::fabs(row.time - time) > 1e-9 * std::max(1.0, time)) {
       table_.error(1, "trace.time-off-step");
     } else if (const auto& ids = row.isRobot ? robotIds_ : humanIds_;
-               ids.count(row.id) == 0 && !(mayBeCut_ && !row.isRobot && meet(row.id))) {
+               ids.count(row.id) == 0 && !(meetsPeople_ && !row.isRobot && meet(row.id))) {
       table_.error(2, "trace.unknown-id", {row.id});
     } else if (row.step == before && !isInOrder(row)) {
       table_.error(2, "trace.bad-order");
@@ -161,7 +164,7 @@ class TrajectoryReader {
 
   CsvTable& table_;
   Trace& trace_;
-  const bool mayBeCut_;
+  const bool mayBeCut_, meetsPeople_;
   std::set<int> humanIds_, robotIds_;
   CsvField last_;
 };
@@ -330,7 +333,7 @@ base::Result<Trace> readAnyTrace(const std::string& directory, RecordCut* cut) {
   }
   trace.header = *std::move(header);
   CsvTable rows(trajectory, trajectoryFile, problems);
-  TrajectoryReader reader(rows, trace, cut != nullptr);
+  TrajectoryReader reader(rows, trace, cut);
   if (cut == nullptr || !trajectory.empty()) {
     reader.read();
   }

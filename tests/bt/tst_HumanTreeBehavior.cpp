@@ -288,8 +288,8 @@ class HumanTreeBehaviorTest : public QObject {
     QVERIFY(!run.hasEvent(EventKind::Say, "well"));
     QCOMPARE(run.behavior->setEntry(0, "mood", "3.5"), std::string());
     const auto lines = run.behavior->blackboard(0);
-    QVERIFY(std::find(lines.begin(), lines.end(), std::make_pair(std::string("mood"),
-                                                                std::string("3.5"))) != lines.end());
+    QVERIFY(std::find(lines.begin(), lines.end(),
+                      std::make_pair(std::string("mood"), std::string("3.5"))) != lines.end());
     run.step();
     QVERIFY(run.hasEvent(EventKind::Say, "well"));
     QVERIFY(!run.behavior->setEntry(0, "mood", "happy").empty());  // it is a number for ever
