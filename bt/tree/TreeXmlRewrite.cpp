@@ -418,13 +418,13 @@ std::optional<std::string> TreeRewriter::rewrite(const TreeFile& before, const T
   if (!root || !isSame || root->isClosed) {
     return std::nullopt;
   }
-  std::size_t tree = 0;
+  std::size_t place = 0;
   for (const SourceElement& element : root->children) {
-    if (element.tag == "BehaviorTree" && tree < before.trees.size() &&
-        element.children.size() == 1) {
-      findComments(before.trees[tree].root, element.children.front(), element.body);
+    const bool isTree = element.tag == "BehaviorTree";
+    if (isTree && place < before.trees.size() && element.children.size() == 1) {
+      findComments(before.trees[place].root, element.children.front(), element.body);
     }
-    tree += element.tag == "BehaviorTree" ? 1 : 0;
+    place += isTree ? 1 : 0;
   }
   std::size_t number = 0;
   Position from = writeMainTree(before.mainTree, now.mainTree, *root);
@@ -432,10 +432,10 @@ std::optional<std::string> TreeRewriter::rewrite(const TreeFile& before, const T
     for (const TreeSpec& tree : now.trees) {
       if (before.find(tree.id) == nullptr) {
         std::string text = textOf(tree, catalogue_, margin);
-        const std::string root = textOf(tree.root, catalogue_, false, margin + "  ");
-        const Position at = text.find(root);
+        const std::string plain = textOf(tree.root, catalogue_, false, margin + "  ");
+        const Position at = text.find(plain);
         if (at != text.npos) {
-          text.replace(at, root.size() - 1, withItsComments(tree.root, false, margin + "  "));
+          text.replace(at, plain.size() - 1, withItsComments(tree.root, false, margin + "  "));
         }
         text.pop_back();
         result_ += "\n" + text;

@@ -200,8 +200,6 @@ class MapScene : public QGraphicsScene {
   EntityId hovered_;
   std::optional<int> guest_;
   std::optional<Pull> pull_;
-  std::optional<Push> push_;
-  std::optional<int> armedPush_;
   bool isPullable_ = false;
   double pixelsPerMetre_ = 50.0;
   std::map<EntityId, EntityItem*> items_;
@@ -222,6 +220,8 @@ class MapScene : public QGraphicsScene {
   LabelLayer* labelLayer_ = nullptr;
   ToolLayer* toolLayer_ = nullptr;
   RouteModel* routes_ = nullptr;
+  std::optional<Push> push_;
+  std::optional<int> armedPush_;
 };
 
 }  // namespace editor

@@ -205,7 +205,6 @@ class SimulationRunner : public QObject {
   std::optional<sim2d::TreeBreak> brokeAt_;
   std::optional<int> watched_;
   std::optional<app::Entries> entries_;
-  std::vector<app::StepEntries> pastEntries_;  // of the same person, by step
   std::optional<Part> loop_;
   bool isLooping_ = false;  // in the past of a run that has not come to its end
   std::vector<RunBranch> branches_;
@@ -215,8 +214,9 @@ class SimulationRunner : public QObject {
   };
   std::optional<Expected> expected_;  // of a run that is made again
   int branch_ = -1, nextBranch_ = 0;
-  QElapsedTimer playing_;    // a recording
-  double playedFrom_ = 0.0;  // [s], when `playing_` began
+  QElapsedTimer playing_;                      // a recording
+  double playedFrom_ = 0.0;                    // [s], when `playing_` began
+  std::vector<app::StepEntries> pastEntries_;  // of the person who is watched, by step
 };
 
 }  // namespace editor

@@ -14,7 +14,7 @@ namespace editor {
 
 namespace {
 
-enum EntryColumn { Key, Value, EntryColumns };
+enum EntryColumn { EntryKey, EntryValue, EntryColumns };
 
 constexpr int kKeyWidth = 220;
 
@@ -28,7 +28,7 @@ TreeEntries::TreeEntries(SimulationRunner& runner, const Theme& theme)
   styleTable(*table_, tr("Blackboard"));
   table_->setHorizontalHeaderLabels({tr("Entry"), tr("Value")});
   table_->horizontalHeader()->setStretchLastSection(true);
-  table_->setColumnWidth(Key, kKeyWidth);
+  table_->setColumnWidth(EntryKey, kKeyWidth);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                           QAbstractItemView::AnyKeyPressed);
   auto* layout = arranged(new QVBoxLayout(this), {}, 0, {table_});
@@ -90,7 +90,7 @@ void TreeEntries::showRow(int row, const std::string& key, const std::string& va
   const bool waits = typed != typed_.end();
   const QString texts[] = {QString::fromStdString(key),
                            QString::fromStdString(waits ? typed->second.first : value)};
-  const bool isEditable = runner_.isLive() && !isOurs(texts[Key]);
+  const bool isEditable = runner_.isLive() && !isOurs(texts[EntryKey]);
   for (int column = 0; column < EntryColumns; ++column) {
     QTableWidgetItem* item = table_->item(row, column);
     if (item == nullptr) {
@@ -98,12 +98,12 @@ void TreeEntries::showRow(int row, const std::string& key, const std::string& va
       table_->setItem(row, column, item);
     }
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-    flags.setFlag(Qt::ItemIsEditable, column == Value && isEditable);
+    flags.setFlag(Qt::ItemIsEditable, column == EntryValue && isEditable);
     item->setFlags(flags);
     item->setText(texts[column]);
-    item->setForeground(theme_.color(column == Key ? Role::TextSecondary
-                                     : waits       ? Role::Accent
-                                                   : Role::Text));
+    item->setForeground(theme_.color(column == EntryKey ? Role::TextSecondary
+                                     : waits            ? Role::Accent
+                                                        : Role::Text));
     item->setToolTip(waits        ? tr("Acts in the next step")
                      : isEditable ? tr("Double click to give it another value")
                                   : texts[column]);
@@ -133,11 +133,11 @@ void TreeEntries::follow() {
 }
 
 void TreeEntries::take(int row, int column) {
-  if (showing_ || column != Value || !person_ || !runner_.isLive()) {
+  if (showing_ || column != EntryValue || !person_ || !runner_.isLive()) {
     return;
   }
-  const std::string key = table_->item(row, Key)->text().toStdString();
-  const std::string value = table_->item(row, Value)->text().toStdString();
+  const std::string key = table_->item(row, EntryKey)->text().toStdString();
+  const std::string value = table_->item(row, EntryValue)->text().toStdString();
   sim2d::Input input;
   input.kind = sim2d::InputKind::Entry;
   input.id = *person_;

@@ -27,7 +27,7 @@ void TreeStudio::setTheme(const Theme& theme) {
   history_->setTheme(theme);
   text_->setTheme(theme);
   entries_->setTheme(theme);
-  QPalette colors = palette();
+  QPalette colors = QWidget::palette();
   colors.setColor(QPalette::WindowText, theme.color(Role::Warning));
   problem_->setPalette(colors);
   if (isVisible()) {

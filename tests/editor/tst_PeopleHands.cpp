@@ -2,25 +2,24 @@
 
 #include <QMenu>
 
+#include "CanvasTester.h"
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/HouseStyle.h"
+#include "editor/panels/PeopleHands.h"
 #include "sim2d/trace/Recording.h"
-#include "tests/app/Hands.h"
 
-using base::Vec2;
 using sim2d::InputKind;
 
-/// People of a run pushed, stopped and dropped in by mouse and menu, step by step, so that no clock
-/// counts.
-class PeopleHandsTest : public QObject, protected quiet::InFolder {
+/// People of a run pushed by the mouse, stopped and dropped in from the menu, step by step, so that
+/// no clock counts.
+class PeopleHandsTest : public QObject, private CanvasTester {
   Q_OBJECT
 
  private:
-  std::unique_ptr<Hands> hands_;
+  std::unique_ptr<editor::SimulationRunner> runner_;
+  std::unique_ptr<editor::PeopleHands> hands_;
 
-  app::Workspace& workspace() { return window_->workspace(); }
-  editor::SimulationRunner& runner() { return workspace().runner(); }
-
+  editor::SimulationRunner& runner() { return *runner_; }
   void step(int count) {
     for (int i = 0; i < count; ++i) {
       const auto before = runner().newestFrame();
@@ -39,14 +38,6 @@ class PeopleHandsTest : public QObject, protected quiet::InFolder {
   sim2d::StepInputs inputsOf(std::int64_t step) {
     return sim2d::inputsOf(runner().recording()->inputsUntil(step), step);
   }
-  QMenu* menuAt(const Vec2& world) {
-    editor::MapView& view = workspace().view();
-    const QPoint at = view.viewportFrom(world);
-    QContextMenuEvent event(QContextMenuEvent::Mouse, at, view.viewport()->mapToGlobal(at));
-    QCoreApplication::sendEvent(view.viewport(), &event);
-    const QList<QMenu*> menus = view.findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly);
-    return menus.isEmpty() ? nullptr : menus.back();
-  }
   /// By its first words, also in menus of the menu.
   static QAction* entryOf(const QMenu& menu, const QString& words) {
     for (QAction* action : menu.actions()) {
@@ -60,39 +51,39 @@ class PeopleHandsTest : public QObject, protected quiet::InFolder {
     }
     return nullptr;
   }
-  void choose(const Vec2& place, const QString& words) {
-    QMenu* menu = menuAt(place);
-    QVERIFY(menu != nullptr);
-    QAction* action = entryOf(*menu, words);
+  void choose(std::optional<int> person, const Vec2& place, const QString& words) {
+    QMenu menu;
+    hands_->fillMenu(menu, person, place);
+    QAction* action = entryOf(menu, words);
     QVERIFY2(action != nullptr, qPrintable(words));
     action->trigger();
-    menu->close();
-    QTRY_VERIFY(menuAtRest());
-  }
-  bool menuAtRest() {
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    return workspace().view().findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly).isEmpty();
   }
 
  private Q_SLOTS:
   void initTestCase() { editor::dressApplication(editor::Theme::light()); }
   void init() {
-    InFolder::begin();
-    QVERIFY(window_->open(copyOfDemo()));
-    hands_ = std::make_unique<Hands>(*window_);
+    start(small::scenario());
+    runner_ = std::make_unique<editor::SimulationRunner>();
+    runner_->setRequest([this] { return editor::runRequestOf(document_); });
+    hands_ = std::make_unique<editor::PeopleHands>(*runner_, scene_);
+    QObject::connect(runner_.get(), &editor::SimulationRunner::frameShown, &scene_,
+                     [this](const editor::FramePtr& frame) {
+                       scene_.showFrame(frame, runner_->recording().get());
+                       scene_.setPullable(runner_->isLive());
+                     });
   }
   void cleanup() {
-    runner().reset();
+    runner_->reset();
     hands_.reset();
-    end();
+    runner_.reset();
   }
 
   /// A metre of the arrow is a metre per second, in the step after it.
   void shiftDrag_fromAPerson_isAPush() {
     step(5);
     const Vec2 from = placeOf(0);
-    hands_->dragMap(from, from + Vec2(0.0, 1.0), Qt::ShiftModifier);
-    QVERIFY(!workspace().scene().push());
+    drag(from, from + Vec2(0.0, 1.0), Qt::ShiftModifier);
+    QVERIFY(!scene_.push());
     step(1);
     const sim2d::StepInputs inputs = inputsOf(6);
     QCOMPARE(inputs.size(), std::size_t{1});
@@ -107,19 +98,19 @@ class PeopleHandsTest : public QObject, protected quiet::InFolder {
   void push_fromTheMenu_isDrawnFromAnywhere() {
     step(5);
     const int person = people().id[1];
-    choose(placeOf(1), QStringLiteral("Push "));
-    QCOMPARE(workspace().scene().armedPush(), std::optional<int>(person));
+    choose(people().id[1], placeOf(1), QStringLiteral("Push "));
+    QCOMPARE(scene_.armedPush(), std::optional<int>(person));
     const Vec2 ground = placeOf(1) + Vec2(0.3, 0.8);
-    hands_->dragMap(ground, ground + Vec2(-8.0, 0.0));
-    QVERIFY(!workspace().scene().armedPush());
+    drag(ground, ground + Vec2(-1.0, 4.5));
+    QVERIFY(!scene_.armedPush());
     step(1);
     const sim2d::StepInputs inputs = inputsOf(6);
     QCOMPARE(inputs.size(), std::size_t{1});
     QCOMPARE(inputs[0].id, person);
     QVERIFY(std::abs(inputs[0].velocity.norm() - 4.0) < 1e-9);  // no longer arrow counts
-    choose(placeOf(1), QStringLiteral("Push "));
-    hands_->press(Qt::Key_Escape);
-    QVERIFY(!workspace().scene().armedPush());
+    choose(people().id[1], placeOf(1), QStringLiteral("Push "));
+    key(Qt::Key_Escape);
+    QVERIFY(!scene_.armedPush());
   }
 
   void stop_andGoOn_fromTheMenu() {
@@ -130,12 +121,12 @@ class PeopleHandsTest : public QObject, protected quiet::InFolder {
       walker = speedOf(k) > speedOf(walker) ? k : walker;
     }
     QVERIFY(speedOf(walker) > 0.3);
-    choose(placeOf(walker), QStringLiteral("Stop "));
+    choose(people().id[walker], placeOf(walker), QStringLiteral("Stop "));
     step(60);
     QVERIFY2(speedOf(walker) < 0.05, qPrintable(QString::number(speedOf(walker))));
     QCOMPARE(inputsOf(21).at(0).kind, InputKind::Stop);
-    QVERIFY(workspace().hands().isStopped(people().id[walker]));
-    choose(placeOf(walker), QStringLiteral("Let "));
+    QVERIFY((*hands_).isStopped(people().id[walker]));
+    choose(people().id[walker], placeOf(walker), QStringLiteral("Let "));
     step(20);
     QCOMPARE(inputsOf(81).at(0).kind, InputKind::Resume);
     QVERIFY(speedOf(walker) > 0.2);
@@ -144,9 +135,8 @@ class PeopleHandsTest : public QObject, protected quiet::InFolder {
   void dropIn_onTheGround_addsAPersonThere() {
     step(3);
     const std::size_t before = people().size();
-    const Vec2 place(-1.0, -1.0);
-    const QString like = QString::fromStdString(document().scenario().humans.front().name);
-    choose(place, like);
+    const Vec2 place(1.5, 4.5);
+    choose({}, place, QStringLiteral("Ana"));
     step(1);
     QCOMPARE(people().size(), before + 1);
     QCOMPARE(inputsOf(4).at(0).kind, InputKind::Add);
@@ -160,11 +150,11 @@ class PeopleHandsTest : public QObject, protected quiet::InFolder {
   void everything_isRepeated() {
     step(5);
     const Vec2 from = placeOf(0);
-    hands_->dragMap(from, from + Vec2(0.4, 1.2), Qt::ShiftModifier);
+    drag(from, from + Vec2(0.4, 1.2), Qt::ShiftModifier);
     step(5);
-    choose(placeOf(1), QStringLiteral("Stop "));
+    choose(people().id[1], placeOf(1), QStringLiteral("Stop "));
     step(5);
-    choose({-1.0, -1.0}, QString::fromStdString(document().scenario().humans.front().name));
+    choose({}, {1.5, 4.5}, QStringLiteral("Ana"));
     step(15);
     const editor::RecordingPtr first = runner().recording();
     const std::int64_t end = runner().newestFrame()->step;
@@ -182,21 +172,26 @@ class PeopleHandsTest : public QObject, protected quiet::InFolder {
     QVERIFY(first->treesCsv() == again->treesCsv());
   }
 
-  void menu_ofARunThatIsOver_offersNothing() {
+  void menu_ofThePast_offersNothing() {
     step(3);
     runner().seek(1);
-    QVERIFY(menuAt({-1.0, -1.0}) == nullptr);
+    QMenu menu;
+    hands_->fillMenu(menu, people().id[0], placeOf(0));
+    QVERIFY(menu.isEmpty());
   }
 
   /// With HUNAV_PICTURES, for people to look at.
   void pictures_ofAPush_areTaken() {
+    const QByteArray folder = qgetenv("HUNAV_PICTURES");
     step(20);
-    workspace().scene().setPush(editor::MapScene::Push{people().id[0], {1.2, 0.9}});
-    quiet::shoot(*window_, "push_light");
-    window_->setTheme(editor::Theme::dark());
-    quiet::shoot(*window_, "push_dark");
-    window_->setTheme(editor::Theme::light());
-    workspace().scene().setPush({});
+    for (const bool isDark : {false, true}) {
+      scene_.setTheme(isDark ? editor::Theme::dark() : editor::Theme::light());
+      scene_.setPush(editor::MapScene::Push{people().id[0], {1.2, 0.9}});
+      QVERIFY(scene_.push());
+      QCoreApplication::processEvents();
+      const QString name = QString::fromUtf8(isDark ? "/push_dark.png" : "/push_light.png");
+      QVERIFY(folder.isEmpty() || view_.grab().save(QString::fromLocal8Bit(folder) + name));
+    }
   }
 };
 
