@@ -287,6 +287,8 @@ RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
     begin(Trajectory, sim2d::headLine(sim2d::kTrajectoryColumns));
     begin(Events, sim2d::headLine(sim2d::kEventColumns));
     begin(Trees, sim2d::headLine(sim2d::kTreeColumns));
+    // What a killed run leaves can be shown by it; trouble is told when it is written in the end.
+    base::writeFileAtomically(pathIn(folder_, "trace.json"), sim2d::traceJson(header));
   }
 }
 

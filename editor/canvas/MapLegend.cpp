@@ -231,7 +231,8 @@ bool wantsLegend(const MapScene& scene) {
   const CanvasOptions& on = scene.options();
   return scene.isRunMode() && (on.forces || on.velocities || on.proxemics || on.gaussian ||
                                on.sight || on.density || on.plans || on.contacts || on.thoughts ||
-                               on.detections || on.candidates || on.localCosts || on.globalCosts);
+                               on.detections || on.candidates || on.localCosts || on.globalCosts ||
+                               (on.lidar && isLidarChosen(scene)) || !senseRows(scene).empty());
 }
 
 std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
@@ -258,6 +259,9 @@ std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
     parts.push_back(std::move(prices));
   }
   std::vector<LegendRow> senses = senseRows(scene);
+  if (senses.empty() && on.lidar && isLidarChosen(scene)) {
+    senses.push_back(noteRow(QObject::tr("laser: newest moment only")));
+  }
   if (!senses.empty()) {
     parts.push_back({QObject::tr("Robot"), std::move(senses)});
   }

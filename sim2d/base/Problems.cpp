@@ -435,6 +435,12 @@ constexpr ProblemText kTexts[] = {
     {"trace.unfinished", "a run was not written to its end here: trace.json is missing"},
     {"trace.no-run", "is no folder of a run: trace.json is missing"},
     {"trace.no-states", "the record has no states"},
+    {"trace.cut",
+     "the record is cut: it is shown up to {time} s{end? of % s}, what comes after is lost: this "
+     "is no finished run"},
+    {"trace.killed",
+     "the run was ended from outside: it is shown up to {time} s, as far as it was on the disk, "
+     "and is no finished run"},
     {"trace.other-program",
      "was written by version {was}, this is {now}: it is shown as recorded, but made again it may "
      "be another run"},
