@@ -37,7 +37,8 @@ QString quoted(const QString& text) {
 /// Nothing to compare by its name alone: it wants a program, a file or a hand.
 bool needsMore(const QString& planner) {
   static const QStringList kAll = {QStringLiteral("external"), QStringLiteral("library"),
-                                   QStringLiteral("replay"), QStringLiteral("teleop")};
+                                   QStringLiteral("replay"), QStringLiteral("teleop"),
+                                   QStringLiteral("ros2")};
   return kAll.contains(planner);
 }
 
