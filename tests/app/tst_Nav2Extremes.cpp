@@ -84,7 +84,7 @@ void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine_data() {
   row("jazzy", "local_costmap.inflation_layer.inflation_radius=1e9", "inflation_radius");
   row("jazzy", "voxel_layer.scan.raytrace_max_range=1e9", "");
   row("jazzy", "local_costmap.footprint=\"[[1e9, 1e9], [-1e9, 1e9], [0.0, -1e9]]\"",
-      "no farther than 1000 m");
+      "no farther than 1e+05 m");
   row("main", "FollowPath.simulate_ahead_time=1e9", "simulate_ahead_time 1e+09 is not");
   row("main", "FollowPath.max_angular_accel=-1.0", "");
   row("main", "FollowPath.max_allowed_time_to_collision_up_to_carrot=1e9", "");
