@@ -119,7 +119,7 @@ client.on("serviceCallResponse", ({ callId, data }) => {
 client.on("parameterValues", ({ parameters: values, id }) => {
   if (waiting.has(id)) {
     waiting.get(id)(values);
-  } else {
+  } else if (id === undefined) {
     report.updates.push(...values);
   }
 });
