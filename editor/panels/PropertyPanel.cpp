@@ -90,8 +90,8 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
   picture_->setFixedSize(kPictureSize, kPictureSize);
   name_->setFont(theme_.font(12.0, QFont::DemiBold));
   about_->setTextFormat(Qt::PlainText);
-  auto* restart = linkButton(tr("Restart with this"), tr("Begin the run anew, as it is set now"),
-                             this, [this] { Q_EMIT restartWanted(); });
+  auto* restart = linkButton(tr("Restart"), tr("Begin the run anew with what is set now"), this,
+                             [this] { Q_EMIT restartWanted(); });
   restart->setObjectName(QStringLiteral("restart"));
   auto* hint = secondaryLabel(tr("Changes count from the next start."), later_);
   hint->setWordWrap(true);
