@@ -13,6 +13,8 @@
 #include "app/bridge/bag/BagTrace.h"
 #include "app/bridge/bag/Crc32.h"
 #include "app/bridge/bag/RunBag.h"
+#include "app/bridge/messages/Codec.h"
+#include "app/bridge/messages/Definition.h"
 #include "app/run/RecordedRun.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
@@ -325,6 +327,52 @@ class BagTest : public QObject {
       }
       static_cast<void>(readBagTrace(file, {}, {}));
     }
+  }
+
+  /// As a wrapper of HuNavSim is recorded: stamps of a clock, a robot that comes later, no
+  /// metadata.
+  void evaluate_recordingOfAWrapper_keepsItsDigits() {
+    constexpr std::int64_t kBegin = 1700000000;  // [s]
+    McapWriter writer(path("wrapper.mcap"));
+    const std::uint16_t people = writer.addChannel(
+        {"/human_states", hunav_msgs::Agents::kType, definition<hunav_msgs::Agents>(), {}});
+    const std::uint16_t robots = writer.addChannel(
+        {"/robot_states", hunav_msgs::Agent::kType, definition<hunav_msgs::Agent>(), {}});
+    for (int k = 0; k < 20; ++k) {
+      hunav_msgs::Agents all;
+      all.header.stamp = {static_cast<std::int32_t>(kBegin + k / 10),
+                          static_cast<std::uint32_t>(k % 10) * 100000000U};
+      hunav_msgs::Agent anna;
+      anna.id = 3;
+      anna.name = "anna";
+      anna.radius = 0.3F;
+      anna.position.position.x = 0.1 * k;
+      anna.yaw = 0.5F;  // the quaternion is not filled
+      anna.velocity.linear.x = 1.0;
+      all.agents = {anna};
+      hunav_msgs::Agent robot;  // until it is there: id 0, no name
+      robot.id = k < 3 ? 0 : 20;
+      robot.name = k < 3 ? "" : "rob";
+      robot.position.position.y = 0.2 * k;
+      robot.goals = {{{5.0, 5.0, 0.0}, {}}};
+      robot.goalRadius = 0.5F;
+      const std::int64_t recorded = (kBegin + 3) * 1000000000 + k * 100000000;
+      writer.write(people, recorded, encode(all));
+      writer.write(robots, recorded + 2000, encode(robot));
+    }
+    QVERIFY(writer.finish().empty());
+    const base::Result<sim2d::Trace> trace = readBagTrace(path("wrapper.mcap"), {}, {});
+    QVERIFY2(static_cast<bool>(trace), firstText(trace.diagnostics()).c_str());
+    QVERIFY2(trace.diagnostics().empty(), firstText(trace.diagnostics()).c_str());
+    QCOMPARE(trace->frames.size(), std::size_t{17});  // the time of the robot
+    QVERIFY(std::fabs(trace->header.dt - 0.1) < 1e-9);
+    const sim2d::Frame& frame = trace->frames[7];  // the tenth message
+    QVERIFY(std::fabs(frame.humans.x[0] - 1.0) < 1e-9);
+    QCOMPARE(frame.humans.heading[0], 0.5);
+    QVERIFY(std::fabs(frame.robots.y[0] - 2.0) < 1e-9);
+    QCOMPARE(trace->header.humans.front().radius, 0.3);
+    QCOMPARE(trace->header.robots.front().name, std::string("rob"));
+    QCOMPARE(trace->header.robots.front().goals.front().radius, 0.5);
   }
 
   void choice_wrongWords_areToldWithTheNearest() {

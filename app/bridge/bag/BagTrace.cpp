@@ -117,11 +117,17 @@ class ForeignTrace {
   }
 
   base::Result<sim2d::Trace> make() {
+    for (const std::map<int, BagBody>* bodies : {&bodies_.people(), &bodies_.robots()}) {
+      for (const auto& [id, body] : *bodies) {
+        for (const BagSample& sample : body.samples) {
+          begin_ = std::min(begin_.value_or(sample.time), sample.time);
+        }
+      }
+    }
     for (const auto& [id, body] : bodies_.people()) {
       addTrack(body, id);
     }
-    const BagBody* const robot =
-        bodies_.robots().empty() ? nullptr : &bodies_.robots().rbegin()->second;
+    const BagBody* const robot = robotSeenMost();
     if (robot != nullptr) {
       addTrack(*robot, freeId());
       file_.tracks.back().isRobot = true;
@@ -135,6 +141,15 @@ class ForeignTrace {
   }
 
  private:
+  /// Some wrappers tell of a robot of another id until theirs is there.
+  const BagBody* robotSeenMost() const {
+    const BagBody* most = nullptr;
+    for (const auto& [id, body] : bodies_.robots()) {
+      most = most == nullptr || body.samples.size() > most->samples.size() ? &body : most;
+    }
+    return most;
+  }
+
   int freeId() const {
     const auto& people = bodies_.people();
     return people.empty() ? 0 : std::max(people.rbegin()->first, 0) + 1;
@@ -154,7 +169,7 @@ class ForeignTrace {
       }
       last = sample.time;
       sim2d::TrackPoint point;
-      point.time = static_cast<double>(sample.time) * kNanosecond;
+      point.time = static_cast<double>(sample.time - begin_.value_or(0)) * kNanosecond;
       point.position = sample.pose.position;
       point.velocity = sample.velocity;
       point.heading = sample.heading;
@@ -212,6 +227,7 @@ class ForeignTrace {
   const BagBodies& bodies_;
   sim2d::TrackOptions options_;
   sim2d::TrackFile file_;
+  std::optional<std::int64_t> begin_;  // [ns]; stamps since 1970 leave a double few digits
 };
 
 /// Used as it was written: no choice of topics or robots, no other step.
