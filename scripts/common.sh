@@ -16,10 +16,13 @@ packages_to_run=(
   g++ cmake ninja-build ccache pkg-config
   qtbase5-dev libqt5svg5-dev libqwt-qt5-dev
   libbox2d-dev libeigen3-dev libyaml-cpp-dev libtinyxml2-dev libcli11-dev nlohmann-json3-dev
-  librandom123-dev libxsimd-dev libboost-dev libssl-dev libhdf5-dev libsqlite3-dev libgif-dev
+  librandom123-dev libxsimd-dev libboost-dev libssl-dev libhdf5-dev libsqlite3-dev libzstd-dev libgif-dev
+  libfastrtps-dev libfastcdr-dev
   fonts-dejavu-core
 )
-packages_to_test=(clang-format-14 xvfb xauth xdotool imagemagick locales)
+packages_to_test=(clang-format-14 mold xvfb xauth xdotool imagemagick locales
+  cyclonedds-dev cyclonedds-tools)
+packages_to_compare=(parallel slurmctld slurmd slurm-client munge chromium ffmpeg)  # what tests run beside us
 packages_to_fuzz=(clang-14 libclang-rt-14-dev)
 packages_to_check=(clang-14 clang-tidy-14 libclang-14-dev llvm-14)  # llvm-14: lines of a report
 

@@ -111,7 +111,7 @@ void tellCode(const Bundle& bundle, const std::vector<ForeignCode>& code, Verdic
   base::append(verdict.problems, told);
 }
 
-void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup, Verdict& verdict) {
+void completeSetup(const Bundle& bundle, sim2d::WorldSetup& setup) {
   setup.scenario = withNav2GoalRadius(bundle.scenario, bundle.path);
   setup.compatibility = bundle.settings.compatibility;
   setup.threads = bundle.settings.threads;
@@ -120,6 +120,9 @@ void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup, 
   setup.folder = folderOfPlanners(bundle.path);
   setup.stop = bundle.left;
   setup.registries = sharedRegistries();
+}
+
+void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup, Verdict& verdict) {
   base::Result<std::unique_ptr<sim2d::World>> world = sim2d::World::create(std::move(setup));
   base::Diagnostics ofWorld = world.diagnostics();
   sim2d::addPlaces(ofWorld, bundle.lines, bundle.path);
@@ -212,6 +215,11 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
     return verdict;
   }
   bundle.left->check();
+  completeSetup(bundle, setup);
+  if (depth == CheckDepth::Setup) {
+    verdict.setup = std::move(setup);
+    return verdict;
+  }
   const bool isRunnable = code.empty() || bundle.settings.code == sim2d::CodeUse::Allowed;
   checkWorld(bundle, isRunnable, std::move(setup), verdict);
   return verdict;

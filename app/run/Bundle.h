@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,11 +52,13 @@ struct Verdict {
   base::Diagnostics wrongWords;    // also unknown metrics of the command line
   MetricsSetup scenarioMetrics, metrics;
   std::unique_ptr<sim2d::World> world;  // null: there is no run
+  /// With CheckDepth::Setup: what a world is made of; nothing when there is none to make.
+  std::optional<sim2d::WorldSetup> setup;
   bool ok() const { return !base::hasErrors(problems) && !base::hasErrors(wrongWords); }
 };
 
 /// How far a check goes.
-enum class CheckDepth { Meaning, World };
+enum class CheckDepth { Meaning, Setup, World };
 
 /// Meaning of the scenario, trees, metrics; at last the world, when nothing is wrong until then.
 /// Every way to run, and every list of problems, comes from here. Any thread; reads metrics files

@@ -103,7 +103,8 @@ using Working = std::vector<std::pair<WorkerProcess, int>>;
 Future brokenFuture(const FuturesOptions& options, int number, const std::string& why) {
   Future future;
   future.number = number;
-  future.seed = options.seed + number;
+  future.seed = static_cast<long long>(static_cast<std::uint64_t>(options.seed) +
+                                       static_cast<std::uint64_t>(number));  // round the last one
   future.failure = why;
   return future;
 }

@@ -70,11 +70,14 @@ std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
       return;
     }
     const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
-    for (const std::string& file : {loaded.paramsFile, loaded.treeFile}) {
+    const bool isRoute = robot.goal.goals.size() > 1 && !loaded.throughFile.empty();
+    for (const std::string& file :
+         {loaded.paramsFile, isRoute ? loaded.throughFile : loaded.treeFile}) {
       if (!file.empty()) {
         files.push_back(file);
       }
     }
+    files.insert(files.end(), loaded.masks.files.begin(), loaded.masks.files.end());
   });
   return files;
 }
@@ -88,8 +91,11 @@ base::Diagnostics checkNav2File(const std::string& path) {
   const sim2d::nav2::Nav2Reading reading = readNav2Parameters(*file);
   base::append(found, reading.problems);
   base::append(found, bt::nav2Contradictions(reading.parameters, nullptr));
+  const bt::Nav2Masks masks = bt::loadNav2Masks(reading.parameters);
+  base::append(found, masks.problems);
   if (!base::hasErrors(found)) {  // what the servers say of it when they are made
-    const auto servers = bt::Nav2Servers::make({reading.parameters, {}, {}, {}, 1, -1});
+    const auto servers =
+        bt::Nav2Servers::make({reading.parameters, {}, {}, {}, 1, -1, masks.local, masks.global});
     for (const base::Diagnostic& problem : servers.diagnostics()) {
       const bool isTold =  // with its line, by who read the file
           std::any_of(found.begin(), found.end(),

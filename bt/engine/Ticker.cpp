@@ -6,6 +6,9 @@
 namespace bt {
 
 base::NodeStatus Ticker::tickNode(int node) {
+  if (++rounds_ > kMostRounds) {
+    return fault(node, "so many children in one step: it goes round and never returns RUNNING");
+  }
   return tickChild(node);
 }
 

@@ -33,6 +33,8 @@ class Ticker {
   bool isFaulty() const { return isFaulty_; }
   /// What a tick returns once the tree is faulty; passed up to the root.
   static constexpr auto kFault = static_cast<base::NodeStatus>(5);
+  /// In one tick of the root: five times what the largest tree has nodes.
+  static constexpr int kMostRounds = 1000000;
 
   void* memoryOf(int node) {
     return reinterpret_cast<unsigned char*>(state_.memory_.get()) + program_.node(node).memory;
@@ -213,6 +215,7 @@ class Ticker {
   Status* stored_;
   Status* returned_;
   bool isFaulty_;
+  int rounds_ = 0;    // of children that decorators and the library's nodes have ticked
   LeafContext leaf_;  // of the synchronous leaf that is ticked, or the node whose ports are read
 };
 

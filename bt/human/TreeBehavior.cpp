@@ -156,6 +156,9 @@ void TreeBehavior::decide(const WorldView& view, Intents& intents) {
   changes_.clear();
   haltRetired(view, intents);
   for (const int human : order_) {
+    if (!view.decides(human)) {
+      continue;
+    }
     const Player& who = player(human);
     const bool isPresent = view.isPresent(human);
     if (isPresent && who.tree && !who.hasEnded && !who.isFaulty) {

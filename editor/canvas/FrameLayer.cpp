@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/PlannerPainter.h"
 #include "editor/canvas/RunOverlays.h"
 #include "editor/canvas/SensePainter.h"
 #include "editor/canvas/SpriteAtlas.h"
@@ -384,9 +385,11 @@ void FrameLayer::paintPerceived(QPainter& painter) const {
       senses.scan(painter, *each.scan);
     }
   }
+  const PlannerPainter planners(theme());
   for (const sim2d::RobotSenses& each : *frame_->senses) {
     if (options().candidates) {
-      senses.ways(painter, each.ways);
+      hasPrices(each) ? planners.ways(painter, each.ways) : senses.ways(painter, each.ways);
+      planners.aim(painter, each);
     }
   }
 }

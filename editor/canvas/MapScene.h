@@ -51,6 +51,7 @@ struct CanvasOptions {
   bool names = true, routes = true, grid = true, rulers = false;
   bool trails = true, robotPath = true, speech = true, proxemics = false, forces = false;
   bool lidar = true, detections = false, candidates = false;                  // of robots, in a run
+  bool localCosts = false, globalCosts = false;                               // idem, of planners
   bool velocities = false, gaussian = false, sight = false, density = false;  // of people, in a run
   bool plans = false, contacts = false, thoughts = false;                     // idem
   bool map = true, people = true, robots = true, goals = true, obstacles = true, areas = true;

@@ -6,6 +6,7 @@
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/MapLegend.h"
 #include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/PlannerPainter.h"
 #include "sim2d/scenario/Defaults.h"
 
 // What the colours of lidar, detector and weighed ways say, while a robot of a run is selected.
@@ -78,7 +79,7 @@ std::vector<LegendRow> senseRows(const MapScene& scene) {
            paintRing(painter, pen, 6.0, box.center());
          }});
   }
-  if (scene.options().candidates && !senses->ways.empty()) {
+  if (scene.options().candidates && !senses->ways.empty() && !hasPrices(*senses)) {
     addWayRows(rows, theme);
   }
   return rows;

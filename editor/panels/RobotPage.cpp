@@ -4,6 +4,7 @@
 #include <QToolTip>
 
 #include "editor/panels/EntityPages.h"
+#include "editor/panels/Nav2Form.h"
 #include "editor/panels/RobotPicture.h"
 #include "editor/panels/RouteEditor.h"
 #include "editor/run/SimulationRunner.h"
@@ -160,6 +161,7 @@ RobotPage::RobotPage(ScenarioDocument& document, const sim2d::FieldTables& table
   FormSection* parameters = addFold(tr("Parameters"));
   addParameterRows(parameters, plannersOf(registries),
                    tr("Parameters that the planner does not have or that are no numbers"));
+  addNav2Section();
   FormSection* body = addFold(tr("Body and limits"));
   for (const char* key : {"radius", "mass", "max_vel", "max_acc", "max_omega", "max_alpha"}) {
     addField<Robot>(body, key);
@@ -191,6 +193,7 @@ void RobotPage::addPart(const QString& title, const sim2d::FieldTables& tables,
 
 void RobotPage::setTheme(const Theme& theme) {
   picture_->setTheme(theme);
+  nav2_->setTheme(theme);
 }
 
 /// The chooser, and where the figures of the chosen type are from.
@@ -258,6 +261,33 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
     const auto planner = commonValue(shown, name);
     help->setText(planner ? helpOfName(*planner) : QString());
     section->setRowVisible(help, !help->text().isEmpty());
+  });
+}
+
+/// Of one robot with Nav2: what its file says, and what the scenario says instead.
+void RobotPage::addNav2Section() {
+  FormSection* section = addSection(tr("Parameters of Nav2"));
+  section->setOpen(false);
+  nav2_ = new Nav2Form(this);
+  section->addRow({}, nav2_);
+  QToolButton* all = section->addLink(tr("Reset"), tr("Take all values of the file again"), [this] {
+    apply(tr("Take the file's parameters of Nav2"),
+          [](Entity& entity) { std::get<Robot>(entity).nav2Values.clear(); });
+  });
+  connect(nav2_, &Nav2Form::edited, this,
+          [this](const app::Nav2Parameter& parameter, const std::optional<std::string>& yaml) {
+            apply(tr("Change %1").arg(QString::fromStdString(parameter.path)), [&](Entity& entity) {
+              entity = app::withNav2Value(robotOf(entity), parameter, yaml);
+            });
+          });
+  addRefresh([this, section, all](const std::vector<Entity>& shown) {
+    const Robot& robot = robotOf(shown.front());
+    const bool isNav2 = shown.size() == 1 && robot.planner == std::string(sim2d::kNav2Planner);
+    section->setVisible(isNav2);
+    nav2_->show(isNav2 ? std::optional(robot) : std::nullopt, document().path());
+    const int changed = nav2_->changedCount();
+    section->setNote(changed > 0 ? tr("%1 changed").arg(changed) : QString());
+    all->setVisible(changed > 0);
   });
 }
 

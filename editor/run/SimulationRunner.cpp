@@ -91,8 +91,15 @@ void SimulationRunner::begin(RunRequest request, bool paused, sim2d::RecordedInp
   session_->watchEntries(watched_);
   session_->setPaused(paused);
   session_->setSpeed(speed_);
-  const auto run = [session = session_.get(), makeWorld = std::move(request.makeWorld)] {
-    session->run(makeWorld);
+  const auto run = [session = session_.get(), makeWorld = std::move(request.makeWorld),
+                    watch = watch_] {
+    session->run([&] {
+      auto world = makeWorld();
+      if (world) {
+        (*world)->watchPlanners(watch);
+      }
+      return world;
+    });
   };
   thread_ = std::async(std::launch::async, run);
   timer_.start();

@@ -78,6 +78,12 @@ class SimulationRunner : public QObject {
   /// Whose blackboard is told from now on, by id.
   void watchEntries(std::optional<int> person);
   std::optional<int> watched() const { return watched_; }
+  /// Of this run and those that follow: whether their newest states have costmaps of planners, and
+  /// ways that planners weigh and gather for display only. It costs time, and changes nothing.
+  void watchPlanners(bool costs, bool ways) {
+    watch_->costs = costs;
+    watch_->ways = ways;
+  }
   /// Of that person in the newest state of a run that goes on; none: nothing is known.
   const std::optional<app::Entries>& entries() const { return entries_; }
   /// The same in the state that is shown, which may lie in the past; none: nobody watched then.
@@ -204,6 +210,7 @@ class SimulationRunner : public QObject {
   std::vector<sim2d::TreeBreakpoint> breakpoints_;
   std::optional<sim2d::TreeBreak> brokeAt_;
   std::optional<int> watched_;
+  std::shared_ptr<sim2d::PlannerWatch> watch_ = std::make_shared<sim2d::PlannerWatch>();
   std::optional<app::Entries> entries_;
   std::optional<Part> loop_;
   bool isLooping_ = false;  // in the past of a run that has not come to its end

@@ -289,6 +289,7 @@ constexpr ProblemText kTexts[] = {
     {"nav2.bad-parameter", "{key}: must be {wanted}"},
     {"nav2.polygon-unreadable", "'{found}' is no list of points (\"[[x, y], [x, y], …]\")"},
     {"nav2.polygon-too-small", "'{found}' has fewer than 3 points"},
+    {"nav2.polygon-too-large", "a polygon has up to {most} points, no farther than {far} m"},
     {"nav2.inflation-cut",
      "{layer}: inflation_radius {radius} is less than the robot's inscribed radius {inscribed}: "
      "cells in which it collides count as free"},
@@ -303,6 +304,12 @@ constexpr ProblemText kTexts[] = {
 
     // nav2_params.yaml and navigator trees.
     {"nav2.no-parameters", "no parameters of ROS 2 in it (a node with ros__parameters)"},
+    {"nav2.too-many-parameters",
+     "more than {most} parameters, or more than {nodes} nodes with some"},
+    {"nav2.value-too-long",
+     "{key} is longer than {characters} characters, or a list of more than {values}"},
+    {"nav2.too-many-names", "{key} names {count}, {most} at most"},
+    {"nav2.number-out-of-range", "{key} {found}: numbers here are finite, up to {most}"},
     {"nav2.outside-node", "'{found}' stands below no ros__parameters: ROS 2 does not read it"},
     {"nav2.unknown-key", "unknown key '{key}': nothing in Nav2 reads it{nearest}"},
     {"nav2.node-of-others", "{node} is a node of {distros}: {distro} does not have it"},
@@ -511,6 +518,73 @@ constexpr ProblemText kTexts[] = {
     {"tracks.no-dataset", "no table 'trajectory' with id, frame, x and y in it"},
     {"tracks.bad-json", "no frames of people: {reason}"},
 
+    // Messages of ROS 2 as bytes.
+    {"cdr.no-encapsulation", "{type}: {found} bytes are no message, its head alone takes 4"},
+    {"cdr.encapsulation", "{type}: encapsulation {found} is unknown (plain CDR has 0 or 1)"},
+    {"cdr.too-short", "{type}: {field} goes beyond the end of {found} bytes"},
+    {"cdr.bad-bool", "{type}: {field} is {found}, a bool is 0 or 1"},
+    {"cdr.bad-length", "{type}: {field} cannot have the length {found}"},
+    {"cdr.open-text", "{type}: the text {field} does not end after {found} bytes"},
+    {"cdr.rest", "{type}: {found} bytes too many (of another version of this type?)"},
+
+    // ROS 2.
+    {"ros2.not-built",
+     "this build does not speak to ROS 2 (install libfastrtps-dev and libfastcdr-dev and build "
+     "anew)"},
+    {"ros2.bad-domain", "ROS_DOMAIN_ID is '{found}', a domain is 0 to 232"},
+    {"ros2.bad-namespace", "'{found}' is no namespace of ROS 2 (such as /lab)"},
+    {"ros2.no-participant", "DDS cannot take part in domain {domain}"},
+    {"ros2.endpoint-refused", "DDS refuses an endpoint for {name}"},
+    {"ros2.other-type", "{name} has the type {found} here already, not {wanted}"},
+    {"ros2.other-rmw",
+     "{service}: a request is written for {found}, this side speaks {wanted} (start with --rmw "
+     "{found}, or the others with RMW_IMPLEMENTATION={implementation})"},
+    {"ros2.other-version",
+     "{service}: a request cannot be read, it is answered as if it were empty (is the other side "
+     "HuNavSim 1.x? only 1.5 and 2.0 are understood): {reason}"},
+    {"ros2.bad-message", "{topic}: a message cannot be read and is left out: {reason}"},
+    {"ros2.stranger",
+     "'{name}' (id {id}) is not in the scenario and is taken as the message describes them, with "
+     "the tree of their behaviour"},
+    {"ros2.no-world", "the people of the request cannot be served, they keep still"},
+    {"ros2.minds-anew", "somebody new came: the trees of all begin anew"},
+    {"ros2.agent-twice", "{agent} is in a request twice, the first counts"},
+    {"ros2.agent-negative", "{agent}: ids are 0 or more, such agents keep still"},
+    {"ros2.bad-agent", "{agent}: {reason}; the state before counts"},
+    {"ros2.robot-gone", "the robot '{name}' is not in the requests any more"},
+    {"ros2.unknown-agent", "there is no agent {id}: the answer is empty"},
+    {"ros2.time-back", "the stamp runs backwards: nobody moves until it advances again"},
+    {"ros2.time-leap", "the stamp leaps by {seconds} s: nobody moves in this step"},
+    {"ros2.step-failed", "a step failed and nobody moved: {reason}"},
+
+    // The live view.
+    {"live.port-taken", "port {port} is taken by another program (--foxglove 0 takes a free one)"},
+    {"live.no-port", "nothing can connect to {address}, port {port}: {reason}"},
+    {"live.no-address", "'{found}' is no address in digits, such as 127.0.0.1 or ::1"},
+    {"live.not-local", "whoever reaches {address} can watch this run and steer it"},
+    {"live.page-refused",
+     "a page of {origin} wanted to connect and was refused (--foxglove-origin {origin} lets it)"},
+
+    // Bags: MCAP files and folders of rosbag2.
+    {"bag.no-bag", "is no bag: neither an MCAP file nor a folder of rosbag2 with metadata.yaml"},
+    {"bag.bad-metadata", "tells no files of a bag"},
+    {"bag.storage", "bags of '{found}' cannot be read (mcap and sqlite3 can)"},
+    {"bag.compressed-file", "its files are compressed as a whole by '{found}' (decompress them)"},
+    {"bag.compression", "a chunk is compressed by '{found}', which is unknown (zstd is known)"},
+    {"bag.cut", "ends at byte {position} in the midst of a record: what is whole before it counts"},
+    {"bag.damaged", "a {part} at byte {position} is damaged and left out"},
+    {"bag.bad-database", "is no database of rosbag2: {reason}"},
+    {"bag.no-topic", "has no topic '{found}' ({nearest?did you mean '%'? }there are: {known})"},
+    {"bag.wrong-type", "topic {topic} is of type {found}, {wanted} is needed"},
+    {"bag.no-people-or-robot",
+     "tells of nobody: no topic of {known} (name them by --topics people=NAME,robot=NAME)"},
+    {"bag.topic-use", "--topics takes people=NAME, robot=NAME, map=NAME, not '{found}'"},
+    {"bag.bad-messages",
+     "{count} messages of topic {topic} could not be read and are left out, the first: {reason}"},
+    {"bag.no-messages", "topic {topic} has no message that can be read"},
+    {"bag.moved-frame",
+     "{count} messages are in the frame '{found}', which tf does not tie to 'map': taken for it"},
+
     // Runs.
     {"run.not-played", "{reason}"},
     {"run.groups-not-played", "the groups could not be played"},
@@ -671,6 +745,10 @@ constexpr ProblemText kTexts[] = {
     {"option.duration", "--duration takes seconds above 0, at most 1000000"},
     {"option.stuck-after", "--stuck-after takes seconds, 0 (never) to 1000000"},
     {"option.dt", "--dt takes a step of 0.001 to 0.1 s"},
+    {"option.not-for-bags", "{option} is for other files: a bag tells that itself"},
+    {"option.only-bags", "{word} is for bags only: MCAP files and recordings of rosbag2"},
+    {"option.record-folder", "--record writes into the folder of the run (give -o DIR)"},
+    {"option.record-totals", "--record cannot go with --totals, which writes nothing per step"},
     {"option.record-every", "--record-every takes a number of steps >= 1"},
     {"option.threads", "--threads takes a number from 1 to 256"},
     {"option.set", "--set takes PATH=VALUE, not \"{found}\""},

@@ -316,6 +316,9 @@ void addPlaces(base::Diagnostics& diagnostics, const std::map<EntityId, int>& li
   const base::Result<std::string> text = base::readTextFile(path);  // its reader says why it fails
   const std::vector<std::string> texts = base::split(text ? *text : std::string(), '\n');
   for (base::Diagnostic& said : diagnostics) {
+    if (said.line > 0 && !said.file.empty() && said.file != path) {
+      continue;  // a line of another file that the scenario names
+    }
     const auto found = lines.find(said.entity);
     if (said.line == 0 && said.entity && found != lines.end()) {
       said.line = found->second;

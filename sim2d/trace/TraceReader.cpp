@@ -9,6 +9,7 @@
 #include "sim2d/trace/Csv.h"
 #include "sim2d/trace/CutRecord.h"
 #include "sim2d/trace/Recording.h"
+#include "sim2d/trace/TraceTexts.h"
 
 namespace sim2d {
 
@@ -305,47 +306,30 @@ class TreesReader {
   std::vector<Change> rows_;
 };
 
-}  // namespace
-
-namespace {
-
 /// `cut` null: a record that is cut is refused.
-base::Result<Trace> readAnyTrace(const std::string& directory, RecordCut* cut) {
+base::Result<Trace> parseTraceTexts(const TraceTexts& texts, RecordCut* cut) {
   base::Diagnostics problems;
-  const std::string folder = directory + (directory.empty() || directory.back() == '/' ? "" : "/");
-  const auto fileOf = [&](const char* name) {
-    return cut == nullptr ? folder + name : wholeOrUnfinished(folder, name);
-  };
-  const std::string trajectoryFile = fileOf("trajectory.csv");
-  const std::string eventsFile = fileOf("events.csv");
-  const std::string headerFile = folder + "trace.json";
-  const std::string trajectory = wholeTextOf(trajectoryFile, "trajectory.csv", cut, problems);
-  const std::string events = wholeTextOf(eventsFile, "events.csv", cut, problems);
-  const std::string headerText = textOf(headerFile, problems);
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
   Trace trace;
-  base::Result<TraceHeader> header = parseTraceJson(headerText, headerFile);
+  base::Result<TraceHeader> header = parseTraceJson(texts.header.content, texts.header.path);
   base::append(problems, header.diagnostics());
   if (!header) {
     return problems;  // the rows mean nothing without it
   }
   trace.header = *std::move(header);
-  CsvTable rows(trajectory, trajectoryFile, problems);
+  CsvTable rows(texts.trajectory.content, texts.trajectory.path, problems);
   TrajectoryReader reader(rows, trace, cut);
-  if (cut == nullptr || !trajectory.empty()) {
+  if (cut == nullptr || !texts.trajectory.content.empty()) {
     reader.read();
   }
-  CsvTable eventRows(events, eventsFile, problems);
-  if (cut == nullptr || !events.empty()) {
+  CsvTable eventRows(texts.events.content, texts.events.path, problems);
+  if (cut == nullptr || !texts.events.content.empty()) {
     readEvents(eventRows, trace);
   }
   if (cut != nullptr && !base::hasErrors(problems)) {
     takeWholePart(trace, reader.lacksRobot(), *cut);
   }
   if (!base::hasErrors(problems) && !(cut != nullptr && cut->isCut())) {
-    checkEnd(trace, trajectoryFile, problems);
+    checkEnd(trace, texts.trajectory.path, problems);
   }
   if (base::hasErrors(problems)) {
     return problems;
@@ -353,7 +337,25 @@ base::Result<Trace> readAnyTrace(const std::string& directory, RecordCut* cut) {
   return {std::move(trace), std::move(problems)};
 }
 
+base::Result<Trace> readAnyTrace(const std::string& directory, RecordCut* cut) {
+  base::Diagnostics problems;
+  const std::string folder = directory + (directory.empty() || directory.back() == '/' ? "" : "/");
+  const auto fileOf = [&](const char* name) {
+    return cut == nullptr ? folder + name : wholeOrUnfinished(folder, name);
+  };
+  TraceTexts texts{
+      {fileOf("trajectory.csv"), {}}, {fileOf("events.csv"), {}}, {folder + "trace.json", {}}};
+  texts.trajectory.content = wholeTextOf(texts.trajectory.path, "trajectory.csv", cut, problems);
+  texts.events.content = wholeTextOf(texts.events.path, "events.csv", cut, problems);
+  texts.header.content = textOf(texts.header.path, problems);
+  return base::hasErrors(problems) ? base::Result<Trace>(problems) : parseTraceTexts(texts, cut);
+}
+
 }  // namespace
+
+base::Result<Trace> parseTrace(const TraceTexts& texts) {
+  return parseTraceTexts(texts, nullptr);
+}
 
 base::Result<Trace> readTrace(const std::string& directory) {
   return readAnyTrace(directory, nullptr);

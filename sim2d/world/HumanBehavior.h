@@ -52,6 +52,8 @@ class WorldView {
 
   virtual int humanCount() const = 0;
   virtual bool isPresent(int human) const = 0;
+  /// False: the mind of this person rests in this step, as it is.
+  virtual bool decides(int /*human*/) const { return true; }
   virtual int indexOf(int humanId) const = 0;  // -1 = no such person
   virtual const ResolvedHuman& constants(int human) const = 0;
   /// The person (index) of whom an input made a copy; -1: this one is in the scenario.

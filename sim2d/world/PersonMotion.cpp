@@ -89,7 +89,7 @@ void PersonMotion::compute(const FrozenWorld& world, const Intents& intents, Wor
   crowd_.update(world, plans_, workers_);
   crowd_.computeForces(workers_);
   workspaces_.resize(workers_.threadCount());
-  walls_.resize(world.navigation.isOpenPlane() ? 0 : wanted_.size());
+  walls_.resize(world.navigation.isOpenPlane() || given_ != nullptr ? 0 : wanted_.size());
   forEachColumn(forces, [this](std::vector<Vec2>& column) { column.resize(wanted_.size()); });
   for (Workspace& workspace : workspaces_) {
     workspace.isSound = true;

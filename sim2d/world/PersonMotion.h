@@ -31,12 +31,18 @@ class PersonMotion {
   void compute(const FrozenWorld& world, const Intents& intents, WorldState& state,
                ForceColumns& forces);
   const std::vector<Vec2>& wanted() const { return wanted_; }  // velocities [m/s]
+  /// From now on these act on people (by person) instead of what stands in the world; kept by the
+  /// caller.
+  void giveWalls(const std::vector<std::vector<Obstacles::Point>>* points) { given_ = points; }
   /// Instead of what the person wants in this step [m/s].
   void steer(std::size_t human, const Vec2& velocity) { wanted_[human] = velocity; }
   /// False: somebody's velocity or heading is not sound.
   bool isSound() const;
   /// Near the body of a person; null: nothing stands anywhere.
   const std::vector<Obstacles::Point>* wallsNear(std::size_t human) const {
+    if (given_ != nullptr) {
+      return &(*given_)[human];
+    }
     return walls_.empty() ? nullptr : &walls_[human];
   }
 
@@ -65,6 +71,7 @@ class PersonMotion {
   StepPlans plans_;
   std::vector<Vec2> wanted_;
   std::vector<std::vector<Obstacles::Point>> walls_;
+  const std::vector<std::vector<Obstacles::Point>>* given_ = nullptr;
 };
 
 /// Finite, and not so fast that the run has diverged.

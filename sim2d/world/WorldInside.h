@@ -80,6 +80,9 @@ class RunningWorld : public World {
     robots_.tellSenses(wanted);
     tellsWays_ = wanted;
   }
+  void watchPlanners(std::shared_ptr<const PlannerWatch> watch) override {
+    robots_.watchPlanners(std::move(watch));
+  }
   const Frame& frame() const override { return frame_; }
   std::optional<double> arrivedAt() const override;
   std::vector<RobotOnWay> robotsOnWay() const override;

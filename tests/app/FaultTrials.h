@@ -39,6 +39,12 @@ constexpr Operation kOperations[] = {
     {"trees", "s t", "trees @/s/two_workers_agents.yaml -q -o @/t", "t", Reader::None},
     {"report", "s b", "report @/b --no-pdf -q", "b", Reader::None},
     {"render", "s r", "render @/r -q -o @/r/way.html", "r", Reader::None},
+    {"run-from", "s r", "run --from @/r@0.15 -q --seed 7 -o @/o", "o", Reader::Run},
+    {"run-nav2", "n", "run @/n/yard.yaml -q --duration 0.3 -o @/n/o", "n/o", Reader::Run},
+    {"futures", "s r", "futures @/r@0.15 -q --seeds 2 --horizon 0.2 --json", "r", Reader::None},
+    {"render-strip", "s r", "render @/r -q --strip 2 -o @/r/strip.svg", "r", Reader::None},
+    {"render-plot", "s r", "render @/r -q --plot minimum_distance_to_people -o @/r/plot.svg", "r",
+     Reader::None},
     {"save", "d", "--save @/d/two_workers_agents.yaml", "d", Reader::None},
 };
 
@@ -61,7 +67,7 @@ inline QString scratch() {
 }
 
 inline QStringList wordsIn(const char* words) {
-  return text(words).replace(QLatin1Char('@'), work()).split(QLatin1Char(' '));
+  return text(words).replace(text("@/"), work() + QLatin1Char('/')).split(QLatin1Char(' '));
 }
 
 inline QString programOf(const QStringList& words) {

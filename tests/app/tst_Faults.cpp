@@ -7,6 +7,7 @@
 #include "editor/document/MapEdit.h"
 #include "editor/document/ScenarioDocument.h"
 #include "tests/app/FaultTrials.h"
+#include "tests/app/Nav2Yard.h"
 #include "tests/app/StudyFiles.h"
 #include "tests/support/Sanitizers.h"
 
@@ -190,6 +191,7 @@ void FaultsTest::initTestCase() {
   }
   writeScenarios(faults::work() + text("/s"));
   writeScenarios(faults::work() + text("/d"));
+  outside::writeNav2Yard(faults::work() + text("/n"));
   QDir().mkpath(faults::scratch());
   make("run @/s/yard.yaml -q --duration 0.3 --seed 1 --counterfactual -o @/r");
   make("batch @/s/earlier.yaml -q -o @/b");

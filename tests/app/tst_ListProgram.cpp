@@ -89,7 +89,7 @@ class ListProgramTest : public QObject {
     row("planners",
         {QStringLiteral("pursuit"), QStringLiteral("dwa"), QStringLiteral("social_mppi"),
          QStringLiteral("external"), QStringLiteral("library"), QStringLiteral("replay"),
-         QStringLiteral("teleop"), QStringLiteral("nav2")});
+         QStringLiteral("teleop"), QStringLiteral("ros2"), QStringLiteral("nav2")});
     row("scenarios", {QStringLiteral("corner_cafe_agents"), QStringLiteral("two_workers_agents")});
   }
   void everyList_namesWhatThereIs() {

@@ -1,6 +1,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "tests/app/Nav2Yard.h"
 #include "tests/app/RunFiles.h"
 #include "tests/support/Sanitizers.h"
 
@@ -57,6 +58,7 @@ class LowMemoryTest : public QObject {
     const Finished made = outside::runProgram({text("run"), scenario, text("--duration"), text("5"),
                                                text("-q"), text("-o"), path("run")});
     QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    outside::writeNav2Yard(path("n"));
     outside::writeText(path("e.yaml"), "hunavsim_experiment: 1\nscenarios: [" + scenario.toUtf8() +
                                            "]\nseeds: 2\nduration: 1.0\n");
     least_ = leastToStart();
@@ -78,6 +80,14 @@ class LowMemoryTest : public QObject {
                      path("evaluated")});
     // No picture: Qt's painter does not look at what malloc hands out.
     row("page", {text("render"), path("run"), text("-o"), path("run.html")});
+    row("from", {text("run"), text("--from"), path("run@3"), text("--seed"), text("5"), text("-q"),
+                 text("--force"), text("-o"), path("from")});
+    row("futures", {text("futures"), path("run@3"), text("--seeds"), text("2"), text("--horizon"),
+                    text("1"), text("-q")});
+    row("nav2", {text("run"), path("n/yard.yaml"), text("--duration"), text("1"), text("-q"),
+                 text("--force"), text("-o"), path("nav2")});
+    row("check of Nav2",
+        {text("check"), text(TEST_DATA_DIR "/nav2/params_jazzy.yaml"), text("-q")});
     row("trees", {text("trees"), scenario, text("--force"), text("-o"), path("trees")});
   }
   void command_withLittleMemory_endsWithALine() {

@@ -1,20 +1,16 @@
-#include <csignal>
 #include <cstdlib>
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "app/cli/CommandRegistry.h"
-#include "app/window/WindowCommand.h"
-#include "tests/app/RunFiles.h"
+#include "tests/app/ForkedProgram.h"
+#include "tests/app/Nav2Yard.h"
 #include "tests/support/Mutator.h"
 #include "tests/support/Sanitizers.h"
 
 using outside::copyFolder;
+using outside::Ended;
+using outside::runForked;
 using outside::text;
 
 // Findings of the sanitizers are told apart from what the program says. The names are theirs.
@@ -42,51 +38,6 @@ class MutationsTest : public QObject {
 
 namespace {
 
-struct Ended {
-  int status = 0;  // of waitpid
-  QString out, err;
-};
-
-/// The program in a child of this process, which costs a tenth of starting it.
-Ended runForked(const QString& folder, const QStringList& words, unsigned seconds) {
-  const QByteArray outPath = QFile::encodeName(folder + text(".out"));
-  const QByteArray errPath = QFile::encodeName(folder + text(".err"));
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const int flags = O_WRONLY | O_CREAT | O_TRUNC;
-    ::dup2(::open(outPath.constData(), flags, 0600), STDOUT_FILENO);
-    ::dup2(::open(errPath.constData(), flags, 0600), STDERR_FILENO);
-    if (::chdir(QFile::encodeName(folder).constData()) != 0) {
-      ::_exit(98);
-    }
-    const rlimit none{0, 0};
-    ::setrlimit(RLIMIT_CORE, &none);
-    const rlimit bytes{std::size_t{4} << 30U, std::size_t{4} << 30U};
-    if (!kIsSanitized) {
-      ::setrlimit(RLIMIT_AS, &bytes);
-    }
-    ::alarm(seconds);
-    std::vector<QByteArray> given = {"hunavsim"};
-    for (const QString& word : words) {
-      given.push_back(word.toUtf8());
-    }
-    std::vector<char*> argv;
-    argv.reserve(given.size() + 1);
-    for (QByteArray& word : given) {
-      argv.push_back(word.data());
-    }
-    argv.push_back(nullptr);
-    const int code = app::runProgram(static_cast<int>(given.size()), argv.data(), app::addWindow);
-    std::fflush(nullptr);
-    ::_exit(code);
-  }
-  Ended ended;
-  ::waitpid(child, &ended.status, 0);
-  ended.out = QString::fromUtf8(outside::bytesOf(QString::fromLocal8Bit(outPath)));
-  ended.err = QString::fromUtf8(outside::bytesOf(QString::fromLocal8Bit(errPath)));
-  return ended;
-}
-
 /// Files that belong together, one of which gets damaged, and what reads them.
 struct Kind {
   const char* file;                 // that is damaged
@@ -106,6 +57,22 @@ const std::vector<Kind>& kinds() {
   static const QStringList kEvaluate = words("evaluate r -q -o o");
   static const QStringList kPlay = words("render r -o p.html");
   static const QStringList kReplay = words("r --screenshot p.png --size 640x400 --at 0.5");
+  static const QStringList kFutures = words("futures r@0.3 -q --seeds 2 --horizon 0.3 --json");
+  static const std::vector<QStringList> kAgain = {
+      words("run --from r@0.3 -q --duration 0.6 -o o"),
+      words("run --from r@0.3 -q --seed 7 --duration 0.5")};
+  static const std::vector<QStringList> kDrawn = {
+      words("render r -q -o p.svg --strip 2"), words("render r -q -o p.svg --strip 0.1,0.4"),
+      words("render r -q -o p.svg --plot minimum_distance_to_people"),
+      words("render r -q -o p.svg --overlay contacts,density --time-marks 0.2")};
+  static const QStringList kHumble = words(
+      "run n/yard.yaml -q -o o --duration 0.6 --nav2-params n/params_humble.yaml --nav2-distro "
+      "humble --nav2-tree n/tree.xml");
+  static const QStringList kJazzy =
+      words("run n/yard.yaml -q -o o --duration 0.6 --nav2-params n/params_jazzy.yaml");
+  static const QStringList kMain = words(
+      "run n/yard.yaml -q -o o --duration 0.6 --nav2-params n/params_main.yaml --nav2-distro "
+      "main");
   static const std::vector<Kind> kKinds = {
       {"s/two_workers_agents.yaml",
        {kRun, kCheck, words("trees s/two_workers_agents.yaml -o o"),
@@ -137,6 +104,18 @@ const std::vector<Kind>& kinds() {
       {"b/manifest.json", {words("report b --no-pdf -q"), words("merge b -o o")}, {}},
       {"b/results.sqlite", {words("batch e.yaml -q -o b --resume"), words("merge b -o o")}, {}},
       {"t.csv", {words("evaluate t.csv -q -o o")}, {}},
+      {"r/trajectory.csv", kAgain, {words("r --screenshot p.png --size 640x400 --at 0.3")}},
+      {"r/trace.json", kAgain, {kFutures}},
+      {"r/manifest.json", kAgain, {kFutures}},
+      {"r/metrics.json", kDrawn, {}},
+      {"r/steps.csv", kDrawn, {}},
+      {"r/trajectory.csv", kDrawn, {words("render r -q -o p.gif --fps 2 --width 100")}},
+      {"n/params_humble.yaml", {kHumble, kHumble, words("check n/params_humble.yaml")}, {}},
+      {"n/params_jazzy.yaml", {kJazzy, kJazzy, words("check --json n/params_jazzy.yaml")}, {}},
+      {"n/params_main.yaml", {kMain, kMain, words("check n/params_main.yaml")}, {}},
+      {"n/tree.xml", {kHumble, kJazzy, words("check n/tree.xml")}, {}},
+      {"n/yard.yaml", {kJazzy, words("check n/yard.yaml")}, {}},
+      {"n/study.yaml", {words("check n/study.yaml")}, {words("batch n/study.yaml -q -o o")}},
       {"obsmat.txt",
        {words("evaluate obsmat.txt -q -o o"), words("evaluate obsmat.txt --format eth -q -o o")},
        {}},
@@ -151,10 +130,8 @@ QTemporaryDir& corpus() {
 
 /// Why the end of a command is none that users should see; empty: it is fine.
 QString faultOf(const Ended& ended, bool wantsJson) {
-  if (WIFSIGNALED(ended.status)) {
-    return WTERMSIG(ended.status) == SIGALRM
-               ? text("hangs")
-               : text("killed by signal %1").arg(WTERMSIG(ended.status));
+  if (const QString signal = outside::signalOf(ended); !signal.isEmpty()) {
+    return signal;
   }
   const int code = WEXITSTATUS(ended.status);
   if (code > 2) {
@@ -193,8 +170,10 @@ QString faultOfMutation(std::uint64_t number) {
   const QString folder = place.filePath(text("w"));
   copyFolder(corpus().path(), folder);
   const QString damaged = folder + QLatin1Char('/') + text(kind.file);
-  const QByteArray bytes =
-      QByteArray::fromStdString(mutator.mutated(outside::bytesOf(damaged).toStdString()));
+  const std::string whole = outside::bytesOf(damaged).toStdString();
+  const bool isByNumbers = text(kind.file).startsWith(text("n/")) && mutator.pick(2) == 0;
+  const QByteArray bytes = QByteArray::fromStdString(isByNumbers ? mutator.withOtherNumbers(whole)
+                                                                 : mutator.mutated(whole));
   outside::writeText(damaged, bytes);
   const Ended ended = runForked(folder, command, kIsSanitized ? 120 : 30);
   QString fault = faultOf(ended, command.contains(text("--json")));
@@ -211,6 +190,23 @@ QString faultOfMutation(std::uint64_t number) {
   return text("mutation %1 (%2): %3\n  hunavsim %4\n  in %5\n%6")
       .arg(number)
       .arg(text(kind.file), fault, command.join(QLatin1Char(' ')), kept, ended.err.left(1500));
+}
+
+/// A robot of Nav2 that sets out at once, with all that its files can say.
+void writeNav2Yard(const QString& folder) {
+  outside::writeNav2Yard(folder);
+  for (const char* file : {"params_humble.yaml", "params_jazzy.yaml", "params_main.yaml"}) {
+    outside::writeText(folder + QLatin1Char('/') + text(file),
+                       outside::bytesOf(text(TEST_DATA_DIR "/nav2/") + text(file)));
+  }
+  outside::writeText(
+      folder + text("/tree.xml"),
+      outside::bytesOf(text(SOURCE_DIR "/resources/nav2_trees/humble/"
+                                       "navigate_to_pose_w_replanning_and_recovery.xml")));
+  outside::writeText(folder + text("/study.yaml"),
+                     "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 1\nduration: 0.2\n"
+                     "record: metrics\nvalues:\n  robot1.nav2.FollowPath.batch_size: [100, 200]\n"
+                     "  robot1.nav2_params: [params_jazzy.yaml]\n");
 }
 
 }  // namespace
@@ -238,6 +234,7 @@ void MutationsTest::initTestCase() {
                      "0,2,3,3\n0.4,2,3,2.5\n0.8,2,3,2\n");
   outside::writeText(folder + text("/obsmat.txt"),
                      outside::bytesOf(text(TEST_DATA_DIR "/interop/trajectories/own/obsmat.txt")));
+  writeNav2Yard(folder + text("/n"));
   for (const char* command : {"run s/corner_cafe_agents.yaml -q -o r --duration 1 --record-every 4",
                               "batch e.yaml -q -o b --jobs 1"}) {
     const Ended ended = runForked(folder, words(command), 300);

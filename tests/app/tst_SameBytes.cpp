@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "tests/app/FaultyProgram.h"
+#include "tests/app/Nav2Yard.h"
 #include "tests/app/StudyFiles.h"
 #include "tests/support/CommaLocale.h"
 
@@ -32,16 +33,21 @@ class SameBytesTest : public QObject {
 /// the root. `more`: what a shell does before it starts the program.
 Files SameBytesTest::made(const QProcessEnvironment& environment, const QStringList& more,
                           const QString& jobs, const QString& prefix) const {
-  for (const char* folder : {"run", "batch", "measured", "export"}) {
+  for (const char* folder : {"run", "batch", "measured", "export", "on", "nav2"}) {
     QDir(work() + QLatin1Char('/') + text(folder)).removeRecursively();
   }
-  const char* const commands[] = {
-      "run @yard.yaml -q --duration 3 -o @run", "batch @study.yaml -q -o @batch --jobs #",
-      "evaluate @run -q -o @measured",
-      "convert @two_workers_agents.yaml --target isaac -q -o @export", "report @batch --no-pdf -q"};
+  const char* const commands[] = {"run @yard.yaml -q --duration 3 -o @run",
+                                  "batch @study.yaml -q -o @batch --jobs #",
+                                  "evaluate @run -q -o @measured",
+                                  "convert @two_workers_agents.yaml --target isaac -q -o @export",
+                                  "report @batch --no-pdf -q",
+                                  "run --from @run@2 -q --seed 5 -o @on",
+                                  "run @n/yard.yaml -q --duration 1 -o @nav2",
+                                  "render @run -q --strip 2 -o @strip.svg",
+                                  "render @run -q --plot minimum_distance_to_people -o @plot.svg"};
   for (const char* command : commands) {
     QString line = text(command);
-    line.replace(QLatin1Char('@'), prefix).replace(QLatin1Char('#'), jobs);
+    line.replace(text(" @"), QLatin1Char(' ') + prefix).replace(QLatin1Char('#'), jobs);
     QProcess process;
     process.setProcessEnvironment(environment);
     process.setWorkingDirectory(prefix.isEmpty() ? work() : text("/"));
@@ -58,6 +64,7 @@ Files SameBytesTest::made(const QProcessEnvironment& environment, const QStringL
 
 void SameBytesTest::initTestCase() {
   outside::writeText(work() + text("/yard.yaml"), outside::kYardText);
+  outside::writeNav2Yard(work() + text("/n"));
   outside::writeText(work() + text("/study.yaml"),
                      "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 3\nduration: 2.5\n"
                      "record: all\nvalues:\n  \"*.max_vel\": {normal: [1.2, 0.2, 0.6, 1.8]}\n"
@@ -71,7 +78,8 @@ void SameBytesTest::initTestCase() {
   usual_ = made(QProcessEnvironment::systemEnvironment(), {}, text("2"));
   for (const char* file :
        {"run/trajectory.csv", "batch/results.csv", "batch/report.html", "batch/runs/5/trace.json",
-        "measured/metrics.json", "export/scenarios/two_workers_agents.yaml"}) {
+        "measured/metrics.json", "on/trajectory.csv", "nav2/trees.csv", "strip.svg", "plot.svg",
+        "export/scenarios/two_workers_agents.yaml"}) {
     QVERIFY2(usual_.count(text(file)) > 0, file);
   }
 }

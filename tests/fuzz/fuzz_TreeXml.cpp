@@ -4,10 +4,11 @@
 
 #include "bt/engine/TreeState.h"
 #include "bt/tree/TreeXml.h"
+#include "tests/bt/ScriptedNavigator.h"
 #include "tests/fuzz/Require.h"
 
-/// Any bytes as a tree file: read, written and read again, checked, compiled, ticked. Its includes
-/// are dropped, so that no other file is opened.
+/// Any bytes as a tree file: read, written and read again, checked, compiled, ticked as the tree of
+/// a person and of a robot. Its includes are dropped, so that no other file is opened.
 namespace {
 
 using base::NodeStatus;
@@ -77,6 +78,30 @@ void tick(const bt::TreeTable& table) {
   require(state.entries().size() <= (*program)->entries().size(), "entries are the program's");
 }
 
+const bt::NodeLibrary& navigatorNodes() {
+  static const bt::NodeLibrary all = bt::robotNodes();
+  return all;
+}
+
+/// The same as the tree of a robot.
+void navigate(const bt::TreeTable& table) {
+  bt::CompileOptions options;
+  options.mainTree = table.mainTree;
+  options.hostEntries = {{"goal", bt::PortType::Any}, {"goals", bt::PortType::Any}};
+  const auto program = bt::compile(table, navigatorNodes(), options);
+  if (!program) {
+    return;
+  }
+  navigator::Scripted host;
+  bt::TreeState state(*program);
+  state.set((*program)->hostSlot(0), static_cast<int>(host.goal));
+  for (std::int64_t step = 1; step <= 5; ++step) {
+    host.step = step;
+    state.tickOnce({step, 0.1, static_cast<bt::NavigatorHost*>(&host)});
+  }
+  state.halt({6, 0.1, static_cast<bt::NavigatorHost*>(&host)});
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -95,6 +120,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (table) {
     bt::checkTable(*table, library().catalogue());
     tick(*table);
+    navigate(*table);
   }
   return 0;
 }

@@ -16,9 +16,19 @@ set(core "sim2d/base;sim2d/map;sim2d/nav;sim2d/scenario;sim2d/trace;sim2d/world;
 set(allowed_app_run "${core}")
 list(APPEND core app/run)
 set(allowed_app_report "${core}")
-list(APPEND core app/report)  # all that knows no Qt
-set(allowed_editor_look "${core}")
-set(allowed_editor_document "${core};editor/look")
+list(APPEND core app/report)
+set(below_editor "${core}")
+set(allowed_app_bridge_messages "sim2d/base")
+set(allowed_app_bridge_topics "${core};app/bridge/messages")
+set(allowed_app_bridge_bag "${core};app/bridge/messages;app/bridge/topics")
+set(allowed_app_bridge_dds "sim2d/base;app/bridge/messages")
+set(allowed_app_bridge_agents "${core};app/bridge/messages")
+set(allowed_app_bridge_nodes "${core};app/bridge/messages;app/bridge/dds;app/bridge/agents;app/bridge/topics")
+set(allowed_app_bridge_live "${core};app/bridge/messages;app/bridge/topics")
+list(APPEND core app/bridge/messages app/bridge/topics app/bridge/bag app/bridge/dds app/bridge/agents
+     app/bridge/nodes app/bridge/live)  # all that knows no Qt
+set(allowed_editor_look "${below_editor}")
+set(allowed_editor_document "${below_editor};editor/look")
 set(allowed_editor_canvas "${allowed_editor_document};editor/document")
 set(allowed_editor_tools "${allowed_editor_canvas};editor/canvas")
 set(allowed_editor_run "${allowed_editor_document};editor/document")
@@ -29,12 +39,12 @@ set(allowed_app_cli "${core};${rooms}")
 set(allowed_app_window "${core};${rooms};app/cli")
 set(allowed_app "app/cli;app/window")
 
-set(third_party "include *<((yaml-cpp|box2d|nlohmann|openssl|Random123|CLI|xsimd|boost)/|(tinyxml2|hdf5|sqlite3)\\.h)")
+set(third_party "include *<((yaml-cpp|box2d|nlohmann|openssl|Random123|CLI|xsimd|boost|fastdds|fastrtps|fastcdr)/|(tinyxml2|hdf5|sqlite3|zstd)\\.h)")
 
 # Sets `complaint` in the caller; empty = allowed.
 function(check_include folder name line)
   set(complaint "")
-  if(line MATCHES "include *\"((sim2d|bt|editor)/[a-z0-9]+|metrics/statistics|metrics|editor|app/(run|report|cli|window)|app)/")
+  if(line MATCHES "include *\"((sim2d|bt|editor)/[a-z0-9]+|metrics/statistics|metrics|editor|app/bridge/[a-z]+|app/(run|report|cli|window)|app)/")
     set(target ${CMAKE_MATCH_1})
     if(NOT target STREQUAL folder AND NOT target IN_LIST allowed_${name})
       set(complaint "against the layers")

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <random>
+#include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Bytes with some damage in them, as a bad disk, a bad editor or bad will makes it. The same seed
@@ -24,7 +26,39 @@ class Mutator {
     return bytes;
   }
 
+  /// One to three of its numbers are others of the same kind: whole ones stay whole, those with a
+  /// point keep one. Readers that want the very type read on.
+  std::string withOtherNumbers(std::string bytes) {
+    const std::size_t count = 1 + pick(3);
+    for (std::size_t k = 0; k < count; ++k) {
+      replaceNumber(bytes);
+    }
+    return bytes;
+  }
+
  private:
+  void replaceNumber(std::string& bytes) {
+    static const std::regex kNumber("[-+]?\\d+(\\.\\d*)?(e[-+]?\\d+)?",
+                                    std::regex::ECMAScript | std::regex::icase);
+    static const std::array<const char*, 16> kPointed = {
+        "0.0",   "-0.0", "1e9",    "-1e9",  "1e-300", ".nan", ".inf",  "-.inf",
+        "1e308", "-1.0", "1000.0", "0.001", "1e-9",   "1e6",  "-1e-5", "0.5"};
+    static const std::array<const char*, 12> kWhole = {
+        "0",   "-1",  "1",     "2",          "3",          "255",
+        "256", "300", "65536", "1000000000", "2147483647", "-2147483648"};
+    std::vector<std::pair<std::size_t, std::size_t>> places;  // where, and how long
+    for (std::sregex_iterator at(bytes.begin(), bytes.end(), kNumber), end; at != end; ++at) {
+      places.emplace_back(at->position(), at->length());
+    }
+    if (places.empty()) {
+      return;
+    }
+    const auto [from, length] = places[pick(places.size())];
+    const bool isPointed = bytes.find_first_of(".eE", from) < from + length;
+    bytes.replace(from, length,
+                  isPointed ? kPointed[pick(kPointed.size())] : kWhole[pick(kWhole.size())]);
+  }
+
   void wound(std::string& bytes) {
     if (bytes.empty()) {
       bytes = word();

@@ -138,6 +138,7 @@ int futuresCommand(const FuturesWords& words, const Invocation& given) {
   base::Result<std::unique_ptr<RunAgain>> again =
       RunAgain::prepare(options, readRunWords, loadMapImage, interruptStop());
   requireFine(again.diagnostics());
+  requireFine((*again)->verdict().wrongWords, ExitWrongCommandLine);
   requireFine((*again)->verdict().problems, ExitBadInput, base::Severity::Warning);
   catchInterrupts();
   const RunBefore before = (*again)->before();

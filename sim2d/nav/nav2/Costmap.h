@@ -73,7 +73,8 @@ class Costmap {
   }
   /// Cells that a distance spans: ceil(d / resolution), at least 0.
   int cellDistance(double distance) const {
-    return static_cast<int>(std::fmax(0.0, std::ceil(distance / resolution_)));
+    constexpr double kMost = 1e9;  // more than any map has
+    return static_cast<int>(std::fmin(std::fmax(0.0, std::ceil(distance / resolution_)), kMost));
   }
 
  private:

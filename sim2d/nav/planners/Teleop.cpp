@@ -120,8 +120,8 @@ class Teleop : public TeleopPlanner {
   std::vector<Vec2> path_;
 };
 
-base::Result<std::shared_ptr<Planner>> makeTeleop(const PlannerSetup& setup) {
-  TeleopParameters parameters;
+base::Result<std::shared_ptr<Planner>> makeTeleop(const PlannerSetup& setup,
+                                                  TeleopParameters parameters) {
   teleopTable().set(parameters, setup.parameters);
   return std::shared_ptr<Planner>(std::make_shared<Teleop>(setup.body, parameters));
 }
@@ -130,8 +130,16 @@ base::Result<std::shared_ptr<Planner>> makeTeleop(const PlannerSetup& setup) {
 
 void addTeleop(PlannerRegistry& to);
 void addTeleop(PlannerRegistry& to) {
-  to.add("teleop", teleopTable().specs(), makeTeleop,
-         "Stands until somebody drives it by hand. Looks at nobody.");
+  to.add(
+      "teleop", teleopTable().specs(),
+      [](const PlannerSetup& setup) { return makeTeleop(setup, {}); },
+      "Stands until somebody drives it by hand. Looks at nobody.");
+  TeleopParameters ofRos2;
+  ofRos2.timeout = 1.0;  // as a driver of Nav2 waits for /cmd_vel
+  to.add(
+      "ros2", teleopTable().specs(ofRos2),
+      [ofRos2](const PlannerSetup& setup) { return makeTeleop(setup, ofRos2); },
+      "Driven by /cmd_vel of ROS 2, with run --ros2; else it stands.");
 }
 
 }  // namespace sim2d

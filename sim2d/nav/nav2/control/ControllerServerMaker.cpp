@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/control/ControllerServer.h"
 
 /// The controller server of the parameters of its node.
@@ -213,9 +214,11 @@ base::Result<std::unique_ptr<ControllerServer>> makeControllerServer(const Nav2B
   made.distro = distro;
   made.parameters =
       filled(ControllerServerParameters(), controllerServerKeys(), node, distro, problems);
-  if (!(made.parameters.frequency > 0.0)) {
-    problems.push_back(base::error("nav2.wrong-value",
-                                   {"controller_frequency", made.parameters.frequency, "above 0"}));
+  constexpr double kMostFrequency = 1000.0;  // [Hz]
+  if (!(made.parameters.frequency > 0.0 && made.parameters.frequency <= kMostFrequency)) {
+    problems.push_back(
+        base::error("nav2.wrong-value", {"controller_frequency", made.parameters.frequency,
+                                         "above 0, up to " + base::formatDouble(kMostFrequency)}));
     made.parameters.frequency = 20.0;
   }
   ControllerSetup common;

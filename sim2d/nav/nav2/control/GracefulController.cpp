@@ -218,13 +218,15 @@ bool GracefulController::drive(const Scene& scene, Pose2 target, BodyTwist& comm
     target.heading = base::wrapToPi(target.heading + base::kPi);
   }
   view_.lookahead = {scene.input.robot.toWorld(target.position)};
+  constexpr int kMostAttempts = 100;  // a step may be 0
   Attempt attempt{target, isBackward, parameters_.maxLinear};
+  int attempts = 0;
   do {
     if (simulate(scene.input, attempt, command)) {
       return true;
     }
     attempt.maxLinear -= parameters_.footprintScalingStep;
-  } while (distro_ == Distro::Main && attempt.maxLinear > 0.0 &&
+  } while (distro_ == Distro::Main && attempt.maxLinear > 0.0 && ++attempts < kMostAttempts &&
            attempt.maxLinear >= parameters_.footprintScalingVelocity);
   return false;
 }

@@ -7,9 +7,10 @@ namespace sim2d::nav2 {
 
 double turnVelocity(const HeadingTurn& turn, double angle, double now, double dt) {
   const double sign = angle > 0.0 ? 1.0 : -1.0;
-  const double change = turn.angularAcceleration * dt;
+  const double acceleration = std::max(turn.angularAcceleration, 0.0);
+  const double change = acceleration * dt;
   const double reached = std::clamp(sign * turn.angularVelocity, now - change, now + change);
-  const double brakable = std::sqrt(2.0 * turn.angularAcceleration * std::abs(angle));
+  const double brakable = std::sqrt(2.0 * acceleration * std::abs(angle));
   return std::abs(reached) > brakable ? sign * brakable : reached;
 }
 

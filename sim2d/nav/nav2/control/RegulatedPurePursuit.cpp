@@ -226,8 +226,10 @@ bool RegulatedPurePursuit::collides(const ControlInput& input, const BodyTwist& 
   const double step = isTurn ? 2.0 * base::sin(resolution / 2.0 / input.shape.circumscribedRadius) /
                                    std::abs(twist.angular)
                              : resolution / std::abs(twist.linear);
+  // The sine of a robot smaller than a cell may be negative: such steps would never end.
+  constexpr int kMostSteps = 10000;
   Pose2 pose = input.robot;
-  for (int i = 1; i * step < allowed; ++i) {
+  for (int i = 1; step > 0.0 && i * step < allowed && i <= kMostSteps; ++i) {
     pose.position += step * twist.linear * pose.direction();
     pose.heading += step * twist.angular;
     if ((pose.position - input.robot.position).norm() > range) {

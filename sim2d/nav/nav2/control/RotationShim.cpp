@@ -48,6 +48,11 @@ base::Result<std::unique_ptr<Controller>> makeShim(const ControllerSetup& setup)
     problems.push_back(base::error("nav2.missing-key", {"primary_controller"}));
     return problems;
   }
+  constexpr double kLongestTurn = 100.0;  // [s]
+  if (!(parameters.simulateAheadTime <= kLongestTurn)) {
+    problems.push_back(base::error(
+        "nav2.wrong-value", {"simulate_ahead_time", parameters.simulateAheadTime, "up to 100 s"}));
+  }
   ControllerSetup inner = setup;
   inner.block = primaryBlock(setup.block, setup.distro);
   auto primary = controllerRegistry().make(parameters.primary, inner);

@@ -11,11 +11,13 @@ namespace sim2d::nav2 {
 namespace {
 
 constexpr double kLeastSide = 0.005;                       // of cells [m]
-constexpr double kMostCells = 10000.0;                     // along one side
+constexpr double kMostCells = 4000;                        // along one side
 constexpr base::Range kLengthRange{1.0, 1000.0};           // of costmaps [m]
 constexpr base::Range kFrequencyRange{0.0, 1000.0, true};  // [Hz]
 constexpr base::Range kReachRange{0.0, 10.0};              // [m]
 constexpr base::Range kAmplitudeRange{0.0, 254.0};
+constexpr double kLongestPersistence = 60;   // of scans [s]
+constexpr double kMostInflatedCells = 2000;  // of a radius
 
 void checkCostmapRange(double value, const base::Range& range, const std::string& where,
                        base::Diagnostics& problems) {
@@ -26,6 +28,8 @@ void checkCostmapRange(double value, const base::Range& range, const std::string
 
 void checkSource(const ObservationSource& source, const std::string& layer, double lidarHeight,
                  base::Diagnostics& problems) {
+  checkCostmapRange(source.observationPersistence, {0.0, kLongestPersistence},
+                    layer + "." + source.name + ".observation_persistence", problems);
   if (lidarHeight < source.minObstacleHeight || lidarHeight > source.maxObstacleHeight) {
     problems.push_back(base::warning(
         "nav2.lidar-not-taken",
@@ -52,8 +56,11 @@ void checkPlugin(const CostmapPlugin& plugin, const CostmapSetup& setup, double 
     }
   }
   if (const auto* const inflation = std::get_if<InflationLayerParameters>(&plugin.parameters)) {
-    checkCostmapRange(inflation->inflationRadius, kReachRange, plugin.name + ".inflation_radius",
-                      problems);
+    const double own = setup.settings.parameters.resolution;
+    const double side = setup.map.isEmpty() ? own : std::min(own, setup.map.resolution());
+    checkCostmapRange(inflation->inflationRadius,
+                      {0.0, std::min(kReachRange.high, kMostInflatedCells * side)},
+                      plugin.name + ".inflation_radius", problems);
     if (inflation->enabled && inflation->inflationRadius < inscribed) {
       problems.push_back(base::warning("nav2.inflation-cut",
                                        {plugin.name, inflation->inflationRadius, inscribed}));
@@ -100,6 +107,7 @@ base::Diagnostics problemsOf(const CostmapSetup& setup) {
     checkPlugin(plugin, setup, inscribed, problems);
   }
   for (const CostmapPlugin& filter : setup.settings.filters) {
+    checkPlugin(filter, setup, inscribed, problems);
     if (setup.masks.count(filter.name) == 0) {
       problems.push_back(base::warning("nav2.no-mask", {filter.name}));
     }

@@ -13,6 +13,9 @@
 namespace sim2d::nav2 {
 namespace {
 
+constexpr std::size_t kMostCorners = 1000;
+constexpr double kFarthestCorner = 1000.0;  // [m]
+
 /// Reads "[[x, y], …]" as Nav2 does: commas may be missing or too many.
 class PolygonText {
  public:
@@ -102,6 +105,12 @@ base::Result<Polygon> readPolygon(std::string_view text) {
   }
   if (polygon->size() < 3) {
     return base::error("nav2.polygon-too-small", {text});
+  }
+  const auto isFar = [](const Vec2& corner) {
+    return !(corner.array().abs() <= kFarthestCorner).all();
+  };
+  if (polygon->size() > kMostCorners || std::any_of(polygon->begin(), polygon->end(), isFar)) {
+    return base::error("nav2.polygon-too-large", {kMostCorners, kFarthestCorner});
   }
   return *std::move(polygon);
 }

@@ -1,5 +1,7 @@
 #include "sim2d/nav/nav2/costmap/InflationLaw.h"
 
+#include <cmath>
+
 #include "sim2d/base/Math.h"
 
 namespace sim2d::nav2 {
@@ -12,7 +14,8 @@ std::uint8_t InflationLaw::cost(double distance) const {
     return kInscribed;
   }
   constexpr double kMost = kInscribed - 1;
-  return static_cast<std::uint8_t>(kMost * base::exp(-scaling * (distance - inscribed)));
+  const double cost = kMost * base::exp(-scaling * (distance - inscribed));
+  return static_cast<std::uint8_t>(std::fmin(cost, kMost));  // a scaling below 0 rises
 }
 
 double InflationLaw::distance(std::uint8_t cost) const {

@@ -11,6 +11,7 @@ namespace {
 constexpr Cell kEightMoves[] = {{-1, 0},  {1, 0},  {0, -1}, {0, 1},
                                 {-1, -1}, {-1, 1}, {1, -1}, {1, 1}};
 constexpr double kRoot2 = 1.4142135623730951;
+constexpr std::size_t kMostLengths = 50000000;  // that are kept
 
 }  // namespace
 
@@ -81,7 +82,12 @@ double CurveDistance::from(const Vec2& inGoal, int bin) {
   const auto column = static_cast<std::size_t>(x + half_);
   const auto row = static_cast<std::size_t>(std::fabs(y));
   const auto bins = static_cast<std::size_t>(bins_);
+  const Pose2 from{{x, std::fabs(y)}, mirrored * 2.0 * base::kPi / bins_};
+  const auto lengthFrom = [&] { return shortestCurve(motion_, from, {}, radius_).length(); };
   std::int32_t& block = blockOf_[column * (static_cast<std::size_t>(half_) + 1) + row];
+  if (block < 0 && lengths_.size() > kMostLengths) {
+    return static_cast<double>(static_cast<float>(lengthFrom()));
+  }
   if (block < 0) {
     block = static_cast<std::int32_t>(lengths_.size() / bins);
     lengths_.resize(lengths_.size() + bins, -1.0F);
@@ -89,8 +95,7 @@ double CurveDistance::from(const Vec2& inGoal, int bin) {
   float& length =
       lengths_[static_cast<std::size_t>(block) * bins + static_cast<std::size_t>(mirrored)];
   if (length < 0.0F) {
-    const Pose2 from{{x, std::fabs(y)}, mirrored * 2.0 * base::kPi / bins_};
-    length = static_cast<float>(shortestCurve(motion_, from, {}, radius_).length());
+    length = static_cast<float>(lengthFrom());
   }
   return length;
 }

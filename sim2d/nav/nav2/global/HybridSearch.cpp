@@ -12,6 +12,8 @@ namespace {
 constexpr double kNewCell =
     1.4142135623730951;  // [cells] a move of this length surely leaves the cell
 constexpr int kAncestors = 8, kGenerations = 5;
+constexpr std::size_t kMostNodes = 5000000;
+constexpr std::size_t kMostSlots = 100000000;  // headings of cells that were seen
 
 }  // namespace
 
@@ -98,6 +100,10 @@ PlanResult HybridSearch::find(const Pose2& start, const std::vector<Pose2>& goal
   PlanResult result;
   int nearGoal = 0;
   while (!open_.isEmpty() && result.iterations < limits.most) {
+    if (nodes_.size() > kMostNodes || slots_.size() > kMostSlots) {
+      result.error = PlanError::Timeout;
+      return result;
+    }
     const std::size_t node = open_.pop().node;
     const int index = static_cast<int>(node);
     if (nodes_[node].isVisited) {

@@ -5,6 +5,11 @@
 #include "sim2d/nav/nav2/global/SmoothingSweeps.h"
 
 namespace sim2d::nav2 {
+namespace {
+
+constexpr double kLongestSmoothing = 60.0;  // [s], whatever the tree allows
+
+}  // namespace
 
 SimpleSmoother::SimpleSmoother(const SimpleSmootherParameters& parameters, Distro distro)
     : parameters_(parameters), distro_(distro) {}
@@ -26,7 +31,8 @@ SmoothResult SimpleSmoother::smooth(const Path& path, const Costmap& costmap,
   const std::vector<PathSegment> segments =
       splits ? directionalSegments(path) : std::vector<PathSegment>{{0, path.size() - 1}};
   const std::size_t shortest = distro_ == Distro::Humble ? 9 : 3;  // poses beyond the first
-  auto budget = static_cast<long long>(std::clamp(maxDuration, 0.0, 1e6) * kSweepedPosesPerSecond);
+  auto budget = static_cast<long long>(std::clamp(maxDuration, 0.0, kLongestSmoothing) *
+                                       kSweepedPosesPerSecond);
   result.path = path;
   for (const PathSegment& part : segments) {
     if (part.last - part.first <= shortest) {

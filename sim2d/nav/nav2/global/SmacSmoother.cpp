@@ -10,6 +10,7 @@ namespace sim2d::nav2 {
 namespace {
 
 constexpr std::size_t kShortestSmoothed = 10;  // poses beyond the first
+constexpr long long kMostMoves = 50000000;     // of poses in all sweeps
 
 bool isHit(const Costmap& costmap, const Vec2& place) {
   const auto cell = costmap.worldToCell(place);
@@ -93,7 +94,7 @@ void smoothSmacPath(Path& path, const SmacParameters& parameters, const Costmap&
   settings.isHolonomic = !car;
   const std::vector<PathSegment> segments =
       car ? directionalSegments(path) : std::vector<PathSegment>{{0, path.size() - 1}};
-  long long budget = std::numeric_limits<long long>::max();
+  long long budget = kMostMoves;
   for (const PathSegment& part : segments) {
     if (part.last - part.first <= kShortestSmoothed) {
       continue;

@@ -17,6 +17,7 @@ namespace sim2d::nav2 {
 namespace {
 
 constexpr int kMostTrajectories = 50000;
+constexpr double kMostPoints = 5000000;  // of all trajectories and iterations of a call
 
 /// Main: the block of a motion model.
 struct MotionModelSettings {
@@ -70,6 +71,10 @@ void checkOptimizer(const MppiSettings& settings, MppiValueCheck& check) {
   check.count("time_steps", settings.timeSteps, 2, kMostMppiSteps);
   check.count("batch_size", settings.batchSize, 1, kMostTrajectories);
   check.count("iteration_count", settings.iterationCount, 1, 1000);
+  check.within(
+      "batch_size",
+      static_cast<double>(settings.batchSize) * settings.timeSteps * settings.iterationCount, 0.0,
+      kMostPoints, "up to 5000000, times time_steps and iteration_count");
   check.count("retry_attempt_limit", settings.retryAttemptLimit, 0, 1000);
   check.count("sgf_order", settings.sgfOrder, 1, 2);
   check.positive("model_dt", settings.modelDt);

@@ -37,7 +37,11 @@ const std::vector<Nav2Key<SpeedFilterParameters>>& keysOf(const SpeedFilterParam
 
 void readSources(NodeReader& node, const std::string& prefix, ObstacleLayerParameters& layer) {
   std::istringstream words(layer.observationSources);
+  std::vector<std::string> names;
   for (std::string name; words >> name;) {
+    names.push_back(name);
+  }
+  for (const std::string& name : pluginNames(node, prefix + "observation_sources", names)) {
     ObservationSource source;
     source.name = name;
     source.topic = name;

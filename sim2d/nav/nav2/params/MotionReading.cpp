@@ -61,10 +61,12 @@ void readBehavior(NodeReader& node, const std::string& name, BehaviorSettings& t
     case 1:
       to.hasBackUp = true;
       to.backUp = node.read(name + ".", driveKeys(), {}, drive);
+      tellAt(node, problemsOf(to.backUp, name));
       break;
     case 2:
       to.hasDriveOnHeading = true;
       to.driveOnHeading = node.read(name + ".", driveKeys(), {}, drive);
+      tellAt(node, problemsOf(to.driveOnHeading, name));
       break;
     case 3:
       to.hasWait = true;
@@ -85,6 +87,7 @@ void readBehavior(NodeReader& node, const std::string& name, BehaviorSettings& t
 
 void readBehaviors(NodeReader node, BehaviorSettings& to) {
   to.server = node.read({}, behaviorKeys(), idleBehaviorKeys(), BehaviorParameters());
+  tellAt(node, problemsOf(to.server));
   to.backUp = to.driveOnHeading = driveDefaults(node.distro());
   for (const std::string& name : pluginNames(node, "behavior_plugins", to.server.behaviorPlugins)) {
     readBehavior(node, name, to);

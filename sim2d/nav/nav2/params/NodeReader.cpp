@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -42,6 +43,31 @@ constexpr std::array<IdleKey, 8> kOfEveryNode = {{
     {"transform_tolerance", "no frames here"},
 }};
 
+constexpr double kMostNumber = 1e9;     // of any unit
+constexpr std::size_t kMostHints = 50;  // of unknown keys that get the nearest name
+
+/// What no key of Nav2 can mean: no number, an infinite one, more names than anything has.
+std::optional<base::Diagnostic> excessOf(const std::string& path, const Nav2Value& value) {
+  if (const auto* const names = std::get_if<std::vector<std::string>>(&value)) {
+    return names->size() > kMostNames
+               ? std::optional(
+                     base::error("nav2.too-many-names", {path, names->size(), kMostNames}))
+               : std::nullopt;
+  }
+  std::vector<double> numbers;
+  if (const auto* const list = std::get_if<std::vector<double>>(&value)) {
+    numbers = *list;
+  } else if (const auto* const number = std::get_if<double>(&value)) {
+    numbers = {*number};
+  }
+  for (const double number : numbers) {
+    if (!(std::abs(number) <= kMostNumber)) {  // nor NaN
+      return base::error("nav2.number-out-of-range", {path, number, kMostNumber});
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 const char* keyUseName(KeyUse use) {
@@ -80,6 +106,10 @@ Nav2Block NodeReader::read(const std::string& prefix, const Nav2Keys& keys) {
     const bool isHere = isIn(row.distros, distro_);
     if (isHere) {
       known_.push_back(name);
+      const std::string fallback = valueText(row.fallback);
+      notes_.known.push_back({pathOf(name), parameters_.node,
+                              given != nullptr ? valueText(*given->value) : fallback, fallback,
+                              nav2TypeName(row.fallback), row.unit, row.meaning, given != nullptr});
     }
     if (given == nullptr) {
       if (isHere) {
@@ -95,7 +125,11 @@ Nav2Block NodeReader::read(const std::string& prefix, const Nav2Keys& keys) {
     }
     note(*given, KeyUse::Used, {});
     if (auto value = rosValue(*given->value, row.fallback)) {
-      block[row.name] = *std::move(value);
+      if (auto excess = excessOf(pathOf(name), *value)) {
+        tell(name, *std::move(excess));
+      } else {
+        block[row.name] = *std::move(value);
+      }
     } else {
       tell(name, base::error("nav2.wrong-type", {pathOf(name), nav2TypeName(row.fallback),
                                                  rosTypeName(*given->value)}));
@@ -142,6 +176,7 @@ void NodeReader::finish() {
       unlisted.insert(given.name.substr(0, dot));
     }
   }
+  std::size_t hints = 0;
   for (const GivenParameter& given : parameters_.given) {
     if (asked_.count(given.name) != 0) {
       continue;
@@ -153,8 +188,9 @@ void NodeReader::finish() {
     }
     note(given, KeyUse::Unknown, {});
     if (!given.isForAll) {  // what is for all nodes need not be for this one
-      tell(given.name, base::warning("nav2.unknown-key",
-                                     {pathOf(given.name), base::nearestName(given.name, known_)}));
+      const auto nearest =
+          ++hints > kMostHints ? std::nullopt : base::nearestName(given.name, known_);
+      tell(given.name, base::warning("nav2.unknown-key", {pathOf(given.name), nearest}));
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -13,6 +14,8 @@
 
 /// Parameters of one node read by tables of keys, and what became of every one of them.
 namespace sim2d::nav2 {
+
+constexpr std::size_t kMostNames = 100;  // of plugins, critics, sources, polygons in a list
 
 enum class KeyUse : std::uint8_t {
   Used,
@@ -34,8 +37,19 @@ struct KeyNote {
 struct DefaultNote {
   std::string path, value;
 };
+/// A key that has an effect here, in the file or not.
+struct KnownKey {
+  std::string path;      // "controller_server.FollowPath.max_vel_x"
+  std::string node;      // "controller_server"
+  std::string value;     // that counts
+  std::string fallback;  // of Nav2's code
+  std::string type;      // "double" …, as ROS 2 says it
+  std::string unit, meaning;
+  bool isGiven = false;
+};
 struct ReadingNotes {
   std::vector<KeyNote> keys;
+  std::vector<KnownKey> known;
   std::vector<DefaultNote> defaults;
   base::Diagnostics problems;
 };

@@ -14,7 +14,11 @@ using base::YamlNode;
 
 constexpr const char* kParameters = "ros__parameters";
 constexpr const char* kForAll = "/**";
-constexpr std::size_t kDeepest = 64;  // maps within each other
+constexpr std::size_t kDeepest = 64;           // maps within each other
+constexpr std::size_t kMostParameters = 5000;  // of all nodes; files of Nav2 have some 300
+constexpr std::size_t kMostNodes = 500;        // with parameters
+constexpr std::size_t kLongestValue = 100000;  // characters; a footprint has some 60
+constexpr std::size_t kMostValues = 1000;      // of a list
 
 bool isForAllNodes(const std::string& node) {
   return node == "**" || node == "*";
@@ -25,6 +29,24 @@ void put(std::vector<GivenParameter>& to, GivenParameter parameter) {
                           [&](const GivenParameter& old) { return old.name == parameter.name; }),
            to.end());
   to.push_back(std::move(parameter));
+}
+
+/// Values below a map, no further than one beyond the limit.
+std::size_t countValues(const YamlNode& map, std::size_t depth) {
+  std::size_t count = 0;
+  for (const YamlNode& item : map.items) {
+    count += item.isMap() && depth < kDeepest ? countValues(item, depth + 1) : 1;
+    if (count > kMostParameters) {
+      break;
+    }
+  }
+  return count;
+}
+
+bool isTooLong(const YamlNode& value) {
+  const auto isLong = [](const YamlNode& item) { return item.text.size() > kLongestValue; };
+  return isLong(value) || value.items.size() > kMostValues ||
+         std::any_of(value.items.begin(), value.items.end(), isLong);
 }
 
 void flatten(const YamlNode& map, const std::string& prefix, std::size_t depth,
@@ -94,16 +116,35 @@ class NodeSearch {
     if (node.nameSpace == kForAll || node.nameSpace == "**") {
       node.nameSpace.clear();
     }
+    count_ += countValues(parameters, 0);
+    if (count_ > kMostParameters || nodes_.size() >= kMostNodes) {
+      refuseMasses(parameters);
+      return;
+    }
     flatten(parameters, {}, 0, node.given);
     for (GivenParameter& given : node.given) {
       given.isForAll = isForAll;
+      if (isTooLong(*given.value)) {
+        problems_.push_back(base::error("nav2.value-too-long",
+                                        {given.name, kLongestValue, kMostValues}, file_,
+                                        given.value->keyLine, given.value->keyColumn));
+      }
     }
     nodes_.push_back(std::move(node));
+  }
+
+  void refuseMasses(const YamlNode& parameters) {
+    if (!std::exchange(isRefused_, true)) {
+      problems_.push_back(base::error("nav2.too-many-parameters", {kMostParameters, kMostNodes},
+                                      file_, parameters.keyLine, parameters.keyColumn));
+    }
   }
 
   std::vector<NodeParameters>& nodes_;
   base::Diagnostics& problems_;
   const std::string& file_;
+  std::size_t count_ = 0;  // of parameters
+  bool isRefused_ = false;
 };
 
 bool isNamespaceOf(const std::string& nameSpace, const std::string& robot) {

@@ -8,6 +8,10 @@ namespace sim2d::nav2 {
 
 std::vector<std::string> pluginNames(NodeReader& node, const std::string& list,
                                      const std::vector<std::string>& names) {
+  if (names.size() > kMostNames) {  // in one text; lists are looked at by who reads them
+    node.tell(list, base::error("nav2.too-many-names", {list, names.size(), kMostNames}));
+    return {};
+  }
   std::vector<std::string> once;
   for (const std::string& name : names) {
     if (std::find(once.begin(), once.end(), name) != once.end()) {

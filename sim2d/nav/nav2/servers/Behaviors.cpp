@@ -36,7 +36,9 @@ bool isAllowanceOver(double time, double start, double allowance) {
 }
 
 int sweepCycles(const BehaviorParameters& parameters) {
-  return static_cast<int>(parameters.cycleFrequency * parameters.simulateAheadTime);
+  constexpr double kMost = 10000.0;  // of a look ahead
+  return static_cast<int>(
+      std::clamp(parameters.cycleFrequency * parameters.simulateAheadTime, 0.0, kMost));
 }
 
 }  // namespace
@@ -70,6 +72,32 @@ const std::vector<Nav2Key<DriveParameters>>& driveKeys() {
       {"minimum_speed", &P::minimumSpeed, "m/s", "Least speed.", kHumble | kMain},
   };
   return kKeys;
+}
+
+base::Diagnostics problemsOf(const BehaviorParameters& parameters) {
+  constexpr double kMostFrequency = 1000.0, kLongestLook = 100.0;
+  base::Diagnostics problems;
+  if (!(parameters.cycleFrequency > 0.0 && parameters.cycleFrequency <= kMostFrequency)) {
+    problems.push_back(
+        base::error("nav2.bad-parameter", {"cycle_frequency", "above 0, up to 1000 Hz"}));
+  }
+  if (!(parameters.simulateAheadTime >= 0.0 && parameters.simulateAheadTime <= kLongestLook)) {
+    problems.push_back(base::error("nav2.bad-parameter", {"simulate_ahead_time", "0 to 100 s"}));
+  }
+  return problems;
+}
+
+base::Diagnostics problemsOf(const DriveParameters& parameters, const std::string& name) {
+  base::Diagnostics problems;
+  if (!(parameters.accelerationLimit >= 0.0)) {
+    problems.push_back(
+        base::error("nav2.bad-parameter", {name + ".acceleration_limit", "0 or more"}));
+  }
+  if (!(parameters.decelerationLimit <= 0.0)) {
+    problems.push_back(
+        base::error("nav2.bad-parameter", {name + ".deceleration_limit", "0 or less"}));
+  }
+  return problems;
 }
 
 const std::vector<IdleKey>& idleBehaviorKeys() {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim2d/base/Result.h"
 #include "sim2d/nav/Body.h"
 #include "sim2d/nav/nav2/Costmap.h"
 #include "sim2d/nav/nav2/Nav2Key.h"
@@ -31,6 +32,9 @@ DriveParameters driveDefaults(Distro distro);  // main: 2.5, -2.5, 0.1
 const std::vector<Nav2Key<BehaviorParameters>>& behaviorKeys();
 const std::vector<Nav2Key<DriveParameters>>& driveKeys();
 const std::vector<IdleKey>& idleBehaviorKeys();
+/// Values that no behaviour can be driven by; `name`: the behaviour's.
+base::Diagnostics problemsOf(const BehaviorParameters& parameters);
+base::Diagnostics problemsOf(const DriveParameters& parameters, const std::string& name);
 
 /// Codes of results since Jazzy are those of the action plus the reason: Spin 700, BackUp 710,
 /// DriveOnHeading 720, AssistedTeleop 730, Wait 740.

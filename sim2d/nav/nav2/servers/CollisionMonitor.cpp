@@ -25,6 +25,8 @@ double speedAlong(const BodyTwist& twist) {
   return std::sqrt(twist.linear * twist.linear + twist.lateral * twist.lateral);
 }
 
+constexpr int kMostPoints = 1000000;  // more than any scan has
+
 constexpr std::array<const char*, 3> kShapeTypes = {"polygon", "circle", "velocity_polygon"};
 constexpr std::array<const char*, 5> kActionTypes = {"none", "stop", "slowdown", "limit",
                                                      "approach"};
@@ -90,7 +92,11 @@ void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
       shape.pointList.size() % 2 == 0 && (shape.pointList.empty() || shape.pointList.size() >= 6),
       "points", "pairs of numbers, three at least");
   require(shape.simulationTimeStep > 0.0, "simulation_time_step", "above 0");
-  require(shape.timeBeforeCollision > 0.0, "time_before_collision", "above 0");
+  constexpr double kMostSteps = 1000.0;
+  const bool isLong = shape.simulationTimeStep > 0.0 &&
+                      !(shape.timeBeforeCollision <= kMostSteps * shape.simulationTimeStep);
+  require(shape.timeBeforeCollision > 0.0 && !isLong, "time_before_collision",
+          "above 0, up to 1000 simulation_time_steps");
 }
 
 }  // namespace
@@ -209,7 +215,7 @@ CollisionMonitor::CollisionMonitor(const CollisionMonitorParameters& parameters,
     Shape shape;
     shape.keys = keys;
     if (distro == Distro::Humble && keys.maxPoints >= 0) {
-      shape.keys.minPoints = keys.maxPoints + 1;
+      shape.keys.minPoints = std::min(keys.maxPoints, kMostPoints) + 1;
     }
     shape.corners = keys.type == "polygon" ? shapeCorners(keys, footprint) : Polygon{};
     for (const VelocitySubPolygon& part : keys.subPolygons) {

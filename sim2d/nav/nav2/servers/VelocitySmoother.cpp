@@ -60,7 +60,9 @@ base::Diagnostics problemsOf(const VelocitySmootherParameters& parameters) {
       problems.push_back(base::error("nav2.bad-parameter", {key, wanted}));
     }
   };
-  require(parameters.smoothingFrequency > 0.0, "smoothing_frequency", "above 0");
+  constexpr double kMostFrequency = 1000.0;  // [Hz]
+  require(parameters.smoothingFrequency > 0.0 && parameters.smoothingFrequency <= kMostFrequency,
+          "smoothing_frequency", "above 0, up to 1000 Hz");
   require(parameters.feedback == "OPEN_LOOP" || parameters.feedback == "CLOSED_LOOP", "feedback",
           "OPEN_LOOP or CLOSED_LOOP");
   const std::pair<const char*, const std::vector<double>*> lists[] = {

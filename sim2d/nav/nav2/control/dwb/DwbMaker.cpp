@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -31,6 +32,7 @@ std::string criticClass(const Nav2Block& block, const std::string& name) {
 /// Numbers without which no trajectory can be made, or too many of them.
 void checkDwbNumbers(const DwbParameters& p, base::Diagnostics& problems) {
   constexpr double kMostSteps = 10000.0, kMostSamples = 100000.0;
+  constexpr double kMostPoses = 10000000.0;  // of all trajectories of a cycle
   const std::pair<const char*, double> positive[] = {{"sim_time", p.simTime},
                                                      {"time_granularity", p.timeGranularity},
                                                      {"linear_granularity", p.linearGranularity},
@@ -40,17 +42,24 @@ void checkDwbNumbers(const DwbParameters& p, base::Diagnostics& problems) {
       problems.push_back(base::error("nav2.wrong-value", {key, value, "above 0"}));
     }
   }
-  const double speed = std::abs(p.maxVelX) + std::abs(p.minVelX) + std::abs(p.maxVelY);
+  const double speed =
+      std::abs(p.maxVelX) + std::abs(p.minVelX) + std::abs(p.maxVelY) + std::abs(p.minVelY);
   const double steps = p.simTime * (1.0 / p.timeGranularity + speed / p.linearGranularity +
                                     std::abs(p.maxVelTheta) / p.angularGranularity);
   if (!base::hasErrors(problems) && !(steps < kMostSteps)) {
     problems.push_back(base::error("nav2.wrong-value",
                                    {"sim_time", p.simTime, "short enough for its granularities"}));
   }
-  const double samples = static_cast<double>(p.vxSamples) * p.vySamples * p.vthetaSamples;
+  double samples = 1.0;
+  for (const int count : {p.vxSamples, p.vySamples, p.vthetaSamples}) {
+    samples *= std::max(2, count);  // fewer are none
+  }
   if (samples > kMostSamples) {
     problems.push_back(
         base::error("nav2.wrong-value", {"vx_samples", p.vxSamples, "a product below 100000"}));
+  } else if (samples * steps > kMostPoses) {
+    problems.push_back(base::error("nav2.wrong-value",
+                                   {"sim_time", p.simTime, "short enough for so many samples"}));
   }
 }
 
@@ -96,6 +105,12 @@ DwbController::NamedCritic makeCritic(const std::string& name, const ControllerS
     problems.push_back(base::error(
         "nav2.wrong-value",
         {name + ".aggregation_type", "'" + values.aggregation + "'", "last, sum or product"}));
+  }
+  constexpr double kFarthestPoint = 1000.0;  // [m]
+  if (!(std::abs(values.forwardPointDistance) <= kFarthestPoint)) {
+    problems.push_back(base::error(
+        "nav2.wrong-value",
+        {name + ".forward_point_distance", values.forwardPointDistance, "within 1000 m"}));
   }
   return {name, type->make({values, parameters, setup.distro})};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace sim2d::nav2 {
@@ -36,8 +37,11 @@ std::vector<double> axisSamples(const VelocityAxis& axis, double v, double time,
   if (std::abs(hi - lo) >= kSampleEpsilon) {
     increment = (hi - lo) / (std::max(2, count) - 1);
   }
+  // An increment below the rounding of large velocities would never lead to the end.
+  const auto most = static_cast<std::size_t>(std::max(2, count)) + 2;
   std::vector<double> samples;
-  for (double value = lo; !(value > hi + kSampleEpsilon); value += increment) {
+  for (double value = lo; !(value > hi + kSampleEpsilon) && samples.size() < most;
+       value += increment) {
     samples.push_back(value);
     const double next = value + increment;
     if (value < 0.0 && next > 0.0 && next <= hi + kSampleEpsilon) {

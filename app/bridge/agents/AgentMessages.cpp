@@ -1,0 +1,129 @@
+#include "app/bridge/agents/AgentMessages.h"
+
+#include <cmath>
+
+#include "sim2d/base/Math.h"
+
+namespace bridge {
+namespace {
+
+constexpr double kFarthest = 1e6;  // [m]
+constexpr std::int64_t kSecond = 1000000000;
+
+bool isUsable(double value, double most) {
+  return std::isfinite(value) && std::fabs(value) <= most;
+}
+
+hunav_msgs::AgentBehavior behaviorOf(const hunav_msgs::AgentBehavior& asked,
+                                     const sim2d::ResolvedHuman& person, bool isActive) {
+  hunav_msgs::AgentBehavior behavior = asked;
+  behavior.type = static_cast<std::uint8_t>(person.behavior);
+  behavior.state = isActive ? hunav_msgs::AgentBehavior::kBehActive1
+                            : hunav_msgs::AgentBehavior::kBehNoActive;
+  behavior.duration = static_cast<float>(person.reactionDuration);
+  behavior.once = person.reactionOnce;
+  behavior.vel = static_cast<float>(person.reactionSpeed);
+  behavior.dist = static_cast<float>(person.noticeDistance);
+  behavior.socialForceFactor = static_cast<float>(person.socialFactor);
+  behavior.goalForceFactor = static_cast<float>(person.goalFactor);
+  behavior.obstacleForceFactor = static_cast<float>(person.obstacleFactor);
+  behavior.otherForceFactor = static_cast<float>(person.otherFactor);
+  return behavior;
+}
+
+}  // namespace
+
+std::string faultOf(const hunav_msgs::Agent& agent) {
+  const geometry_msgs::Twist& v = agent.velocity;
+  if (!isUsable(agent.position.position.x, kFarthest) ||
+      !isUsable(agent.position.position.y, kFarthest)) {
+    return "position is not finite or beyond 1e6 m";
+  }
+  if (!isUsable(agent.yaw, 1e5)) {
+    return "yaw is not finite or beyond 1e5 rad";
+  }
+  if (!isUsable(v.linear.x, sim2d::kFastest) || !isUsable(v.linear.y, sim2d::kFastest)) {
+    return "velocity is not finite or above 1000 m/s";
+  }
+  return {};
+}
+
+sim2d::CoupledPerson personOf(const hunav_msgs::Agent& agent) {
+  sim2d::CoupledPerson person;
+  person.id = agent.id;
+  person.pose = {{agent.position.position.x, agent.position.position.y}, double{agent.yaw}};
+  person.velocity = {agent.velocity.linear.x, agent.velocity.linear.y};
+  person.omega = std::isfinite(agent.velocity.angular.z) ? agent.velocity.angular.z : 0.0;
+  for (const geometry_msgs::Point& point : agent.closestObs) {
+    if (isUsable(point.x, kFarthest) && isUsable(point.y, kFarthest)) {
+      person.obstacles.emplace_back(point.x, point.y);
+    }
+  }
+  return person;
+}
+
+std::optional<sim2d::CoupledRobot> robotOf(const hunav_msgs::Agent& robot) {
+  if (robot.type == 0 && robot.name.empty()) {
+    return std::nullopt;
+  }
+  constexpr double kLargestRadius = 100.0;  // [m]
+  const sim2d::CoupledPerson body = personOf(robot);
+  sim2d::CoupledRobot known;
+  known.name = robot.name;
+  known.pose = body.pose;
+  known.velocity = body.velocity;
+  known.omega = body.omega;
+  if (robot.radius > 0.0F && double{robot.radius} <= kLargestRadius) {
+    known.radius = double{robot.radius};
+  }
+  return known;
+}
+
+hunav_msgs::Agent answerFor(const hunav_msgs::Agent& asked, const sim2d::CoupledWorld& world,
+                            int human) {
+  const sim2d::ResolvedHuman& person = world.view().constants(human);
+  const sim2d::Pose2 pose = world.view().pose(human);
+  const sim2d::Vec2 velocity = world.view().velocity(human);
+  hunav_msgs::Agent answer = asked;
+  answer.type = hunav_msgs::Agent::kPerson;
+  answer.position.position.x = pose.position.x();
+  answer.position.position.y = pose.position.y();
+  answer.position.orientation = quaternionOf(pose.heading);
+  answer.yaw = static_cast<float>(pose.heading);
+  answer.linearVel = static_cast<float>(velocity.norm());
+  answer.angularVel = static_cast<float>(world.omega(human));
+  answer.velocity = {};
+  answer.velocity.linear.x = velocity.x();
+  answer.velocity.linear.y = velocity.y();
+  answer.velocity.angular.z = world.omega(human);
+  answer.desiredVelocity = static_cast<float>(person.desiredSpeed);
+  answer.radius = static_cast<float>(person.radius);
+  answer.goalRadius = static_cast<float>(person.goalRadius);
+  answer.cyclicGoals = person.cyclicGoals;
+  answer.behavior = behaviorOf(asked.behavior, person, world.isActive(human));
+  answer.closestObs.clear();
+  const std::vector<sim2d::GoalItem>& goals = world.control(human).goals;
+  if (!goals.empty()) {
+    answer.goals.clear();
+  }
+  for (const sim2d::GoalItem& goal : goals) {
+    geometry_msgs::Pose& place = answer.goals.emplace_back();
+    place.position.x = goal.position.x();
+    place.position.y = goal.position.y();
+  }
+  return answer;
+}
+
+geometry_msgs::Quaternion quaternionOf(double yaw) {
+  const base::SinCos half = base::sinCos(yaw / 2.0);
+  geometry_msgs::Quaternion turn;
+  turn.z = half.sin;
+  turn.w = half.cos;
+  return turn;
+}
+
+std::int64_t nanosecondsOf(const builtin_interfaces::Time& stamp) {
+  return stamp.sec * kSecond + stamp.nanosec;
+}
+
+}  // namespace bridge

@@ -1,0 +1,213 @@
+#include "app/bridge/dds/Participant.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <fastdds/rtps/common/WriteParams.h>
+
+#include "app/bridge/dds/DdsInside.h"
+#include "app/bridge/dds/RosNames.h"
+#include "app/bridge/messages/TypeNames.h"
+
+namespace bridge {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kGraphTopic = "ros_discovery_info";
+constexpr const char* kGraphType = "rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_";
+
+class DdsPublisher : public Publisher {
+ public:
+  DdsPublisher(const DdsPtr& dds, int node, efd::DataWriter* writer) : writer_(dds, node, writer) {}
+  bool publish(const Bytes& message) override {
+    rtps::WriteParams none;
+    return writer_.write(message, none);
+  }
+  int matched() const override { return writer_.matched(); }
+
+ private:
+  OwnedWriter writer_;
+};
+
+class DdsSubscription : public Subscription, public Source {
+ public:
+  DdsSubscription(DdsPtr dds, int node, efd::DataReader* reader, Participant::Handler handler)
+      : dds_(std::move(dds)), handler_(std::move(handler)), reader_(dds_, node, reader) {
+    dds_->sources.push_back(this);
+  }
+  ~DdsSubscription() override {
+    std::vector<Source*>& all = dds_->sources;
+    all.erase(std::remove(all.begin(), all.end(), this), all.end());
+  }
+  DdsSubscription(const DdsSubscription&) = delete;
+  DdsSubscription& operator=(const DdsSubscription&) = delete;
+  DdsSubscription(DdsSubscription&&) = delete;
+  DdsSubscription& operator=(DdsSubscription&&) = delete;
+
+  int matched() const override { return reader_.matched(); }
+  bool handOutOne() override {
+    Bytes bytes;
+    efd::SampleInfo info;
+    if (!reader_.take(bytes, info)) {
+      return false;
+    }
+    handler_(bytes);
+    return true;
+  }
+
+ private:
+  DdsPtr dds_;
+  Participant::Handler handler_;
+  OwnedReader reader_;
+};
+
+class DdsParticipant : public Participant {
+ public:
+  explicit DdsParticipant(DdsPtr dds) : dds_(std::move(dds)) {}
+
+  int addNode(const std::string& space, const std::string& name) override {
+    dds_->nodes.push_back({space, name, {}, {}});
+    return static_cast<int>(dds_->nodes.size()) - 1;
+  }
+  base::Result<std::unique_ptr<Publisher>> publisher(int node, const std::string& topic,
+                                                     const std::string& type,
+                                                     const Qos& qos) override;
+  base::Result<std::unique_ptr<Subscription>> subscription(int node, const std::string& topic,
+                                                           const std::string& type, const Qos& qos,
+                                                           Handler handler) override;
+  base::Result<std::unique_ptr<Server>> server(int node, const std::string& service,
+                                               const std::string& type, const Qos& qos,
+                                               Answer answer) override;
+  base::Result<std::unique_ptr<Client>> client(int node, const std::string& service,
+                                               const std::string& type) override;
+  void announce() override;
+  bool spin(Milliseconds atMost) override;
+
+ private:
+  std::string resolved(int node, const std::string& name) const {
+    const NodeEndpoints& of = dds_->nodes[static_cast<std::size_t>(node)];
+    return resolvedName(name, of.space, of.name);
+  }
+  /// Why an endpoint could not be made.
+  base::Diagnostic refusal(const std::string& name, const std::string& ddsName,
+                           const std::string& type) const {
+    const std::string there = dds_->typeOf(ddsName);
+    return there.empty() || there == type ? base::error("ros2.endpoint-refused", {name})
+                                          : base::error("ros2.other-type", {name, there, type});
+  }
+  ServiceNames namesOf(int node, const std::string& service, const std::string& type) const;
+
+  DdsPtr dds_;
+  std::unique_ptr<OwnedWriter> graph_;
+};
+
+base::Result<std::unique_ptr<Publisher>> DdsParticipant::publisher(int node,
+                                                                   const std::string& topic,
+                                                                   const std::string& type,
+                                                                   const Qos& qos) {
+  const std::string name = resolved(node, topic);
+  const std::string mangled = ddsTypeName(type);
+  efd::DataWriter* const writer = dds_->makeWriter(ddsTopic(name), mangled, qos, {}, nullptr);
+  if (writer == nullptr) {
+    return refusal(name, ddsTopic(name), mangled);
+  }
+  return std::unique_ptr<Publisher>(std::make_unique<DdsPublisher>(dds_, node, writer));
+}
+
+base::Result<std::unique_ptr<Subscription>> DdsParticipant::subscription(int node,
+                                                                         const std::string& topic,
+                                                                         const std::string& type,
+                                                                         const Qos& qos,
+                                                                         Handler handler) {
+  const std::string name = resolved(node, topic);
+  const std::string mangled = ddsTypeName(type);
+  efd::DataReader* const reader = dds_->makeReader(ddsTopic(name), mangled, qos, {});
+  if (reader == nullptr) {
+    return refusal(name, ddsTopic(name), mangled);
+  }
+  return std::unique_ptr<Subscription>(
+      std::make_unique<DdsSubscription>(dds_, node, reader, std::move(handler)));
+}
+
+ServiceNames DdsParticipant::namesOf(int node, const std::string& service,
+                                     const std::string& type) const {
+  const std::string name = resolved(node, service);
+  return {ddsRequestTopic(name), ddsReplyTopic(name), ddsRequestType(type), ddsReplyType(type)};
+}
+
+base::Result<std::unique_ptr<Server>> DdsParticipant::server(int node, const std::string& service,
+                                                             const std::string& type,
+                                                             const Qos& qos, Answer answer) {
+  const ServiceNames names = namesOf(node, service, type);
+  std::unique_ptr<Server> made = makeServer(dds_, node, names, qos, std::move(answer));
+  if (made == nullptr) {
+    return refusal(resolved(node, service), names.requestTopic, names.requestType);
+  }
+  return made;
+}
+
+base::Result<std::unique_ptr<Client>> DdsParticipant::client(int node, const std::string& service,
+                                                             const std::string& type) {
+  const ServiceNames names = namesOf(node, service, type);
+  std::unique_ptr<Client> made = makeClient(dds_, node, names);
+  if (made == nullptr) {
+    return refusal(resolved(node, service), names.requestTopic, names.requestType);
+  }
+  return made;
+}
+
+void DdsParticipant::announce() {
+  if (graph_ == nullptr) {
+    efd::DataWriter* const writer =
+        dds_->makeWriter(kGraphTopic, kGraphType, Qos::latched(), {}, nullptr);
+    if (writer == nullptr) {
+      return;  // others still find topics and services
+    }
+    graph_ = std::make_unique<OwnedWriter>(dds_, -1, writer);
+  }
+  rtps::WriteParams none;
+  graph_->write(graphSample(dds_->guid(), dds_->nodes, dds_->settings.distro), none);
+}
+
+bool DdsParticipant::spin(Milliseconds atMost) {
+  const Clock::time_point until = Clock::now() + atMost;
+  while (true) {
+    const std::uint64_t seen = dds_->bell.count();
+    bool any = false;
+    for (std::size_t i = 0; i < dds_->sources.size(); ++i) {
+      any = dds_->sources[i]->handOutOne() || any;
+    }
+    if (any) {
+      return true;
+    }
+    if (!dds_->bell.waitBeyond(seen, until)) {
+      return false;
+    }
+  }
+}
+
+}  // namespace
+
+base::Result<std::unique_ptr<Participant>> Participant::create(const DomainSettings& settings) {
+  // DDS ends the whole program when ports would be too high.
+  const bool isPossible = settings.domain >= 0 && settings.domain <= kLastDomain;
+  DdsPtr dds = isPossible ? DdsEntities::create(settings) : nullptr;
+  if (dds == nullptr) {
+    return base::error("ros2.no-participant", {std::to_string(settings.domain)});
+  }
+  return std::unique_ptr<Participant>(std::make_unique<DdsParticipant>(std::move(dds)));
+}
+
+bool Participant::spinUntil(const std::function<bool()>& isDone, Milliseconds atMost) {
+  const Clock::time_point until = Clock::now() + atMost;
+  bool done = isDone();
+  while (!done && Clock::now() < until) {
+    spin(Milliseconds(10));
+    done = isDone();
+  }
+  return done;
+}
+
+}  // namespace bridge

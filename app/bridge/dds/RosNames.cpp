@@ -1,0 +1,39 @@
+#include "app/bridge/dds/RosNames.h"
+
+#include "app/bridge/messages/TypeNames.h"
+
+namespace bridge {
+
+std::string resolvedName(const std::string& name, const std::string& space,
+                         const std::string& node) {
+  if (!name.empty() && name.front() == '/') {
+    return name;
+  }
+  const std::string begin = space == "/" ? "/" : space + "/";
+  if (name.rfind("~/", 0) == 0) {
+    return begin + node + name.substr(1);
+  }
+  return begin + name;
+}
+
+std::string ddsTopic(const std::string& topic) {
+  return "rt" + topic;
+}
+
+std::string ddsRequestTopic(const std::string& service) {
+  return "rq" + service + "Request";
+}
+
+std::string ddsReplyTopic(const std::string& service) {
+  return "rr" + service + "Reply";
+}
+
+std::string ddsRequestType(const std::string& type) {
+  return ddsTypeName(type + "_Request");
+}
+
+std::string ddsReplyType(const std::string& type) {
+  return ddsTypeName(type + "_Response");
+}
+
+}  // namespace bridge

@@ -1,0 +1,220 @@
+#include "app/bridge/live/ClientRequest.h"
+
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+#include "app/bridge/live/LittleEndian.h"
+
+namespace live {
+
+namespace {
+
+using RequestJson = nlohmann::json;
+
+constexpr int kDeepest = 16;                // brackets within each other
+constexpr std::size_t kMostItems = 1000;    // of a list
+constexpr std::size_t kLongestName = 1000;  // [B], of what a client calls something
+
+/// Thrown by the readers below, caught where they begin.
+struct Wrong {
+  std::string why;
+};
+
+const RequestJson& at(const RequestJson& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end()) {
+    throw Wrong{std::string("'") + key + "' is missing"};
+  }
+  return *found;
+}
+
+std::uint32_t numberOf(const RequestJson& value, const char* what) {
+  if (!value.is_number_unsigned() ||
+      value.get<std::uint64_t>() > std::numeric_limits<std::uint32_t>::max()) {
+    throw Wrong{std::string("'") + what + "' wants whole numbers from 0 to 4294967295"};
+  }
+  return value.get<std::uint32_t>();
+}
+
+std::string textOf(const RequestJson& value, const char* what) {
+  if (!value.is_string() || value.get_ref<const std::string&>().size() > kLongestName) {
+    throw Wrong{std::string("'") + what + "' wants a short text"};
+  }
+  return value.get<std::string>();
+}
+
+std::string textAt(const RequestJson& object, const char* key) {
+  return textOf(at(object, key), key);
+}
+
+/// Calls read(item) for each of the list.
+template <class Read>
+auto listAt(const RequestJson& object, const char* key, Read read) {
+  const RequestJson& list = at(object, key);
+  if (!list.is_array() || list.size() > kMostItems) {
+    throw Wrong{std::string("'") + key + "' wants a list of at most 1000"};
+  }
+  std::vector<decltype(read(list))> items;
+  items.reserve(list.size());
+  for (const RequestJson& item : list) {
+    items.push_back(read(item));
+  }
+  return items;
+}
+
+std::vector<std::uint32_t> numbersAt(const RequestJson& object, const char* key) {
+  return listAt(object, key, [key](const RequestJson& item) { return numberOf(item, key); });
+}
+
+std::vector<std::string> namesAt(const RequestJson& object) {
+  return listAt(object, "parameterNames",
+                [](const RequestJson& item) { return textOf(item, "parameterNames"); });
+}
+
+std::optional<std::string> idOf(const RequestJson& object) {
+  const auto found = object.find("id");
+  return found == object.end() || found->is_null() ? std::nullopt
+                                                   : std::optional(textOf(*found, "id"));
+}
+
+const RequestJson& asObject(const RequestJson& item) {
+  if (!item.is_object()) {
+    throw Wrong{"a list wants objects"};
+  }
+  return item;
+}
+
+/// Lists and objects are no values here.
+ParameterValue valueOf(const RequestJson& value) {
+  if (value.is_boolean()) {
+    return value.get<bool>();
+  }
+  if (value.is_number_integer()) {
+    const bool isTooLarge =
+        value.is_number_unsigned() &&
+        value.get<std::uint64_t>() >
+            static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    return isTooLarge ? ParameterValue(value.get<double>())
+                      : ParameterValue(value.get<std::int64_t>());
+  }
+  if (value.is_number_float()) {
+    return value.get<double>();
+  }
+  return value.is_string() ? ParameterValue(textOf(value, "value")) : ParameterValue();
+}
+
+request::Subscribe subscribeOf(const RequestJson& object) {
+  return {listAt(object, "subscriptions", [](const RequestJson& item) {
+    return Subscription{numberOf(at(asObject(item), "id"), "id"),
+                        numberOf(at(item, "channelId"), "channelId")};
+  })};
+}
+
+request::Advertise advertiseOf(const RequestJson& object) {
+  return {listAt(object, "channels", [](const RequestJson& item) {
+    return ClientChannel{numberOf(at(asObject(item), "id"), "id"), textAt(item, "topic"),
+                         textAt(item, "encoding"), textAt(item, "schemaName")};
+  })};
+}
+
+request::SetParameters setParametersOf(const RequestJson& object) {
+  request::SetParameters set;
+  set.values = listAt(object, "parameters", [](const RequestJson& item) {
+    const auto value = asObject(item).find("value");
+    return NamedValue{textAt(item, "name"),
+                      value == item.end() ? ParameterValue() : valueOf(*value)};
+  });
+  set.id = idOf(object);
+  return set;
+}
+
+ClientRequest requestOf(const RequestJson& object) {
+  const std::string op = textAt(object, "op");
+  if (op == "subscribe") {
+    return subscribeOf(object);
+  }
+  if (op == "unsubscribe") {
+    return request::Unsubscribe{numbersAt(object, "subscriptionIds")};
+  }
+  if (op == "advertise") {
+    return advertiseOf(object);
+  }
+  if (op == "unadvertise") {
+    return request::Unadvertise{numbersAt(object, "channelIds")};
+  }
+  if (op == "getParameters") {
+    return request::GetParameters{namesAt(object), idOf(object)};
+  }
+  if (op == "setParameters") {
+    return setParametersOf(object);
+  }
+  if (op == "subscribeParameterUpdates" || op == "unsubscribeParameterUpdates") {
+    return request::WatchParameters{namesAt(object), op.front() == 's'};
+  }
+  return request::Refused{"there is no '" + op + "' here"};
+}
+
+/// Deeper ones cost more than they are worth.
+bool isFlat(std::string_view json) {
+  int depth = 0;
+  bool isText = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (isText) {
+      i += c == '\\' ? 1 : 0;
+      isText = c != '"';
+    } else if (c == '"') {
+      isText = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kDeepest) {
+        return false;
+      }
+    } else if (c == ']' || c == '}') {
+      --depth;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+ClientRequest requestOfText(std::string_view message) {
+  if (!isFlat(message)) {
+    return request::Refused{"too many brackets within each other"};
+  }
+  const RequestJson object = RequestJson::parse(message, nullptr, false);
+  if (!object.is_object()) {
+    return request::Refused{"a text message wants an object of JSON"};
+  }
+  try {
+    return requestOf(object);
+  } catch (const Wrong& wrong) {
+    return request::Refused{wrong.why};
+  }
+}
+
+ClientRequest requestOfBytes(std::string_view message) {
+  constexpr char kPublish = 1, kCall = 2;
+  if (message.empty() || (message[0] != kPublish && message[0] != kCall)) {
+    return request::Refused{"a binary message wants 1 or 2 as its first byte"};
+  }
+  const bool isCall = message[0] == kCall;
+  message.remove_prefix(1);
+  if (message.size() < (isCall ? 12U : 4U)) {
+    return request::Refused{"a binary message was cut off"};
+  }
+  const std::uint32_t first = littleEndian32(message);
+  if (!isCall) {
+    return request::Publish{first, message.substr(4)};
+  }
+  const std::uint32_t call = littleEndian32(message.substr(4));
+  const std::uint32_t length = littleEndian32(message.substr(8));
+  message.remove_prefix(12);
+  if (length > message.size()) {
+    return request::Refused{"a binary message was cut off"};
+  }
+  return request::CallService{first, call, message.substr(0, length), message.substr(length)};
+}
+
+}  // namespace live

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+/// What clients of the Foxglove WebSocket protocol, version 1, ask for, read from their messages.
+/// https://github.com/foxglove/ws-protocol, docs/spec.md.
+namespace live {
+
+/// The value of a parameter. None: it has none.
+using ParameterValue = std::variant<std::monostate, bool, std::int64_t, double, std::string>;
+
+struct Subscription {
+  std::uint32_t id = 0, channel = 0;  // the client's own number; the server's
+};
+struct ClientChannel {
+  std::uint32_t id = 0;  // the client's own number
+  std::string topic, encoding, schemaName;
+};
+struct NamedValue {
+  std::string name;
+  ParameterValue value;
+};
+
+namespace request {
+struct Subscribe {
+  std::vector<Subscription> subscriptions;
+};
+struct Unsubscribe {
+  std::vector<std::uint32_t> subscriptions;
+};
+struct Advertise {
+  std::vector<ClientChannel> channels;
+};
+struct Unadvertise {
+  std::vector<std::uint32_t> channels;
+};
+struct GetParameters {
+  std::vector<std::string> names;  // none: all
+  std::optional<std::string> id;
+};
+struct SetParameters {
+  std::vector<NamedValue> values;
+  std::optional<std::string> id;
+};
+struct WatchParameters {
+  std::vector<std::string> names;
+  bool isWatched = true;
+};
+struct Publish {
+  std::uint32_t channel = 0;  // the client's own
+  std::string_view payload;   // in the message that was read
+};
+struct CallService {
+  std::uint32_t service = 0, call = 0;
+  std::string_view encoding, payload;  // in the message that was read
+};
+/// It cannot be understood, or asks for what is not offered here.
+struct Refused {
+  std::string why;
+};
+}  // namespace request
+
+using ClientRequest =
+    std::variant<request::Subscribe, request::Unsubscribe, request::Advertise, request::Unadvertise,
+                 request::GetParameters, request::SetParameters, request::WatchParameters,
+                 request::Publish, request::CallService, request::Refused>;
+
+/// Any bytes are fine; what is no request is Refused.
+ClientRequest requestOfText(std::string_view message);
+ClientRequest requestOfBytes(std::string_view message);
+
+}  // namespace live

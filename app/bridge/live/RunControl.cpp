@@ -1,0 +1,188 @@
+#include "app/bridge/live/RunControl.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "app/bridge/live/JsonMessage.h"
+#include "app/bridge/messages/BasicMessages.h"
+#include "app/bridge/messages/Codec.h"
+#include "app/bridge/messages/Definition.h"
+#include "app/bridge/messages/GeometryMessages.h"
+
+namespace live {
+
+namespace {
+
+constexpr std::string_view kJson = "json";
+
+template <class M>
+std::optional<M> messageOf(std::string_view encoding, std::string_view payload) {
+  if (encoding == kJson) {
+    return messageOfJson<M>(payload);
+  }
+  base::Result<M> read = bridge::decode<M>(payload);
+  return read ? std::optional<M>(*std::move(read)) : std::nullopt;
+}
+
+template <class Response>
+ServiceAnswer answerOf(std::string_view encoding, bool isFine, const std::string& message) {
+  Response response;
+  response.success = isFine;
+  response.message = message;
+  return {true, encoding == kJson ? jsonOf(response) : bridge::encode(response)};
+}
+
+template <class M>
+Schema schemaOf() {
+  return {M::kType, bridge::definition<M>()};
+}
+
+template <class S>
+Service serviceOf(const char* name) {
+  Service service;
+  service.name = name;
+  service.type = S::kType;
+  service.request = schemaOf<typename S::Request>();
+  service.response = schemaOf<typename S::Response>();
+  return service;
+}
+
+std::optional<double> numberOf(const ParameterValue& value) {
+  if (const auto* const whole = std::get_if<std::int64_t>(&value)) {
+    return static_cast<double>(*whole);
+  }
+  const auto* const number = std::get_if<double>(&value);
+  return number != nullptr ? std::optional(*number) : std::nullopt;
+}
+
+}  // namespace
+
+RunControl::RunControl(app::Session& session, Facts facts, double speed,
+                       const std::vector<Driven>& robots)
+    : session_(session), facts_(std::move(facts)), robots_(robots), speed_(speed) {
+  session_.setSpeed(speed);
+  if (!robots_.empty()) {
+    session_.steer([this](const sim2d::Frame&) { return takeDriven(); });
+  }
+}
+
+RunControl::~RunControl() {
+  if (!robots_.empty()) {
+    session_.steer({});
+  }
+}
+
+void RunControl::pause(bool isPaused) {
+  isPaused_ = isPaused;
+  session_.setPaused(isPaused);
+}
+
+std::vector<Service> RunControl::services() {
+  return {pauseService(), stepService()};
+}
+
+Service RunControl::pauseService() {
+  using bridge::std_srvs::SetBool;
+  Service service = serviceOf<SetBool>("/hunavsim/pause");
+  service.call = [this](std::string_view encoding, std::string_view payload) {
+    const auto request = messageOf<SetBool::Request>(encoding, payload);
+    if (!request) {
+      return ServiceAnswer{false, "the request is no std_srvs/srv/SetBool"};
+    }
+    pause(request->data);
+    return answerOf<SetBool::Response>(encoding, true, request->data ? "paused" : "goes on");
+  };
+  return service;
+}
+
+/// The request says nothing, so nothing in it can be wrong.
+Service RunControl::stepService() {
+  using bridge::std_srvs::Trigger;
+  Service service = serviceOf<Trigger>("/hunavsim/step");
+  service.call = [this](std::string_view encoding, std::string_view) {
+    if (!isPaused_) {
+      return answerOf<Trigger::Response>(encoding, false,
+                                         "the run is not paused (/hunavsim/pause)");
+    }
+    session_.allowStep();
+    return answerOf<Trigger::Response>(encoding, true, "one step");
+  };
+  return service;
+}
+
+std::vector<Parameter> RunControl::parameters() {
+  const auto fact = [](const char* name, ParameterValue value) {
+    return Parameter{name, [value] { return value; }, nullptr};
+  };
+  return {{"/hunavsim.paused", [this] { return ParameterValue(isPaused_.load()); },
+           [this](const ParameterValue& value) { return setPaused(value); }},
+          {"/hunavsim.real_time_factor",
+           // JSON has no infinity: no value is as fast as it goes
+           [this] {
+             const double speed = speed_;
+             return std::isinf(speed) ? ParameterValue() : ParameterValue(speed);
+           },
+           [this](const ParameterValue& value) { return setSpeed(value); }},
+          fact("/hunavsim.scenario", facts_.scenario),
+          fact("/hunavsim.seed", facts_.seed),
+          fact("/hunavsim.time_step", facts_.timeStep)};
+}
+
+std::string RunControl::setPaused(const ParameterValue& value) {
+  const bool* const isPaused = std::get_if<bool>(&value);
+  if (isPaused == nullptr) {
+    return "wants true or false";
+  }
+  pause(*isPaused);
+  return {};
+}
+
+std::string RunControl::setSpeed(const ParameterValue& value) {
+  const std::optional<double> speed = numberOf(value);
+  if (!speed || !(*speed >= kSlowest && *speed <= kFastest)) {
+    return "wants a number from 0.1 to 100";
+  }
+  speed_ = *speed;
+  session_.setSpeed(*speed);
+  return {};
+}
+
+std::vector<Inlet> RunControl::inlets() {
+  std::vector<Inlet> inlets;
+  for (const Driven& robot : robots_) {
+    inlets.push_back({robot.topic, bridge::geometry_msgs::Twist::kType,
+                      [this, id = robot.id](std::string_view encoding, std::string_view payload) {
+                        return drive(id, encoding, payload);
+                      }});
+  }
+  return inlets;
+}
+
+std::string RunControl::drive(int robot, std::string_view encoding, std::string_view payload) {
+  const auto twist = messageOf<bridge::geometry_msgs::Twist>(encoding, payload);
+  if (!twist || !std::isfinite(twist->linear.x) || !std::isfinite(twist->linear.y) ||
+      !std::isfinite(twist->angular.z)) {
+    return "this is no geometry_msgs/msg/Twist of finite numbers";
+  }
+  sim2d::Input input;
+  input.kind = sim2d::InputKind::Robot;
+  input.id = robot;
+  input.velocity = {twist->linear.x, twist->linear.y};
+  input.omega = twist->angular.z;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  driven_[robot] = input;
+  return {};
+}
+
+sim2d::StepInputs RunControl::takeDriven() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  sim2d::StepInputs inputs;
+  for (const auto& [robot, input] : driven_) {
+    inputs.push_back(input);
+  }
+  driven_.clear();
+  return inputs;
+}
+
+}  // namespace live

@@ -1,0 +1,195 @@
+#include "app/bridge/nodes/AgentServer.h"
+
+#include <set>
+#include <utility>
+
+#include "app/bridge/agents/LoaderAnswers.h"
+
+namespace bridge {
+namespace {
+
+constexpr std::size_t kMostTold = 1000;  // causes
+
+const Qos kServices = Qos::keepLast(100);
+
+class DdsAgentServer final : public AgentServer {
+ public:
+  DdsAgentServer(app::Bundle bundle, ServeSettings settings,
+                 std::unique_ptr<Participant> participant, Tell tell)
+      : settings_(std::move(settings)),
+        scenario_(bundle.scenario),
+        participant_(std::move(participant)),
+        manager_(std::move(bundle)),
+        tell_(std::move(tell)) {}
+
+  /// Errors: what DDS refuses, what is wrong with the scenario.
+  base::Diagnostics start();
+  void spin(Milliseconds atMost) override {
+    participant_->spin(atMost);
+    tellRemarks();
+  }
+  std::uint64_t answered() const override { return answered_; }
+
+ private:
+  void offerManager();
+  void offerLoader();
+  void publish(const StepTopics& topics);
+  void tellOnce(const base::Diagnostic& said);
+  void tellRemarks();
+  template <class S, class Work>
+  void answer(const std::string& name, Work work) {
+    node_->serve<S>(name, kServices, [this, work](const typename S::Request& request) {
+      ++answered_;
+      typename S::Response response = work(request);
+      if (const std::optional<StepTopics> topics = manager_.takeTopics()) {
+        publish(*topics);
+      }
+      return response;
+    });
+  }
+  bool wants(const char* parameter) const {
+    const rcl_interfaces::ParameterValue* const value = node_->parameter(parameter);
+    return value != nullptr && value->boolValue;
+  }
+
+  ServeSettings settings_;
+  std::shared_ptr<const sim2d::Scenario> scenario_;
+  std::unique_ptr<Participant> participant_;
+  AgentManager manager_;
+  Tell tell_;
+  std::set<std::string> told_;
+  base::Diagnostics startProblems_;
+  bool hasStarted_ = false;
+  std::uint64_t answered_ = 0;
+  std::unique_ptr<Node> node_, sayNode_, loaderNode_;
+  TopicOf<tf2_msgs::TFMessage> transforms_;
+  TopicOf<visualization_msgs::MarkerArray> forces_;
+  TopicOf<hunav_msgs::Agents> humans_;
+  TopicOf<hunav_msgs::Agent> robot_;
+  std::optional<TopicOf<people_msgs::People>> people_;
+  TopicOf<std_msgs::String> sayings_;
+};
+
+base::Diagnostics DdsAgentServer::start() {
+  base::Diagnostics problems = manager_.prepare();
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  if (settings_.actsAsLoader) {
+    offerLoader();
+  }
+  offerManager();
+  participant_->announce();
+  hasStarted_ = true;
+  base::append(problems, startProblems_);
+  return problems;
+}
+
+void DdsAgentServer::offerManager() {
+  const auto isUsed = [](const char* name, bool value) { return parameter(name, value); };
+  node_ = std::make_unique<Node>(
+      *participant_, settings_.domain, settings_.space, "hunav_agent_manager",
+      Node::Parameters{isUsed("publish_tf", settings_.publishesTransforms),
+                       isUsed("publish_sfm_forces", settings_.publishesForces),
+                       isUsed("use_sim_time", false)},
+      [this](const base::Diagnostic& said) { tellOnce(said); });
+  sayNode_ = std::make_unique<Node>(
+      *participant_, settings_.domain, settings_.space, "agent_say_node",
+      Node::Parameters{isUsed("use_sim_time", false)},
+      [this](const base::Diagnostic& said) { tellOnce(said); });
+  transforms_ = node_->publisher<tf2_msgs::TFMessage>("/tf", Qos::transforms());
+  forces_ = node_->publisher<visualization_msgs::MarkerArray>("sfm_forces", Qos::keepLast(5));
+  humans_ = node_->publisher<hunav_msgs::Agents>("human_states", Qos::keepLast(1));
+  robot_ = node_->publisher<hunav_msgs::Agent>("robot_states", Qos::keepLast(1));
+  if (scenario_->publishPeople.value_or(true)) {
+    people_ = node_->publisher<people_msgs::People>("people", Qos::keepLast(1));
+  }
+  sayings_ = sayNode_->publisher<std_msgs::String>("agent_say", Qos::keepLast(10));
+  answer<hunav_msgs::ComputeAgents>(
+      "compute_agents", [this](const auto& request) { return manager_.compute(request); });
+  answer<hunav_msgs::ComputeAgent>(
+      "compute_agent", [this](const auto& request) { return manager_.computeOne(request); });
+  answer<hunav_msgs::MoveAgent>(
+      "move_agent", [this](const auto& request) { return manager_.moveOne(request); });
+  answer<hunav_msgs::ResetAgents>(
+      "reset_agents", [this](const auto& request) { return manager_.reset(request); });
+  if (settings_.actsAsGenerator) {
+    const long long seed = scenario_->desktop.seed.value_or(1);
+    answer<hunav_msgs::GetAgents>("get_agents", [this, seed](const auto&) {
+      return agentsAtStart(*scenario_, seed);
+    });
+  }
+}
+
+void DdsAgentServer::offerLoader() {
+  const long long seed = scenario_->desktop.seed.value_or(1);
+  Node::Parameters parameters = loaderParameters(*scenario_, seed);
+  parameters.push_back(parameter("use_sim_time", false));
+  loaderNode_ = std::make_unique<Node>(
+      *participant_, settings_.domain, "/", "hunav_loader", std::move(parameters),
+      [this](const base::Diagnostic& said) { tellOnce(said); });
+  loaderNode_->serve<hunav_msgs::GetParameters>(
+      "/get_parameters", kServices,
+      [this](const hunav_msgs::GetParameters::Request&) { return loaderSummary(*scenario_); });
+}
+
+void DdsAgentServer::publish(const StepTopics& topics) {
+  if (wants("publish_tf")) {
+    for (const tf2_msgs::TFMessage& transform : topics.transforms) {
+      transforms_.publish(transform);
+    }
+  }
+  if (wants("publish_sfm_forces")) {
+    forces_.publish(topics.forces);
+  }
+  humans_.publish(topics.humans);
+  robot_.publish(topics.robot);
+  if (people_) {
+    people_->publish(topics.people);
+  }
+  for (std::string& words : manager_.takeSayings()) {
+    sayings_.publish({std::move(words)});
+  }
+}
+
+void DdsAgentServer::tellOnce(const base::Diagnostic& said) {
+  if (told_.size() >= kMostTold || !told_.insert(said.text()).second) {
+    return;
+  }
+  if (!hasStarted_) {
+    startProblems_.push_back(said);
+    return;
+  }
+  tell_(said);
+  if (node_ != nullptr) {
+    node_->log(said.severity == base::Severity::Error ? rcl_interfaces::Log::kError
+                                                      : rcl_interfaces::Log::kWarn,
+               said.message);
+  }
+}
+
+void DdsAgentServer::tellRemarks() {
+  for (const base::Diagnostic& said : manager_.takeRemarks()) {
+    tellOnce(said);
+  }
+}
+
+}  // namespace
+
+base::Result<std::unique_ptr<AgentServer>> AgentServer::create(app::Bundle bundle,
+                                                               const ServeSettings& settings,
+                                                               Tell tell) {
+  base::Result<std::unique_ptr<Participant>> participant = Participant::create(settings.domain);
+  if (!participant) {
+    return participant.diagnostics();
+  }
+  auto server = std::make_unique<DdsAgentServer>(std::move(bundle), settings,
+                                                 *std::move(participant), std::move(tell));
+  base::Diagnostics problems = server->start();
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  return {std::unique_ptr<AgentServer>(std::move(server)), std::move(problems)};
+}
+
+}  // namespace bridge

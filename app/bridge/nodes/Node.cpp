@@ -1,0 +1,203 @@
+#include "app/bridge/nodes/Node.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace bridge {
+namespace {
+
+using rcl_interfaces::Parameter;
+using rcl_interfaces::ParameterValue;
+
+std::string causeOf(const base::Diagnostics& why) {
+  return why.empty() ? std::string() : why.front().message;
+}
+
+/// Those of the wanted that are there; nothing when one is missing, as rclcpp answers.
+template <class T, class Make>
+std::vector<T> ofAll(const std::vector<std::string>& names, const Node& node, Make make) {
+  std::vector<T> found;
+  for (const std::string& name : names) {
+    const ParameterValue* const value = node.parameter(name);
+    if (value == nullptr) {
+      return {};
+    }
+    found.push_back(make(name, *value));
+  }
+  return found;
+}
+
+/// Parts of a name behind a prefix: how deep it lies.
+bool isWithin(const std::string& rest, std::uint64_t depth) {
+  const auto dots = static_cast<std::uint64_t>(std::count(rest.begin(), rest.end(), '.'));
+  return depth == 0 || dots < depth;
+}
+
+bool isListed(const std::string& name, const rcl_interfaces::ListParameters::Request& request) {
+  if (request.prefixes.empty()) {
+    return isWithin(name, request.depth);
+  }
+  return std::any_of(request.prefixes.begin(), request.prefixes.end(),
+                     [&](const std::string& prefix) {
+                       const bool isBelow = name.rfind(prefix + ".", 0) == 0;
+                       return name == prefix ||
+                              (isBelow && isWithin(name.substr(prefix.size() + 1), request.depth));
+                     });
+}
+
+}  // namespace
+
+builtin_interfaces::Time wallTime() {
+  using std::chrono::nanoseconds;
+  constexpr std::int64_t kSecond = 1000000000;
+  const auto since = std::chrono::duration_cast<nanoseconds>(
+                         std::chrono::system_clock::now().time_since_epoch())
+                         .count();
+  return {static_cast<std::int32_t>(since / kSecond), static_cast<std::uint32_t>(since % kSecond)};
+}
+
+const char* rmwName(Rmw rmw) {
+  return rmw == Rmw::FastRtps ? "fastrtps" : "cyclonedds";
+}
+
+const char* implementationName(Rmw rmw) {
+  return rmw == Rmw::FastRtps ? "rmw_fastrtps_cpp" : "rmw_cyclonedds_cpp";
+}
+
+Node::Node(Participant& participant, const DomainSettings& settings, std::string space,
+           std::string name, Parameters parameters, Tell tell)
+    : participant_(participant),
+      rmw_(settings.rmw),
+      fullName_((space == "/" ? "/" : space + "/") + name),
+      name_(name),
+      node_(participant.addNode(space, name)),
+      parameters_(std::move(parameters)),
+      tell_(std::move(tell)),
+      log_(publisher<rcl_interfaces::Log>("/rosout", Qos::log())),
+      events_(publisher<rcl_interfaces::ParameterEvent>("/parameter_events", Qos::parameters())) {
+  serveParameters();
+}
+
+const ParameterValue* Node::parameter(const std::string& name) const {
+  const auto found = std::find_if(parameters_.begin(), parameters_.end(),
+                                  [&](const Parameter& each) { return each.name == name; });
+  return found == parameters_.end() ? nullptr : &found->value;
+}
+
+void Node::serveParameters() {
+  using namespace rcl_interfaces;  // NOLINT: their services alone
+  const Qos qos = Qos::parameters();
+  serve<GetParameters>("~/get_parameters", qos, [this](const GetParameters::Request& request) {
+    return GetParameters::Response{ofAll<ParameterValue>(
+        request.names, *this, [](const std::string&, const ParameterValue& v) { return v; })};
+  });
+  serve<GetParameterTypes>(
+      "~/get_parameter_types", qos, [this](const GetParameterTypes::Request& request) {
+        return GetParameterTypes::Response{
+            ofAll<std::uint8_t>(request.names, *this, [](const std::string&,
+                                                         const ParameterValue& v) {
+              return v.type;
+            })};
+      });
+  serve<DescribeParameters>(
+      "~/describe_parameters", qos, [this](const DescribeParameters::Request& request) {
+        return DescribeParameters::Response{ofAll<ParameterDescriptor>(
+            request.names, *this, [](const std::string& name, const ParameterValue& v) {
+              ParameterDescriptor descriptor;
+              descriptor.name = name;
+              descriptor.type = v.type;
+              return descriptor;
+            })};
+      });
+  serve<ListParameters>("~/list_parameters", qos, [this](const ListParameters::Request& request) {
+    return ListParameters::Response{list(request)};
+  });
+  serve<SetParameters>("~/set_parameters", qos, [this](const SetParameters::Request& request) {
+    SetParameters::Response response;
+    for (const Parameter& wanted : request.parameters) {
+      response.results.push_back(set({wanted}));
+    }
+    return response;
+  });
+  serve<SetParametersAtomically>("~/set_parameters_atomically", qos,
+                                 [this](const SetParametersAtomically::Request& request) {
+                                   return SetParametersAtomically::Response{
+                                       set(request.parameters)};
+                                 });
+}
+
+std::string Node::whyNot(const Parameter& wanted) const {
+  const ParameterValue* const value = parameter(wanted.name);
+  if (value == nullptr) {
+    return "there is no parameter " + wanted.name;
+  }
+  return value->type == wanted.value.type ? std::string() : wanted.name + " has another type";
+}
+
+/// All of them or none.
+rcl_interfaces::SetParametersResult Node::set(const Parameters& wanted) {
+  rcl_interfaces::SetParametersResult result;
+  for (const Parameter& each : wanted) {
+    result.reason = whyNot(each);
+    if (!result.reason.empty()) {
+      return result;
+    }
+  }
+  for (const Parameter& each : wanted) {
+    std::find_if(parameters_.begin(), parameters_.end(), [&](const Parameter& known) {
+      return known.name == each.name;
+    })->value = each.value;
+  }
+  result.successful = true;
+  rcl_interfaces::ParameterEvent event;
+  event.stamp = wallTime();
+  event.node = fullName_;
+  event.changedParameters = wanted;
+  events_.publish(event);
+  return result;
+}
+
+rcl_interfaces::ListParametersResult Node::list(
+    const rcl_interfaces::ListParameters::Request& request) const {
+  rcl_interfaces::ListParametersResult result;
+  for (const Parameter& each : parameters_) {
+    if (!isListed(each.name, request)) {
+      continue;
+    }
+    result.names.push_back(each.name);
+    const std::size_t dot = each.name.rfind('.');
+    const std::string prefix = dot == std::string::npos ? "" : each.name.substr(0, dot);
+    const bool isNew = std::find(result.prefixes.begin(), result.prefixes.end(), prefix) ==
+                       result.prefixes.end();
+    if (!prefix.empty() && isNew) {
+      result.prefixes.push_back(prefix);
+    }
+  }
+  return result;
+}
+
+void Node::log(std::uint8_t level, const std::string& text) {
+  rcl_interfaces::Log entry;
+  entry.stamp = wallTime();
+  entry.level = level;
+  entry.name = name_;
+  entry.msg = text;
+  log_.publish(entry);
+}
+
+void Node::tellBadMessage(const std::string& topic, const base::Diagnostics& why) {
+  tell_(base::problem(base::Severity::Warning, "ros2.bad-message", {topic, causeOf(why)}));
+}
+
+void Node::tellBadRequest(const std::string& service, const ServiceRequest& asked,
+                          const base::Diagnostics& why) {
+  if (asked.writtenFor != rmw_) {
+    tell_(base::problem(
+        base::Severity::Warning, "ros2.other-rmw",
+        {service, rmwName(asked.writtenFor), rmwName(rmw_), implementationName(rmw_)}));
+    return;
+  }
+  tell_(base::problem(base::Severity::Warning, "ros2.other-version", {service, causeOf(why)}));
+}
+
+}  // namespace bridge

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "app/bridge/nodes/Node.h"
+#include "app/bridge/topics/RunTopics.h"
+#include "sim2d/trace/Inputs.h"
+
+namespace bridge {
+
+struct RunNodeSettings {
+  DomainSettings domain;
+  bool stampedCommands = false;  // /cmd_vel is TwistStamped: the default from Kilted on
+  bool lockstep = false;         // a step waits for the command that follows on its state
+};
+
+/// A run as the node `hunavsim`: it publishes what `RunTopics` tells and takes /cmd_vel for its
+/// first robot. One thread: the one that runs.
+class RunNode {
+ public:
+  using Tell = std::function<void(const base::Diagnostic&)>;
+
+  static base::Result<std::unique_ptr<RunNode>> create(const sim2d::TraceHeader& header,
+                                                       const RunTopicsOptions& options,
+                                                       const RunNodeSettings& settings, Tell tell);
+  virtual ~RunNode() = default;
+  /// Each state, before the next step.
+  virtual void tell(const sim2d::Frame& frame) = 0;
+  /// Then: the newest command since the last call, as an input of the step; none: no input. With
+  /// lockstep it waits 200 ms at most, once commands have begun to come.
+  virtual sim2d::StepInputs inputs(const sim2d::Frame& frame) = 0;
+  virtual std::uint64_t commands() const = 0;  // so far
+};
+
+}  // namespace bridge

@@ -1,0 +1,252 @@
+#include "app/bridge/topics/RunMessages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bridge {
+namespace {
+
+constexpr std::int64_t kNanoseconds = 1000000000;
+
+float floatOf(double value) {
+  return static_cast<float>(value);
+}
+
+/// A resolved number of a person; 0 when the record does not have it.
+double parameterOf(const sim2d::TraceHuman& human, const char* key) {
+  for (const auto& [name, value] : human.parameters) {
+    if (name == key) {
+      return value;
+    }
+  }
+  return 0.0;
+}
+
+std::size_t placeOf(const std::vector<sim2d::TraceGoal>& goals, int current) {
+  const auto found = std::find_if(goals.begin(), goals.end(),
+                                  [current](const auto& goal) { return goal.id == current; });
+  return static_cast<std::size_t>(found - goals.begin());
+}
+
+/// From the current one on; around when they are walked for ever.
+std::vector<geometry_msgs::Pose> goalsFrom(const std::vector<sim2d::TraceGoal>& goals, int current,
+                                           bool isCyclic) {
+  std::vector<geometry_msgs::Pose> poses;
+  const std::size_t first = placeOf(goals, current);
+  for (std::size_t k = first; k < goals.size(); ++k) {
+    poses.push_back(poseOf(goals[k].position));
+  }
+  for (std::size_t k = 0; isCyclic && first < goals.size() && k < first; ++k) {
+    poses.push_back(poseOf(goals[k].position));
+  }
+  return poses;
+}
+
+void setMotion(const sim2d::BodyColumns& bodies, std::size_t at, hunav_msgs::Agent& agent) {
+  agent.position = poseOf(poseIn(bodies, at));
+  agent.yaw = floatOf(bodies.heading[at]);
+  agent.velocity.linear.x = bodies.vx[at];
+  agent.velocity.linear.y = bodies.vy[at];
+  agent.velocity.angular.z = bodies.omega[at];
+  agent.linearVel = floatOf(std::hypot(bodies.vx[at], bodies.vy[at]));
+  agent.angularVel = floatOf(bodies.omega[at]);
+}
+
+hunav_msgs::AgentBehavior behaviorOf(const sim2d::TraceHuman& human, std::uint8_t state) {
+  hunav_msgs::AgentBehavior behavior;
+  behavior.type = static_cast<std::uint8_t>(human.behavior);
+  behavior.state = state;
+  behavior.configuration = static_cast<std::uint8_t>(human.configuration);
+  behavior.duration = floatOf(parameterOf(human, "duration"));
+  behavior.once = parameterOf(human, "once") != 0.0;
+  behavior.vel = floatOf(parameterOf(human, "vel"));
+  behavior.dist = floatOf(parameterOf(human, "dist"));
+  behavior.socialForceFactor = floatOf(parameterOf(human, "social_force_factor"));
+  behavior.goalForceFactor = floatOf(parameterOf(human, "goal_force_factor"));
+  behavior.obstacleForceFactor = floatOf(parameterOf(human, "obstacle_force_factor"));
+  behavior.otherForceFactor = floatOf(parameterOf(human, "other_force_factor"));
+  return behavior;
+}
+
+hunav_msgs::Agent agentOf(const sim2d::TraceHeader& header, const sim2d::HumanColumns& humans,
+                          std::size_t at) {
+  hunav_msgs::Agent agent;
+  agent.id = humans.id[at];
+  agent.type = hunav_msgs::Agent::kPerson;
+  agent.groupId = static_cast<std::int8_t>(std::clamp(humans.group[at], -1, 127));
+  setMotion(humans, at, agent);
+  if (const sim2d::TraceHuman* const human = header.human(humans.id[at])) {
+    agent.name = human->name;
+    agent.desiredVelocity = floatOf(human->desiredSpeed);
+    agent.radius = floatOf(human->radius);
+    agent.behavior = behaviorOf(*human, humans.state[at]);
+    agent.goals = goalsFrom(human->goals, humans.goal[at], human->cyclicGoals);
+    agent.cyclicGoals = human->cyclicGoals;
+    agent.goalRadius = human->goals.empty() ? floatOf(parameterOf(*human, "goal_radius"))
+                                            : floatOf(human->goals.front().radius);
+  }
+  return agent;
+}
+
+const sim2d::TraceRobot* robotIn(const sim2d::TraceHeader& header, int id) {
+  const auto found = std::find_if(header.robots.begin(), header.robots.end(),
+                                  [id](const sim2d::TraceRobot& each) { return each.id == id; });
+  return found == header.robots.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::int64_t nanosecondsOf(double seconds) {
+  return std::llround(seconds * static_cast<double>(kNanoseconds));
+}
+
+builtin_interfaces::Time stampOf(double seconds) {
+  const std::int64_t all = nanosecondsOf(seconds);
+  const std::int64_t whole = all / kNanoseconds - (all % kNanoseconds < 0 ? 1 : 0);
+  return {static_cast<std::int32_t>(whole), static_cast<std::uint32_t>(all - whole * kNanoseconds)};
+}
+
+double secondsOf(const builtin_interfaces::Time& stamp) {
+  return static_cast<double>(stamp.sec) +
+         static_cast<double>(stamp.nanosec) / static_cast<double>(kNanoseconds);
+}
+
+std_msgs::Header headerOf(double seconds, const std::string& frame) {
+  return {stampOf(seconds), frame};
+}
+
+geometry_msgs::Quaternion turnOf(double heading) {
+  return {0.0, 0.0, std::sin(heading / 2.0), std::cos(heading / 2.0)};
+}
+
+double headingOf(const geometry_msgs::Quaternion& q) {
+  return std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+}
+
+geometry_msgs::Pose poseOf(const base::Pose2& pose) {
+  return {{pose.position.x(), pose.position.y(), 0.0}, turnOf(pose.heading)};
+}
+
+geometry_msgs::Pose poseOf(const base::Vec2& point) {
+  return {{point.x(), point.y(), 0.0}, {}};
+}
+
+geometry_msgs::Transform transformOf(const base::Pose2& pose) {
+  return {{pose.position.x(), pose.position.y(), 0.0}, turnOf(pose.heading)};
+}
+
+base::Pose2 poseIn(const sim2d::BodyColumns& bodies, std::size_t at) {
+  return {{bodies.x[at], bodies.y[at]}, bodies.heading[at]};
+}
+
+hunav_msgs::Agents agentsOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
+  hunav_msgs::Agents all;
+  all.header = headerOf(frame.time);
+  for (std::size_t k = 0; k < frame.humans.size(); ++k) {
+    all.agents.push_back(agentOf(header, frame.humans, k));
+  }
+  return all;
+}
+
+hunav_msgs::Agent robotOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
+                          std::size_t robot) {
+  hunav_msgs::Agent agent;
+  agent.id = frame.robots.id[robot];
+  agent.type = hunav_msgs::Agent::kRobot;
+  agent.groupId = -1;
+  agent.behavior.type = hunav_msgs::AgentBehavior::kBehRegular;
+  setMotion(frame.robots, robot, agent);
+  if (const sim2d::TraceRobot* const known = robotIn(header, frame.robots.id[robot])) {
+    agent.name = known->name;
+    agent.radius = floatOf(known->radius);
+    agent.desiredVelocity = floatOf(known->maxVel);
+    agent.goals = goalsFrom(known->goals, frame.robots.goal[robot], false);
+    agent.goalRadius = known->goals.empty() ? 0.0F : floatOf(known->goals.front().radius);
+  }
+  return agent;
+}
+
+people_msgs::People peopleOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
+  people_msgs::People all;
+  all.header = headerOf(frame.time);
+  const sim2d::HumanColumns& humans = frame.humans;
+  for (std::size_t k = 0; k < humans.size(); ++k) {
+    const sim2d::TraceHuman* const human = header.human(humans.id[k]);
+    people_msgs::Person person;
+    person.name = human != nullptr ? human->name : std::to_string(humans.id[k]);
+    person.position = {humans.x[k], humans.y[k], humans.heading[k]};
+    person.velocity = {humans.vx[k], humans.vy[k], humans.omega[k]};
+    person.reliability = 1.0;
+    person.tagnames = {"id", "group_id", "behavior"};
+    person.tags = {std::to_string(humans.id[k]), std::to_string(humans.group[k]),
+                   std::to_string(human != nullptr ? human->behavior : 0)};
+    all.people.push_back(std::move(person));
+  }
+  return all;
+}
+
+nav_msgs::Odometry odometryOf(const sim2d::Frame& frame, std::size_t robot,
+                              const base::Pose2& believed, const std::string& odometryFrame,
+                              const std::string& robotFrame) {
+  nav_msgs::Odometry odometry;
+  odometry.header = headerOf(frame.time, odometryFrame);
+  odometry.childFrameId = robotFrame;
+  odometry.pose.pose = poseOf(believed);
+  const base::Vec2 ahead = base::directionOf(frame.robots.heading[robot]);
+  const base::Vec2 velocity(frame.robots.vx[robot], frame.robots.vy[robot]);
+  odometry.twist.twist.linear.x = ahead.dot(velocity);
+  odometry.twist.twist.linear.y = base::cross(ahead, velocity);
+  odometry.twist.twist.angular.z = frame.robots.omega[robot];
+  return odometry;
+}
+
+sensor_msgs::LaserScan scanOf(const sim2d::RobotSenses::Scan& scan, double period,
+                              const std::string& sensorFrame) {
+  sensor_msgs::LaserScan message;
+  message.header = headerOf(scan.time, sensorFrame);
+  const std::size_t beams = scan.distances.size();
+  const double span = beams > 0 ? static_cast<double>(beams - 1) * scan.perBeam : 0.0;
+  message.angleMin = floatOf(scan.angleMin);
+  message.angleMax = floatOf(scan.angleMin + span);
+  message.angleIncrement = floatOf(scan.perBeam);
+  message.scanTime = floatOf(period);
+  message.rangeMin = 0.0F;
+  message.rangeMax = floatOf(scan.range);
+  message.ranges.reserve(beams);
+  for (const double distance : scan.distances) {
+    message.ranges.push_back(distance < scan.range ? floatOf(distance)
+                                                   : std::numeric_limits<float>::infinity());
+  }
+  return message;
+}
+
+nav_msgs::OccupancyGrid mapOf(const sim2d::OccupancyGrid& grid) {
+  nav_msgs::OccupancyGrid map;
+  map.header = headerOf(0.0);
+  map.info.resolution = floatOf(grid.resolution());
+  map.info.width = static_cast<std::uint32_t>(grid.width());
+  map.info.height = static_cast<std::uint32_t>(grid.height());
+  map.info.origin = poseOf(grid.origin());
+  if (!grid.isEmpty()) {
+    map.data = grid.cells();
+  }
+  return map;
+}
+
+nav_msgs::Path pathOf(const std::vector<base::Vec2>& points, double seconds) {
+  nav_msgs::Path path;
+  path.header = headerOf(seconds);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::size_t to = std::min(k + 1, points.size() - 1);
+    const base::Vec2 way = k < to ? points[to] - points[k] : points[k] - points[k > 0 ? k - 1 : k];
+    path.poses.push_back({path.header, poseOf(base::Pose2{points[k], base::headingOf(way)})});
+  }
+  return path;
+}
+
+geometry_msgs::PoseStamped goalOf(const base::Vec2& goal, double seconds) {
+  return {headerOf(seconds), poseOf(goal)};
+}
+
+}  // namespace bridge

@@ -1,0 +1,264 @@
+#include "app/bridge/topics/RunTopics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/bridge/messages/Codec.h"
+#include "app/bridge/topics/RunMarkers.h"
+#include "app/bridge/topics/RunMessages.h"
+#include "sim2d/scenario/Defaults.h"
+
+namespace bridge {
+namespace {
+
+constexpr const char* kOdometry = "odom";
+constexpr const char* kFootprint = "base_footprint";
+constexpr const char* kBase = "base_link";
+constexpr const char* kSensor = "base_scan";
+constexpr double kUsualRate = 10.0;  // [Hz] of a lidar
+constexpr int kDepthOfTf = 100;
+constexpr int kDepthOfStates = 1;  // as HuNavSim has them
+
+template <class M>
+Topic topic(std::string name, int depth = 10) {
+  return {std::move(name), M::kType, false, depth};
+}
+
+template <class M>
+Topic latchedTopic(std::string name) {
+  return {std::move(name), M::kType, true, 1};
+}
+
+geometry_msgs::TransformStamped transform(double seconds, const std::string& parent,
+                                          const std::string& child, const base::Pose2& pose) {
+  return {headerOf(seconds, parent), child, transformOf(pose)};
+}
+
+/// The frame in which a body that is at `inFrame` is at `inWorld`.
+base::Pose2 frameOf(const base::Pose2& inWorld, const base::Pose2& inFrame) {
+  if (inWorld == inFrame) {
+    return {};
+  }
+  base::Pose2 frame{base::Vec2::Zero(), base::angleDiff(inWorld.heading, inFrame.heading)};
+  frame.position = inWorld.position - frame.toWorld(inFrame.position);
+  return frame;
+}
+
+/// The goal of that id; none: there is none now.
+const sim2d::TraceGoal* goalIn(const std::vector<sim2d::TraceGoal>& goals, int id) {
+  const auto found = std::find_if(goals.begin(), goals.end(),
+                                  [id](const sim2d::TraceGoal& goal) { return goal.id == id; });
+  return found == goals.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+/// One frame on its way.
+struct RunTopics::Telling {
+  const sim2d::Frame& frame;
+  const Send& send;
+  const Wants& wants;
+
+  template <class Make>
+  void tell(std::size_t topic, const Make& make) const {
+    if (!wants || wants(topic)) {
+      send(topic, encode(make()));
+    }
+  }
+};
+
+RunTopicsOptions lidarsOf(const sim2d::Scenario& scenario) {
+  RunTopicsOptions options;
+  int id = -1;
+  sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
+    const sim2d::LidarParameters lidar = sim2d::resolveRobot(scenario, robot, id).lidar;
+    options.lidarMounts.emplace_back(lidar.mount);
+    options.lidarRates.push_back(lidar.rate);
+    --id;
+  });
+  return options;
+}
+
+RunTopics::RunTopics(sim2d::TraceHeader header, RunTopicsOptions options)
+    : header_(std::move(header)), options_(std::move(options)) {
+  addTopics();
+  latched_.resize(topics_.size());
+  unstamped_.resize(topics_.size());
+}
+
+void RunTopics::addTopics() {
+  topics_.resize(CommonCount);
+  topics_[Clock] = topic<rosgraph_msgs::Clock>("/clock");
+  topics_[Tf] = topic<tf2_msgs::TFMessage>("/tf", kDepthOfTf);
+  topics_[TfStatic] = latchedTopic<tf2_msgs::TFMessage>("/tf_static");
+  topics_[Map] = latchedTopic<nav_msgs::OccupancyGrid>("/map");
+  topics_[Obstacles] = latchedTopic<visualization_msgs::MarkerArray>("/obstacles");
+  topics_[Markers] = topic<visualization_msgs::MarkerArray>("/markers");
+  topics_[HumanStates] = topic<hunav_msgs::Agents>("/human_states", kDepthOfStates);
+  topics_[People] = topic<people_msgs::People>("/people", kDepthOfStates);
+  for (std::size_t k = 0; k < header_.robots.size(); ++k) {
+    const std::string name = k == 0 ? "" : header_.robots[k].name;
+    Robot& robot = robots_.emplace_back();
+    robot.prefix = name.empty() ? "" : "/" + name;
+    robot.frames = name.empty() ? "" : name + "/";
+    topics_.push_back(topic<hunav_msgs::Agent>(robot.prefix + "/robot_states", kDepthOfStates));
+    topics_.push_back(topic<nav_msgs::Odometry>(robot.prefix + "/odom"));
+    topics_.push_back(topic<sensor_msgs::LaserScan>(robot.prefix + "/scan"));
+    topics_.push_back(latchedTopic<nav_msgs::Path>(robot.prefix + "/plan"));
+    topics_.push_back(latchedTopic<geometry_msgs::PoseStamped>(robot.prefix + "/goal_pose"));
+  }
+}
+
+template <class Make>
+void RunTopics::latch(const Telling& telling, std::size_t topic, const Make& make) {
+  std::string unstamped = encode(make(0.0));
+  if (unstamped == unstamped_[topic]) {
+    return;
+  }
+  unstamped_[topic] = std::move(unstamped);
+  latched_[topic] = encode(make(telling.frame.time));
+  if (!telling.wants || telling.wants(topic)) {
+    telling.send(topic, latched_[topic]);
+  }
+}
+
+std::optional<base::Pose2> RunTopics::mountOf(std::size_t robot) const {
+  return robot < options_.lidarMounts.size() ? options_.lidarMounts[robot] : std::nullopt;
+}
+
+void RunTopics::tell(const sim2d::Frame& frame, const Send& send, const Wants& wants) {
+  const Telling telling{frame, send, wants};
+  if (options_.clock) {
+    telling.tell(Clock, [&] { return rosgraph_msgs::Clock{stampOf(frame.time)}; });
+  }
+  tellFixedTransforms(telling);
+  tellTransforms(telling);
+  tellSurroundings(telling);
+  for (std::size_t k = 0; k < robots_.size() && k < frame.robots.size(); ++k) {
+    tellRobot(telling, k);
+  }
+  tellPeople(telling);
+}
+
+/// Where the robot believes to be: the truth without senses.
+base::Pose2 RunTopics::believedBy(const sim2d::Frame& frame, std::size_t robot) {
+  return frame.senses != nullptr && robot < frame.senses->size() ? (*frame.senses)[robot].believed
+                                                                 : poseIn(frame.robots, robot);
+}
+
+void RunTopics::tellFixedTransforms(const Telling& telling) {
+  if (robots_.empty() || !latched_[TfStatic].empty()) {
+    return;
+  }
+  latch(telling, TfStatic, [&](double seconds) {
+    tf2_msgs::TFMessage all;
+    for (std::size_t k = 0; k < robots_.size(); ++k) {
+      const std::string& frames = robots_[k].frames;
+      all.transforms.push_back(transform(seconds, frames + kFootprint, frames + kBase, {}));
+      if (const std::optional<base::Pose2> mount = mountOf(k)) {
+        all.transforms.push_back(transform(seconds, frames + kBase, frames + kSensor, *mount));
+      }
+    }
+    return all;
+  });
+}
+
+void RunTopics::tellTransforms(const Telling& telling) {
+  const sim2d::Frame& frame = telling.frame;
+  telling.tell(Tf, [&] {
+    tf2_msgs::TFMessage all;
+    for (std::size_t k = 0; k < robots_.size() && k < frame.robots.size(); ++k) {
+      const base::Pose2 believed = believedBy(frame, k);
+      const std::string odometry = robots_[k].frames + kOdometry;
+      all.transforms.push_back(
+          transform(frame.time, kMapFrame, odometry, frameOf(poseIn(frame.robots, k), believed)));
+      all.transforms.push_back(
+          transform(frame.time, odometry, robots_[k].frames + kFootprint, believed));
+    }
+    for (std::size_t k = 0; k < frame.humans.size(); ++k) {
+      const sim2d::TraceHuman* const human = header_.human(frame.humans.id[k]);
+      all.transforms.push_back(
+          transform(frame.time, kMapFrame,
+                    human != nullptr ? human->name : "agent" + std::to_string(frame.humans.id[k]),
+                    poseIn(frame.humans, k)));
+    }
+    return all;
+  });
+}
+
+void RunTopics::tellSurroundings(const Telling& telling) {
+  if (latched_[Map].empty() && !header_.map.isEmpty()) {
+    latch(telling, Map, [&](double /*seconds*/) { return mapOf(header_.map); });
+  }
+  if (latched_[Obstacles].empty() || doors_ != telling.frame.doorOpen) {
+    doors_ = telling.frame.doorOpen;
+    latch(telling, Obstacles,
+          [&](double seconds) { return obstacleMarkersOf(header_, telling.frame, seconds); });
+  }
+}
+
+void RunTopics::tellPeople(const Telling& telling) {
+  const sim2d::Frame& frame = telling.frame;
+  telling.tell(Markers, [&] { return bodyMarkersOf(header_, frame); });
+  telling.tell(HumanStates, [&] { return agentsOf(header_, frame); });
+  telling.tell(People, [&] { return peopleOf(header_, frame); });
+}
+
+void RunTopics::tellRobot(const Telling& telling, std::size_t robot) {
+  const sim2d::Frame& frame = telling.frame;
+  const std::string& frames = robots_[robot].frames;
+  telling.tell(topicOf(robot, RobotStates), [&] { return robotOf(header_, frame, robot); });
+  telling.tell(topicOf(robot, Odometry), [&] {
+    return odometryOf(frame, robot, believedBy(frame, robot), frames + kOdometry,
+                      frames + kFootprint);
+  });
+  tellScan(telling, robot);
+  tellWay(telling, robot);
+}
+
+/// The last turn of its lidar in this frame: seen, or else recorded.
+const sim2d::RobotSenses::Scan* RunTopics::scanIn(const sim2d::Frame& frame, std::size_t robot) {
+  if (frame.senses != nullptr && robot < frame.senses->size() && (*frame.senses)[robot].scan) {
+    return &*(*frame.senses)[robot].scan;
+  }
+  const auto found = std::find_if(
+      frame.scans.rbegin(), frame.scans.rend(),
+      [&](const sim2d::RecordedScan& each) { return each.robot == frame.robots.id[robot]; });
+  return found == frame.scans.rend() ? nullptr : &found->scan;
+}
+
+void RunTopics::tellScan(const Telling& telling, std::size_t robot) {
+  const sim2d::RobotSenses::Scan* const scan = scanIn(telling.frame, robot);
+  if (scan == nullptr || robots_[robot].scanned == scan->time) {
+    return;
+  }
+  robots_[robot].scanned = scan->time;
+  const std::string& frames = robots_[robot].frames;
+  if (!mountOf(robot)) {
+    telling.tell(Tf, [&] {
+      return tf2_msgs::TFMessage{
+          {transform(scan->time, frames + kOdometry, frames + kSensor, scan->sensor)}};
+    });
+  }
+  const double rate = robot < options_.lidarRates.size() ? options_.lidarRates[robot] : kUsualRate;
+  telling.tell(topicOf(robot, Scan), [&] { return scanOf(*scan, 1.0 / rate, frames + kSensor); });
+}
+
+void RunTopics::tellWay(const Telling& telling, std::size_t robot) {
+  const sim2d::Frame& frame = telling.frame;
+  static const std::vector<base::Vec2> kNone;
+  const std::vector<base::Vec2>& path =
+      robot < frame.robotPaths.size() ? frame.robotPaths[robot] : kNone;
+  const std::size_t plan = topicOf(robot, Plan);
+  if (!path.empty() || !latched_[plan].empty()) {
+    latch(telling, plan, [&](double seconds) { return pathOf(path, seconds); });
+  }
+  const sim2d::TraceGoal* const goal =
+      goalIn(header_.robots[robot].goals, frame.robots.goal[robot]);
+  if (goal != nullptr) {
+    latch(telling, topicOf(robot, GoalPose),
+          [&](double seconds) { return goalOf(goal->position, seconds); });
+  }
+}
+
+}  // namespace bridge

@@ -1,0 +1,64 @@
+#include "app/cli/RunOnRos2.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/CommandRegistry.h"
+#include "app/cli/Console.h"
+#ifdef HUNAV_ROS2
+#include "app/bridge/nodes/RunNode.h"
+#endif
+
+namespace app {
+
+void addRunOnRos2Options(CLI::App& command, RunOnRos2Words& words) {
+  addRos2Options(command, words.ros2,
+                 "Tell the run on topics of ROS 2 in real time; /cmd_vel drives the first robot");
+  command.add_flag("--lockstep", words.lockstep,
+                   "With --ros2: each step waits for the next /cmd_vel, 0.2 s at most");
+  command.add_flag("--stamped", words.stamped,
+                   "With --ros2: /cmd_vel is TwistStamped, as from Kilted on");
+}
+
+#ifdef HUNAV_ROS2
+namespace {
+
+class TopicsOfRun final : public RunOnRos2 {
+ public:
+  explicit TopicsOfRun(std::unique_ptr<bridge::RunNode> node) : node_(std::move(node)) {}
+  void tell(const sim2d::Frame& frame) override { node_->tell(frame); }
+
+ private:
+  std::unique_ptr<bridge::RunNode> node_;
+};
+
+}  // namespace
+
+std::unique_ptr<RunOnRos2> RunOnRos2::open(const RunOnRos2Words& words,
+                                           const sim2d::Scenario& scenario, sim2d::World& world,
+                                           Session& session) {
+  if (!words.ros2.ros2) {
+    return nullptr;
+  }
+  const base::Result<bridge::DomainSettings> domain = domainSettingsOf(words.ros2);
+  requireFine(domain.diagnostics());
+  base::Result<std::unique_ptr<bridge::RunNode>> node = bridge::RunNode::create(
+      world.header(), bridge::lidarsOf(scenario), {*domain, words.stamped, words.lockstep},
+      [](const base::Diagnostic& said) { printDiagnostics({said}); });
+  requireFine(node.diagnostics());
+  world.tellSenses(true);
+  session.setSpeed(1.0);
+  session.steer([&to = **node](const sim2d::Frame& frame) { return to.inputs(frame); });
+  return std::make_unique<TopicsOfRun>(*std::move(node));
+}
+#else
+std::unique_ptr<RunOnRos2> RunOnRos2::open(const RunOnRos2Words& words,
+                                           const sim2d::Scenario& /*scenario*/,
+                                           sim2d::World& /*world*/, Session& /*session*/) {
+  if (words.ros2.ros2) {
+    requireFine(domainSettingsOf(words.ros2).diagnostics());
+  }
+  return nullptr;
+}
+#endif
+
+}  // namespace app

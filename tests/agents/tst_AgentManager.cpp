@@ -1,0 +1,462 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <QtTest>
+
+#include "app/bridge/agents/AgentMessages.h"
+#include "app/bridge/messages/Codec.h"
+#include "tests/agents/Caller.h"
+
+using namespace agentstest;
+
+/// Requests and responses of the agent manager, with numbers by hand.
+class AgentManagerTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void prepare_soundScenario_hasNoErrors();
+  void compute_first_answersTheStatesThatCame();
+  void compute_second_isTheStepByHand();
+  void compute_answer_tellsWhatWrappersRead();
+  void compute_topics_areTheRequest();
+  void compute_forces_areMarkersByHand();
+  void compute_noAgentsFirst_beginsWithTheFirstOnes();
+  void compute_timeStandsRunsBackOrLeaps_nobodyMoves();
+  void compute_stepOfASecond_isCut();
+  void compute_badNumbers_keepTheStateBefore_data();
+  void compute_badNumbers_keepTheStateBefore();
+  void compute_robotComesAndGoes_isToldOnce();
+  void compute_stranger_getsATree();
+  void compute_strangerLater_isServedToo();
+  void compute_idTwiceOrNegative_isTold();
+  void compute_goalsOfTheFirstRequest_count();
+  void compute_goalsRunOut_theLastOnesStay();
+  void move_onlyOne_movesWithItsOwnClock();
+  void computeOne_answersTheLastStep();
+  void computeOne_unknown_isEmpty();
+  void computeOne_hunav2_ticksOnceMore();
+  void reset_beginsAnew();
+  void reset_hunav2_takesPlacesAlone();
+  void everyAnswer_canBeEncoded();
+};
+
+namespace {
+
+constexpr double kDt = 0.05;
+
+struct Loop {  // of one caller
+  AgentManager manager;
+  std::vector<Agent> agents;
+  double time = 100.0;
+
+  Loop(sim2d::Scenario scenario, const std::string& compat, std::vector<Agent> first)
+      : manager(bundleOf(std::move(scenario), compat)), agents(std::move(first)) {}
+  hunav_msgs::ComputeAgents::Response call(double dt, const Agent& robot = {}) {
+    time += dt;
+    hunav_msgs::ComputeAgents::Request request = requestOf(agents, time);
+    request.robot = robot;
+    hunav_msgs::ComputeAgents::Response response = manager.compute(request);
+    agents = response.updatedAgents.agents;
+    return response;
+  }
+};
+
+double xOf(const Agent& agent) {
+  return agent.position.position.x;
+}
+
+}  // namespace
+
+void AgentManagerTest::prepare_soundScenario_hasNoErrors() {
+  AgentManager manager(bundleOf(oneWalker()));
+  QVERIFY(!base::hasErrors(manager.prepare()));
+  AgentManager nobody(bundleOf(sim2d::Scenario()));
+  nobody.prepare();  // people may come with the requests
+  AgentManager broken(bundleOf([] {
+    sim2d::Scenario scenario = oneWalker();
+    scenario.humans[0].goals = {99};
+    return scenario;
+  }()));
+  QVERIFY(base::hasErrors(broken.prepare()));
+}
+
+void AgentManagerTest::compute_first_answersTheStatesThatCame() {
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.5, -2.0)});
+  loop.agents[0].yaw = 0.25F;
+  loop.agents[0].velocity.linear.x = 0.75;
+  const Agents answer = loop.call(0.0).updatedAgents;
+  QCOMPARE(answer.header.frameId, std::string("map"));
+  QCOMPARE(answer.header.stamp.sec, 100);
+  QCOMPARE(answer.agents.size(), std::size_t{1});
+  QCOMPARE(xOf(answer.agents[0]), 0.5);
+  QCOMPARE(answer.agents[0].position.position.y, -2.0);
+  QCOMPARE(answer.agents[0].yaw, 0.25F);
+  QCOMPARE(answer.agents[0].velocity.linear.x, 0.75);
+  QVERIFY(!loop.manager.takeTopics());
+  QVERIFY(loop.manager.takeRemarks().empty());
+}
+
+// F = k_g v0 / tau = 6 m/s²: v = 0.3 m/s, x = 0.015 m after 0.05 s.
+void AgentManagerTest::compute_second_isTheStepByHand() {
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0)});
+  loop.call(0.0);
+  const Agent moved = loop.call(kDt).updatedAgents.agents.at(0);
+  QVERIFY(std::fabs(xOf(moved) - 0.015) < 1e-9);
+  QVERIFY(std::fabs(moved.velocity.linear.x - 0.3) < 1e-9);
+  QCOMPARE(moved.linearVel, 0.3F);
+  QCOMPARE(moved.yaw, 0.0F);
+}
+
+void AgentManagerTest::compute_answer_tellsWhatWrappersRead() {
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 1.0)});
+  loop.agents[0].skin = 4;
+  loop.agents[0].yaw = 1.0F;
+  loop.agents[0].closestObs = {{3.0, 3.0, 0.0}};
+  loop.call(0.0);
+  const Agent moved = loop.call(kDt).updatedAgents.agents.at(0);
+  QCOMPARE(moved.id, 1);
+  QCOMPARE(moved.name, std::string("person1"));
+  QCOMPARE(moved.type, Agent::kPerson);
+  QCOMPARE(moved.skin, std::uint8_t{4});
+  QCOMPARE(int{moved.groupId}, -1);
+  QCOMPARE(moved.position.position.z, 1.25);  // as it came: Webots and Isaac write it to the scene
+  QCOMPARE(moved.goals.at(0).position.x, 5.0);
+  QCOMPARE(moved.goals[0].orientation.w, 1.0);
+  QVERIFY(moved.closestObs.empty());
+  QCOMPARE(moved.behavior.type, std::uint8_t{1});
+  QCOMPARE(moved.behavior.state, std::uint8_t{0});
+  QCOMPARE(moved.behavior.goalForceFactor, 2.0F);
+  QCOMPARE(moved.behavior.socialForceFactor, 5.0F);
+  QCOMPARE(moved.behavior.obstacleForceFactor, 10.0F);
+  const geometry_msgs::Quaternion& q = moved.position.orientation;
+  QVERIFY(std::fabs(2.0 * std::atan2(q.z, q.w) - double{moved.yaw}) < 1e-6);
+}
+
+void AgentManagerTest::compute_topics_areTheRequest() {
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0)});
+  loop.call(0.0, robotAt(3.0, 3.0));
+  loop.agents[0].yaw = 0.5F;
+  loop.agents[0].linearVel = 2.0F;  // printed in `people` alone
+  loop.agents[0].angularVel = 0.25F;
+  hunav_msgs::ComputeAgents::Request request = requestOf(loop.agents, 100.05);
+  request.robot = robotAt(3.0, 3.0);
+  loop.manager.compute(request);
+  const std::optional<StepTopics> topics = loop.manager.takeTopics();
+  QVERIFY(topics);
+  QVERIFY(!loop.manager.takeTopics());
+  QCOMPARE(encode(topics->humans), encode(request.currentAgents));
+  QCOMPARE(encode(topics->robot), encode(request.robot));
+  QCOMPARE(topics->transforms.size(), std::size_t{2});
+  const geometry_msgs::TransformStamped& robot = topics->transforms[0].transforms.at(0);
+  const geometry_msgs::TransformStamped& person = topics->transforms[1].transforms.at(0);
+  QCOMPARE(robot.childFrameId, std::string("robot"));
+  QCOMPARE(robot.header.frameId, std::string("map"));
+  QCOMPARE(robot.transform.translation.x, 3.0);
+  QCOMPARE(person.childFrameId, std::string("person1"));
+  QCOMPARE(person.header.stamp.nanosec, 50000000U);
+  QVERIFY(std::fabs(person.transform.rotation.z - std::sin(0.25)) < 1e-7);
+  const people_msgs::Person& seen = topics->people.people.at(0);
+  QCOMPARE(seen.position.z, 0.5);
+  QVERIFY(std::fabs(seen.velocity.x - 2.0 * std::cos(0.5)) < 1e-9);
+  QVERIFY(std::fabs(seen.velocity.y - 2.0 * std::sin(0.5)) < 1e-9);
+  QCOMPARE(seen.velocity.z, 0.25);
+  QCOMPARE(seen.reliability, 1.0);
+  QCOMPARE(seen.tagnames, (std::vector<std::string>{"id", "group_id", "behavior"}));
+  QCOMPARE(seen.tags, (std::vector<std::string>{"1", "-1", "1"}));
+}
+
+// The wall 1 m ahead pushes with 0.497871 m/s², the goal pulls with 6.
+void AgentManagerTest::compute_forces_areMarkersByHand() {
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0)});
+  loop.call(0.0);
+  loop.agents[0].closestObs = {{1.0, 0.0, 0.0}};
+  loop.call(kDt);
+  const std::optional<StepTopics> topics = loop.manager.takeTopics();
+  QVERIFY(topics);
+  using visualization_msgs::Marker;
+  const std::vector<Marker>& markers = topics->forces.markers;
+  QCOMPARE(markers.size(), std::size_t{5});
+  const std::vector<double> sizes = {0.497871, 1e-4, 6.0, 6.0 - 0.497871};
+  for (std::size_t i = 0; i < 4; ++i) {
+    QCOMPARE(markers[i].ns, std::string("person1/robot_forces"));
+    QCOMPARE(markers[i].id, static_cast<int>(i) + 2);
+    QVERIFY(std::fabs(markers[i].scale.x - sizes[i]) < 1e-6);
+    QCOMPARE(markers[i].scale.y, 0.1);
+    QCOMPARE(markers[i].lifetime.sec, 1);
+    QCOMPARE(markers[i].pose.position.z, 0.0);
+    QCOMPARE(markers[i].action, i == 1 ? Marker::kDelete : Marker::kAdd);
+  }
+  QVERIFY(std::fabs(std::fabs(markers[0].pose.orientation.z) - 1.0) < 1e-9);  // backwards
+  QCOMPARE(markers[0].color.r, 1.0F);
+  QCOMPARE(markers[1].color.b, 1.0F);
+  QCOMPARE(markers[2].color.g, 1.0F);
+  QCOMPARE(markers[4].text, std::string("person1/REGULAR"));
+  QCOMPARE(markers[4].ns, std::string("person1/behavior"));
+  QCOMPARE(markers[4].scale.z, 0.5);
+}
+
+// Fortress sends its first requests before the people and the robot are in its world.
+void AgentManagerTest::compute_noAgentsFirst_beginsWithTheFirstOnes() {
+  AgentManager manager(bundleOf(oneWalker(), "hunav2"));
+  QVERIFY(manager.compute(requestOf({}, 1.0)).updatedAgents.agents.empty());
+  QVERIFY(manager.compute(requestOf({}, 1.05)).updatedAgents.agents.empty());
+  QCOMPARE(xOf(manager.compute(requestOf({agentAt(1, 0.0, 0.0)}, 1.1)).updatedAgents.agents[0]),
+           0.0);
+  QVERIFY(!manager.takeTopics());
+  QVERIFY(xOf(manager.compute(requestOf({agentAt(1, 0.0, 0.0)}, 1.15)).updatedAgents.agents[0]) >
+          0.014);
+  QVERIFY(manager.takeRemarks().empty());
+}
+
+void AgentManagerTest::compute_timeStandsRunsBackOrLeaps_nobodyMoves() {
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0)});
+  loop.call(0.0);
+  loop.call(kDt);
+  loop.manager.takeTopics();
+  for (const double dt : {0.0, -50.0, 20.0}) {
+    const double before = xOf(loop.agents[0]);
+    loop.call(dt);
+    QCOMPARE(xOf(loop.agents[0]), before);
+    QVERIFY(loop.manager.takeTopics());  // the state is published all the same
+    const base::Diagnostics remarks = loop.manager.takeRemarks();
+    QCOMPARE(remarks.size(), std::size_t{dt == 0.0 ? 0U : 1U});
+    QVERIFY(dt >= 0.0 || hasRemark(remarks, "ros2.time-back"));
+    QVERIFY(dt <= 0.0 || hasRemark(remarks, "ros2.time-leap"));
+    loop.call(kDt);
+    QVERIFY(xOf(loop.agents[0]) > before);
+  }
+  loop.call(-1.0);
+  QVERIFY(loop.manager.takeRemarks().empty());  // told once
+}
+
+/// Without a cut the model of ours would go straight on for a second, whoever stands there.
+void AgentManagerTest::compute_stepOfASecond_isCut() {
+  sim2d::Scenario scenario = oneWalker();
+  Loop whole(scenario, {}, {agentAt(1, 0.0, 0.0)});
+  Loop cut(scenario, {}, {agentAt(1, 0.0, 0.0)});
+  whole.call(0.0);
+  cut.call(0.0);
+  whole.call(1.0);
+  for (int i = 0; i < 10; ++i) {
+    cut.call(0.1);
+  }
+  QVERIFY(xOf(whole.agents[0]) > 0.5);
+  QVERIFY(std::fabs(xOf(whole.agents[0]) - xOf(cut.agents[0])) < 1e-6);
+}
+
+void AgentManagerTest::compute_badNumbers_keepTheStateBefore_data() {
+  QTest::addColumn<int>("what");
+  QTest::newRow("x is NaN") << 0;
+  QTest::newRow("y is infinite") << 1;
+  QTest::newRow("yaw is NaN") << 2;
+  QTest::newRow("velocity is too large") << 3;
+  QTest::newRow("a point is NaN") << 4;
+}
+
+void AgentManagerTest::compute_badNumbers_keepTheStateBefore() {
+  QFETCH(const int, what);
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0)});
+  loop.call(0.0);
+  loop.call(kDt);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int i = 0; i < 3; ++i) {
+    std::vector<Agent> sent = {agentAt(1, 0.015, 0.0)};
+    sent[0].velocity.linear.x = what == 3 ? 1e9 : 0.3;
+    sent[0].position.position.x = what == 0 ? nan : sent[0].position.position.x;
+    sent[0].position.position.y = what == 1 ? HUGE_VAL : 0.0;
+    sent[0].yaw = what == 2 ? std::nanf("") : 0.0F;
+    sent[0].closestObs = {{what == 4 ? nan : 1e4, 0.0, 0.0}};
+    loop.agents = sent;
+    const Agent answer = loop.call(kDt).updatedAgents.agents.at(0);
+    QVERIFY(faultOf(answer).empty());
+    QVERIFY(xOf(answer) > 0.0 && xOf(answer) < 1.0);
+    QCOMPARE(hasRemark(loop.manager.takeRemarks(), "ros2.bad-agent"), i == 0 && what != 4);
+  }
+}
+
+void AgentManagerTest::compute_robotComesAndGoes_isToldOnce() {
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0)});
+  loop.call(0.0);
+  loop.call(kDt, robotAt(1.0, 0.0));
+  QVERIFY(loop.manager.takeRemarks().empty());
+  loop.call(kDt);
+  QVERIFY(hasRemark(loop.manager.takeRemarks(), "ros2.robot-gone"));
+  loop.call(kDt, robotAt(1.0, 0.0));
+  Agent bad = robotAt(1.0, 0.0);
+  bad.position.position.x = std::numeric_limits<double>::quiet_NaN();
+  loop.call(kDt, bad);
+  QVERIFY(hasRemark(loop.manager.takeRemarks(), "ros2.bad-agent"));
+  loop.call(kDt);
+  QVERIFY(loop.manager.takeRemarks().empty());
+}
+
+void AgentManagerTest::compute_stranger_getsATree() {
+  Agent stranger = agentAt(9, 0.0, 4.0);
+  geometry_msgs::Pose goal;
+  goal.position.x = 5.0;
+  goal.position.y = 4.0;
+  stranger.goals = {goal};
+  stranger.goalRadius = 0.3F;
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0), stranger});
+  loop.call(0.0);
+  QVERIFY(hasRemark(loop.manager.takeRemarks(), "ros2.stranger"));
+  loop.call(kDt);
+  QVERIFY(std::fabs(loop.agents[1].velocity.linear.x - 0.3) < 0.02);
+  QCOMPARE(loop.agents[1].id, 9);
+}
+
+void AgentManagerTest::compute_strangerLater_isServedToo() {
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0)});
+  loop.call(0.0);
+  loop.call(kDt);
+  loop.agents.push_back(agentAt(3, 0.0, 9.0));
+  loop.call(kDt);
+  const base::Diagnostics remarks = loop.manager.takeRemarks();
+  QVERIFY(hasRemark(remarks, "ros2.stranger"));
+  QVERIFY(hasRemark(remarks, "ros2.minds-anew"));
+  QCOMPARE(loop.agents.size(), std::size_t{2});
+  const double before = xOf(loop.agents[0]);
+  loop.call(kDt);
+  QVERIFY(xOf(loop.agents[0]) > before);
+  QVERIFY(loop.manager.takeRemarks().empty());
+}
+
+void AgentManagerTest::compute_idTwiceOrNegative_isTold() {
+  Loop loop(oneWalker(), {}, {agentAt(1, 0.0, 0.0), agentAt(1, 2.0, 0.0), agentAt(-4, 3.0, 0.0)});
+  loop.call(0.0);
+  loop.call(kDt);
+  QCOMPARE(loop.agents.size(), std::size_t{3});
+  QCOMPARE(xOf(loop.agents[2]), 3.0);
+  const base::Diagnostics remarks = loop.manager.takeRemarks();
+  QVERIFY(hasRemark(remarks, "ros2.agent-twice"));
+  QVERIFY(hasRemark(remarks, "ros2.agent-negative"));
+}
+
+void AgentManagerTest::compute_goalsOfTheFirstRequest_count() {
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0)});
+  geometry_msgs::Pose goal;
+  goal.position.x = -5.0;
+  loop.agents[0].goals = {goal};
+  loop.call(0.0);
+  loop.agents[0].goals[0].position.x = 7.0;  // from here on ours count
+  loop.call(kDt);
+  QVERIFY(xOf(loop.agents[0]) < 0.0);
+  QCOMPARE(loop.agents[0].goals.at(0).position.x, -5.0);
+}
+
+void AgentManagerTest::compute_goalsRunOut_theLastOnesStay() {
+  sim2d::Scenario scenario = oneWalker();
+  scenario.humans[0].cyclicGoals = false;
+  Loop loop(scenario, "hunav2", {agentAt(1, 4.0, 0.0)});
+  loop.call(0.0);
+  for (int i = 0; i < 100; ++i) {
+    loop.call(kDt);
+    QVERIFY(!loop.agents[0].goals.empty());
+  }
+  QVERIFY(std::fabs(loop.agents[0].velocity.linear.x) < 0.01);
+}
+
+void AgentManagerTest::move_onlyOne_movesWithItsOwnClock() {
+  sim2d::Scenario scenario = oneWalker();
+  addPerson(scenario, 2, 0.0, 9.0, {1});
+  AgentManager manager(bundleOf(scenario, "hunav2"));
+  hunav_msgs::MoveAgent::Request request;
+  request.currentAgents = requestOf({agentAt(1, 0.0, 0.0), agentAt(2, 0.0, 9.0)}, 5.0).currentAgents;
+  request.agentId = 1;
+  QCOMPARE(xOf(manager.moveOne(request).updatedAgent), 0.0);
+  QVERIFY(!manager.takeTopics());
+  setStamp(request.currentAgents, 5.05);
+  const Agent first = manager.moveOne(request).updatedAgent;
+  QVERIFY(std::fabs(xOf(first) - 0.015) < 1e-4);
+  QVERIFY(manager.takeTopics());
+  request.agentId = 2;  // under the same stamp
+  const Agent second = manager.moveOne(request).updatedAgent;
+  QCOMPARE(second.id, 2);
+  QVERIFY(std::hypot(second.velocity.linear.x, second.velocity.linear.y) > 0.29);
+  request.agentId = 8;
+  const Agent nobody = manager.moveOne(request).updatedAgent;
+  QCOMPARE(nobody.id, 8);
+  QCOMPARE(nobody.name, std::string());
+  QVERIFY(hasRemark(manager.takeRemarks(), "ros2.unknown-agent"));
+}
+
+void AgentManagerTest::computeOne_answersTheLastStep() {
+  Loop loop(oneWalker(), {}, {agentAt(1, 0.0, 0.0)});
+  loop.call(0.0);
+  loop.call(kDt);
+  hunav_msgs::ComputeAgent::Request request;
+  request.id = 1;
+  for (int i = 0; i < 2; ++i) {
+    QCOMPARE(xOf(loop.manager.computeOne(request).updatedAgent), xOf(loop.agents[0]));
+  }
+}
+
+void AgentManagerTest::computeOne_unknown_isEmpty() {
+  AgentManager manager(bundleOf(oneWalker()));
+  hunav_msgs::ComputeAgent::Request request;
+  request.id = 6;
+  const Agent answer = manager.computeOne(request).updatedAgent;
+  QCOMPARE(answer.id, 6);
+  QCOMPARE(answer.radius, 0.0F);
+  QVERIFY(hasRemark(manager.takeRemarks(), "ros2.unknown-agent"));
+}
+
+void AgentManagerTest::computeOne_hunav2_ticksOnceMore() {
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0)});
+  loop.call(0.0);
+  loop.call(kDt);
+  hunav_msgs::ComputeAgent::Request request;
+  request.id = 1;
+  const double more = xOf(loop.manager.computeOne(request).updatedAgent);
+  QVERIFY(more > xOf(loop.agents[0]) + 0.015);
+}
+
+void AgentManagerTest::reset_beginsAnew() {
+  sim2d::Scenario scenario = oneWalker();
+  const int back = addGoal(scenario, -5.0, 0.0);
+  scenario.humans[0].goals = {1, back};
+  Loop loop(scenario, {}, {agentAt(1, 4.9, 0.0)});
+  loop.call(0.0);
+  for (int i = 0; i < 20; ++i) {
+    loop.call(kDt);
+  }
+  QCOMPARE(loop.agents[0].goals.at(0).position.x, -5.0);  // the first one was reached
+  hunav_msgs::ResetAgents::Request request;
+  request.currentAgents = requestOf({agentAt(1, 0.0, 0.0)}, 1.0).currentAgents;
+  QVERIFY(loop.manager.reset(request).ok);
+  loop.agents = {agentAt(1, 0.0, 0.0)};
+  loop.time = 1.0;
+  loop.call(kDt);
+  QCOMPARE(loop.agents[0].goals.at(0).position.x, 5.0);
+  QVERIFY(xOf(loop.agents[0]) > 0.0);
+  QVERIFY(loop.manager.takeRemarks().empty());
+}
+
+void AgentManagerTest::reset_hunav2_takesPlacesAlone() {
+  sim2d::Scenario scenario = oneWalker();
+  const int back = addGoal(scenario, -5.0, 0.0);
+  scenario.humans[0].goals = {1, back};
+  Loop loop(scenario, "hunav2", {agentAt(1, 4.9, 0.0)});
+  loop.call(0.0);
+  loop.call(kDt);
+  loop.call(kDt);
+  hunav_msgs::ResetAgents::Request request;
+  request.currentAgents = requestOf({agentAt(1, 0.0, 0.0)}, loop.time).currentAgents;
+  QVERIFY(loop.manager.reset(request).ok);
+  loop.agents = {agentAt(1, 0.0, 0.0)};
+  loop.call(kDt);
+  QCOMPARE(loop.agents[0].goals.at(0).position.x, -5.0);
+}
+
+void AgentManagerTest::everyAnswer_canBeEncoded() {
+  Loop loop(oneWalker(), {}, {agentAt(1, 0.0, 0.0), agentAt(5, 1.0, 1.0)});
+  loop.call(0.0);
+  const std::string bytes = encode(loop.call(kDt));
+  const auto read = decode<hunav_msgs::ComputeAgents::Response>(bytes);
+  QVERIFY(read);
+  QCOMPARE(encode(*read), bytes);
+}
+
+QTEST_APPLESS_MAIN(AgentManagerTest)
+#include "tst_AgentManager.moc"

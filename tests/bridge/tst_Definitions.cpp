@@ -1,0 +1,163 @@
+#include <set>
+
+#include <QtTest>
+
+#include "app/bridge/messages/AllMessages.h"
+#include "app/bridge/messages/Codec.h"
+#include "app/bridge/messages/Definition.h"
+#include "app/bridge/messages/TypeTable.h"
+#include "tests/bridge/Samples.h"
+#include "tests/support/Peers.h"
+
+using namespace bridge;
+
+namespace {
+
+const std::string kLine = std::string(80, '=') + "\n";
+
+template <class M>
+QJsonObject peerCase() {
+  M message{};
+  SampleFiller().fill(message);
+  return {{QStringLiteral("type"), QLatin1String(M::kType)},
+          {QStringLiteral("definition"), QString::fromStdString(definition<M>())},
+          {QStringLiteral("bytes"),
+           QString::fromLatin1(QByteArray::fromStdString(encode(message)).toHex())},
+          {QStringLiteral("value"), sampleJson(message)}};
+}
+
+template <class... M>
+QJsonArray peerCases(TypeList<M...> /*list*/) {
+  return {peerCase<M>()...};
+}
+
+template <class M>
+void compareSample() {
+  M message{};
+  SampleFiller().fill(message);
+  const base::Result<M> read = decode<M>(encode(message));
+  QVERIFY2(static_cast<bool>(read), M::kType);
+  QVERIFY2(sampleJson(*read) == sampleJson(message), M::kType);
+}
+
+template <class... M>
+void compareSamples(TypeList<M...> /*list*/) {
+  (compareSample<M>(), ...);
+}
+
+}  // namespace
+
+class DefinitionsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void definition_nested_isThereOnce() {
+    QCOMPARE(definition<rosgraph_msgs::Clock>(), "builtin_interfaces/Time clock\n" + kLine +
+                                                     "MSG: builtin_interfaces/Time\n"
+                                                     "int32 sec\n"
+                                                     "uint32 nanosec\n");
+  }
+
+  void definition_agents_isThatOfHunav() {
+    const std::string text = definition<hunav_msgs::Agents>();
+    const std::string beginning =
+        "std_msgs/Header header\n"
+        "hunav_msgs/Agent[] agents\n" +
+        kLine +
+        "MSG: std_msgs/Header\n"
+        "builtin_interfaces/Time stamp\n"
+        "string frame_id\n" +
+        kLine +
+        "MSG: builtin_interfaces/Time\n"
+        "int32 sec\n"
+        "uint32 nanosec\n" +
+        kLine +
+        "MSG: hunav_msgs/Agent\n"
+        "uint8 PERSON=1\n"
+        "uint8 ROBOT=2\n"
+        "uint8 OTHER=3\n"
+        "int32 id\n"
+        "uint8 type\n"
+        "uint8 skin\n"
+        "string name\n"
+        "int8 group_id\n"
+        "geometry_msgs/Pose position\n"
+        "float32 yaw\n"
+        "geometry_msgs/Twist velocity\n"
+        "float32 desired_velocity\n"
+        "float32 radius\n"
+        "float32 linear_vel\n"
+        "float32 angular_vel\n"
+        "hunav_msgs/AgentBehavior behavior\n"
+        "geometry_msgs/Pose[] goals\n"
+        "bool cyclic_goals\n"
+        "float32 goal_radius\n"
+        "geometry_msgs/Point[] closest_obs\n" +
+        kLine + "MSG: geometry_msgs/Pose\n";
+    QCOMPARE(text.substr(0, beginning.size()), beginning);
+    QVERIFY(text.find("uint8 BEH_CONF_RANDOM_UNIFORM=3\nuint8 type\nuint8 state\n") !=
+            std::string::npos);
+    for (const char* each : {"geometry_msgs/Point\n", "geometry_msgs/Vector3\n"}) {
+      const std::string head = std::string("MSG: ") + each;
+      QVERIFY(text.find(head) != std::string::npos);
+      QCOMPARE(text.find(head), text.rfind(head));
+    }
+  }
+
+  void definition_boundsAndArrays_areWritten() {
+    const std::string text = definition<rmw_dds_common::NodeEntitiesInfo<16>>();
+    QVERIFY(text.find("string<=256 node_namespace\n") == 0);
+    QVERIFY(text.find("uint8[16] data\n") != std::string::npos);
+    QVERIFY(definition<rcl_interfaces::ParameterDescriptor>().find(
+                "rcl_interfaces/IntegerRange[<=1] integer_range\n") != std::string::npos);
+    QVERIFY(definition<rcl_interfaces::ParameterValue>().find("byte[] byte_array_value\n") !=
+            std::string::npos);
+  }
+
+  void typeNames_areThoseOfDdsAndOfTexts() {
+    QCOMPARE(ddsTypeName("geometry_msgs/msg/Twist"),
+             std::string("geometry_msgs::msg::dds_::Twist_"));
+    QCOMPARE(ddsTypeName(hunav_msgs::ComputeAgents::Request::kType),
+             std::string("hunav_msgs::srv::dds_::ComputeAgents_Request_"));
+    QCOMPARE(ddsTypeName(nav2_msgs::NavigateToPose::SendGoal::Response::kType),
+             std::string("nav2_msgs::action::dds_::NavigateToPose_SendGoal_Response_"));
+    QCOMPARE(shortTypeName("nav_msgs/msg/Path"), std::string("nav_msgs/Path"));
+  }
+
+  void knownTypes_areFoundByName() {
+    QVERIFY(knownTypes().size() > 80);
+    QVERIFY(findType("hunav_msgs/msg/Agents") != nullptr);
+    QVERIFY(findType("hunav_msgs/Agents") == nullptr);
+    std::set<std::string_view> names;
+    for (const KnownType& each : knownTypes()) {
+      QVERIFY2(names.insert(each.type).second, std::string(each.type).c_str());
+    }
+  }
+
+  void defaults_areThoseOfRos() {
+    QCOMPARE(geometry_msgs::TransformStamped{}.transform.rotation.w, 1.0);
+    QCOMPARE(hunav_msgs::StartEvaluation::Request{}.experimentTag, std::string("exp_1"));
+  }
+
+  void everyType_comesBackAsWritten() { compareSamples(AllMessages{}); }
+
+  /// Foxglove's reader, by our texts and by those of ROS 2 that it comes with.
+  void everyType_isReadByOthers() {
+    if (!hasPeer(QStringLiteral("@foxglove/rosmsg2-serialization"))) {
+      QSKIP("no Foxglove reader here (tests/support/Peers.h)");
+    }
+    QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("cases.json")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        QJsonDocument(QJsonObject{{QStringLiteral("cases"), peerCases(AllMessages{})}}).toJson());
+    file.close();
+    const PeerAnswer answer = askPeer(QStringLiteral("decode.js"), {file.fileName()});
+    QVERIFY2(answer.isFine, answer.output);
+    QVERIFY2(answer.output.contains("types, 4"), answer.output);  // 40 or more
+    qInfo("%s", answer.output.trimmed().constData());
+  }
+};
+
+QTEST_APPLESS_MAIN(DefinitionsTest)
+#include "tst_Definitions.moc"

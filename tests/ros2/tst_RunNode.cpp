@@ -1,0 +1,172 @@
+#include <cmath>
+
+#include <QtTest>
+
+#include "app/bridge/messages/BasicMessages.h"
+#include "app/bridge/messages/NavigationMessages.h"
+#include "app/bridge/nodes/RunNode.h"
+#include "tests/agents/Caller.h"
+#include "tests/ros2/Ros2Test.h"
+
+using namespace ros2test;
+
+/// A run on topics, whose robot somebody else drives.
+class RunNodeTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void run_commandsOfOthers_driveTheRobot_data();
+  void run_commandsOfOthers_driveTheRobot();
+  void run_badCommand_isLeftOutAndTold();
+};
+
+namespace {
+
+constexpr int kDomain = 30;
+
+sim2d::Scenario driven() {
+  sim2d::Scenario scenario = agentstest::oneWalker();
+  sim2d::Robot robot;
+  robot.key = {base::EntityKind::Robot, scenario.nextKey()};
+  robot.name = "robot1";
+  robot.planner = "ros2";
+  robot.start = {{-3.0, 2.0}, 0.0};
+  robot.maxAcc = 2.0;
+  robot.lidar.beams = 90;
+  robot.lidar.rate = 10.0;
+  scenario.robots.push_back(robot);
+  return scenario;
+}
+
+/// A world, its node and somebody who hears and drives it.
+struct Drive {
+  explicit Drive(bool stamped) {
+    const sim2d::Scenario scenario = driven();
+    verdict = app::check(agentstest::bundleOf(scenario));
+    if (verdict.world == nullptr) {
+      return;
+    }
+    verdict.world->tellSenses(true);
+    auto made = RunNode::create(verdict.world->header(), lidarsOf(scenario),
+                                {inDomain(kDomain), stamped, false},
+                                [this](const base::Diagnostic& said) { told.push_back(said); });
+    run = made ? *std::move(made) : nullptr;
+    other = participant(inDomain(kDomain));
+    node = other->addNode("/", "driver");
+  }
+  template <class M>
+  std::unique_ptr<Subscription> hear(const char* topic, const Qos& qos,
+                                     std::function<void(const M&)> take) {
+    auto made = other->subscription(node, topic, M::kType, qos, [take](const Bytes& bytes) {
+      const base::Result<M> message = decode<M>(bytes);
+      if (message) {
+        take(*message);
+      }
+    });
+    return made ? *std::move(made) : nullptr;
+  }
+  bool step() {
+    run->tell(verdict.world->frame());
+    return verdict.world->step(run->inputs(verdict.world->frame()));
+  }
+  double robotX() const { return verdict.world->frame().robots.x.at(0); }
+
+  app::Verdict verdict;
+  base::Diagnostics told;
+  std::unique_ptr<RunNode> run;
+  std::unique_ptr<Participant> other;
+  int node = 0;
+};
+
+}  // namespace
+
+void RunNodeTest::run_commandsOfOthers_driveTheRobot_data() {
+  QTest::addColumn<bool>("stamped");
+  QTest::newRow("Twist") << false;
+  QTest::newRow("TwistStamped") << true;
+}
+
+void RunNodeTest::run_commandsOfOthers_driveTheRobot() {
+  QFETCH(const bool, stamped);
+  Drive drive(stamped);
+  QVERIFY(drive.run && drive.verdict.world);
+  double clock = -1.0;
+  nav_msgs::Odometry odometry;
+  std::size_t beams = 0;
+  int fixed = 0;
+  const auto clocks = drive.hear<rosgraph_msgs::Clock>(
+      "/clock", Qos::clockReader(),
+      [&](const rosgraph_msgs::Clock& now) { clock = now.clock.sec + 1e-9 * now.clock.nanosec; });
+  const auto odometries = drive.hear<nav_msgs::Odometry>(
+      "/odom", Qos(), [&](const nav_msgs::Odometry& now) { odometry = now; });
+  const auto scans = drive.hear<sensor_msgs::LaserScan>(
+      "/scan", Qos::sensor(),
+      [&](const sensor_msgs::LaserScan& scan) { beams = scan.ranges.size(); });
+  geometry_msgs::Twist twist;
+  twist.linear.x = 0.4;
+  geometry_msgs::TwistStamped withStamp;
+  withStamp.twist = twist;
+  const auto commands = drive.other->publisher(
+      drive.node, "/cmd_vel",
+      stamped ? geometry_msgs::TwistStamped::kType : geometry_msgs::Twist::kType, Qos());
+  QVERIFY(clocks && odometries && scans && commands);
+  for (int k = 0; k < 20; ++k) {
+    QVERIFY(drive.step());
+  }
+  QCOMPARE(drive.robotX(), -3.0);  // it stands until somebody drives it
+  // Who comes late still gets what is latched.
+  const auto transforms = drive.hear<tf2_msgs::TFMessage>(
+      "/tf_static", Qos::latched(), [&](const tf2_msgs::TFMessage& all) {
+        fixed = static_cast<int>(all.transforms.size());
+      });
+  const auto until = std::chrono::steady_clock::now() + kLong;
+  while ((drive.robotX() < -2.5 || fixed == 0 || beams == 0) &&
+         std::chrono::steady_clock::now() < until) {
+    (*commands)->publish(stamped ? encode(withStamp) : encode(twist));
+    drive.other->spin(Milliseconds(5));
+    QVERIFY(drive.step());
+  }
+  QVERIFY(drive.robotX() >= -2.5);
+  QVERIFY(drive.run->commands() > 0);
+  QCOMPARE(fixed, 2);  // base_footprint -> base_link -> base_scan
+  QCOMPARE(beams, std::size_t{90});
+  QVERIFY(std::fabs(odometry.twist.twist.linear.x - 0.4) < 1e-6);
+  QVERIFY(clock > 1.0);
+  QVERIFY(std::fabs(odometry.header.stamp.sec + 1e-9 * odometry.header.stamp.nanosec - clock) <
+          0.2);
+  while (drive.other->spin(Milliseconds(50))) {
+  }
+  const double timeout = drive.verdict.world->time() + 2.0;
+  while (drive.verdict.world->time() < timeout) {  // nobody drives: it stops after 1 s
+    QVERIFY(drive.step());
+  }
+  const double stands = drive.robotX();
+  QVERIFY(drive.step());
+  QCOMPARE(drive.robotX(), stands);
+}
+
+void RunNodeTest::run_badCommand_isLeftOutAndTold() {
+  Drive drive(false);
+  QVERIFY(drive.run && drive.verdict.world);
+  geometry_msgs::Twist bad;
+  bad.linear.x = std::nan("");
+  const auto commands =
+      drive.other->publisher(drive.node, "/cmd_vel", geometry_msgs::Twist::kType, Qos());
+  const auto until = std::chrono::steady_clock::now() + kLong;
+  while (drive.told.empty() && std::chrono::steady_clock::now() < until) {
+    (*commands)->publish(encode(bad));
+    drive.other->spin(Milliseconds(5));
+    QVERIFY(drive.step());
+  }
+  QVERIFY(agentstest::hasRemark(drive.told, "ros2.bad-message"));
+  QCOMPARE(drive.robotX(), -3.0);
+  const std::size_t before = drive.told.size();
+  for (int k = 0; k < 20; ++k) {
+    (*commands)->publish(encode(bad));
+    QVERIFY(drive.step());
+  }
+  QCOMPARE(drive.told.size(), before);
+}
+
+QTEST_APPLESS_MAIN(RunNodeTest)
+#include "tst_RunNode.moc"
