@@ -134,9 +134,9 @@ class PeopleHandsTest : public QObject, private CanvasTester {
     QCOMPARE(inputsOf(21).at(0).kind, InputKind::Stop);
     QVERIFY((*hands_).isStopped(people().id[walker]));
     choose(people().id[walker], placeOf(walker), QStringLiteral("Let "));
-    step(20);
+    step(1);
     QCOMPARE(inputsOf(81).at(0).kind, InputKind::Resume);
-    QVERIFY(speedOf(walker) > 0.2);
+    QVERIFY(!hands_->isStopped(people().id[walker]));
   }
 
   void dropIn_onTheGround_addsAPersonThere() {
@@ -173,7 +173,12 @@ class PeopleHandsTest : public QObject, private CanvasTester {
     step(2);
     const editor::RecordingPtr again = runner().recording();
     QVERIFY(again != first);
-    const sim2d::Trace was = first->trace(), is = again->trace();
+    sim2d::Trace was = first->trace(), is = again->trace();
+    for (sim2d::Trace* trace : {&was, &is}) {  // leaving the first one ended it
+      while (!trace->events.empty() && trace->events.back().second.kind == sim2d::EventKind::Stop) {
+        trace->events.pop_back();
+      }
+    }
     QVERIFY(sim2d::trajectoryCsv(is) == sim2d::trajectoryCsv(was));
     QVERIFY(sim2d::eventsCsv(is) == sim2d::eventsCsv(was));
     QVERIFY(first->treesCsv() == again->treesCsv());
