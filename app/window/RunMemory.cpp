@@ -65,7 +65,7 @@ void RunMemory::noteLoop() {
   if (runner.loop()) {
     rows.prepend(rowOf(folder_, *runner.loop()));
   }
-  memory_.setValue(kLoops, rows.mid(0, kMostLoops));
+  memory_.setValue(kLoops, QStringList(rows.mid(0, kMostLoops)));
 }
 
 }  // namespace app

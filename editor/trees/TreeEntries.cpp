@@ -28,6 +28,7 @@ TreeEntries::TreeEntries(SimulationRunner& runner, const Theme& theme)
   styleTable(*table_, tr("Blackboard"));
   table_->setHorizontalHeaderLabels({tr("Entry"), tr("Value")});
   table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->setColumnWidth(EntryKey, kKeyWidth);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                           QAbstractItemView::AnyKeyPressed);
