@@ -22,8 +22,9 @@ void addRunWords(CLI::App& command, RunOptions& options) {
       ->allow_extra_args(false);
   command.add_flag("--counterfactual", options.counterfactual,
                    "The same seed again without robots: what they did to people");
-  command.add_option("--record", options.record,
-                     "mcap: also a folder bag/ for ROS 2, Foxglove and PlotJuggler")
+  command
+      .add_option("--record", options.record,
+                  "mcap: also a folder bag/ for ROS 2, Foxglove and PlotJuggler")
       ->check(oneOf({"mcap"}));
   addForce(command, options.force);
   addLiveWords(command, options);
