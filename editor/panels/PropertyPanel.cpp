@@ -95,7 +95,7 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
   restart->setObjectName(QStringLiteral("restart"));
   auto* hint = secondaryLabel(tr("Changes count from the next start."), later_);
   hint->setWordWrap(true);
-  arranged(new QHBoxLayout(later_), {12, 6, 12, 6}, 8, {hint, restart})->setStretch(0, 1);
+  arranged(new QHBoxLayout(later_), {12, 2, 12, 3}, 8, {hint, restart})->setStretch(0, 1);
   later_->hide();
   auto* top = arranged(new QHBoxLayout, {12, 12, 12, 12}, 12, {picture_});
   top->addLayout(arranged(new QVBoxLayout, {}, 0, {name_, about_}), 1);
