@@ -94,6 +94,24 @@ void CommandRegistry::addOutputOptions() {
   }
 }
 
+namespace {
+
+/// Files of pictures are the same whatever screen somebody has.
+void prepareDrawing(Drawing drawing) {
+  if (drawing == Drawing::Pictures) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qputenv("QT_FONT_DPI", "96");
+    for (const char* scale : {"QT_SCALE_FACTOR", "QT_SCREEN_SCALE_FACTORS",
+                              "QT_AUTO_SCREEN_SCALE_FACTOR", "QT_ENABLE_HIGHDPI_SCALING"}) {
+      qunsetenv(scale);
+    }
+  } else if (drawing != Drawing::None && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
+}
+
+}  // namespace
+
 int CommandRegistry::start(Invocation given) const {
   given.quiet = quiet_;
   given.json = json_;
@@ -103,9 +121,7 @@ int CommandRegistry::start(Invocation given) const {
   }
   const Command& command = commands_.at(chosen.front()->get_name());
   const Drawing drawing = command.drawing();
-  if (drawing != Drawing::None && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-  }
+  prepareDrawing(drawing);
   switch (drawing) {
     case Drawing::Widgets:
       return within<QApplication>(given, command.action);

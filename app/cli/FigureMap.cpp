@@ -122,7 +122,10 @@ QRectF FigureMap::extent() const {
 
 /// With its walls, cut to its place. An image: not all that draws can cut.
 QImage FigureMap::drawnMap() const {
-  const QSize pixels = (mapRect_.size() * (measures_.isNarrow ? kMapDetail : 1.0)).toSize();
+  constexpr double kMostSide = 4000.0;  // [pixels]; a poster of metres has no more
+  const QSizeF wanted = mapRect_.size() * (measures_.isNarrow ? kMapDetail : 1.0);
+  const double longer = std::max(wanted.width(), wanted.height());
+  const QSize pixels = (wanted * std::min(1.0, kMostSide / std::max(longer, 1.0))).toSize();
   QImage drawn = editor::blankImage(pixels.expandedTo(QSize(1, 1)), QImage::Format_RGB32);
   drawn.fill(theme_.color(Role::MapFree));
   const sim2d::OccupancyGrid& grid = trace_.header.map;

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/CommandRegistry.h"
+#include "app/cli/LiveWords.h"
 #include "app/cli/RunOnRos2.h"
 #include "app/run/DataPaths.h"
 
@@ -21,7 +22,11 @@ void addRunWords(CLI::App& command, RunOptions& options) {
       ->allow_extra_args(false);
   command.add_flag("--counterfactual", options.counterfactual,
                    "The same seed again without robots: what they did to people");
+  command.add_option("--record", options.record,
+                     "mcap: also a folder bag/ for ROS 2, Foxglove and PlotJuggler")
+      ->check(oneOf({"mcap"}));
   addForce(command, options.force);
+  addLiveWords(command, options);
   command.add_flag("--totals", options.totals,
                    "Only manifest.json and the totals of metrics.json, for many long runs");
 }

@@ -111,8 +111,9 @@ void tellCode(const Bundle& bundle, const std::vector<ForeignCode>& code, Verdic
   base::append(verdict.problems, told);
 }
 
-void completeSetup(const Bundle& bundle, sim2d::WorldSetup& setup) {
-  setup.scenario = withNav2GoalRadius(bundle.scenario, bundle.path);
+/// What could not be read for it is told in `unread`.
+void completeSetup(const Bundle& bundle, sim2d::WorldSetup& setup, base::Diagnostics& unread) {
+  setup.scenario = withNav2GoalRadius(bundle.scenario, bundle.path, unread);
   setup.compatibility = bundle.settings.compatibility;
   setup.threads = bundle.settings.threads;
   setup.exact = bundle.settings.exact;
@@ -122,7 +123,8 @@ void completeSetup(const Bundle& bundle, sim2d::WorldSetup& setup) {
   setup.registries = sharedRegistries();
 }
 
-void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup, Verdict& verdict) {
+void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup,
+                base::Diagnostics unread, Verdict& verdict) {
   base::Result<std::unique_ptr<sim2d::World>> world = sim2d::World::create(std::move(setup));
   base::Diagnostics ofWorld = world.diagnostics();
   sim2d::addPlaces(ofWorld, bundle.lines, bundle.path);
@@ -131,6 +133,11 @@ void checkWorld(const Bundle& bundle, bool isRunnable, sim2d::WorldSetup setup, 
   base::append(all, ofWorld);
   base::append(world ? verdict.worldRemarks : verdict.problems, withoutEchoes(ofWorld, all));
   if (world && isRunnable) {
+    base::append(unread, unlistedNav2Trees(*bundle.scenario, bundle.path, bundle.inputs));
+    if (base::hasErrors(unread)) {  // and could be read now
+      base::append(verdict.problems, unread);
+      return;
+    }
     verdict.world = *std::move(world);
   }
 }
@@ -215,13 +222,15 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
     return verdict;
   }
   bundle.left->check();
-  completeSetup(bundle, setup);
+  base::Diagnostics unread;
+  completeSetup(bundle, setup, unread);
   if (depth == CheckDepth::Setup) {
+    base::append(verdict.problems, unread);
     verdict.setup = std::move(setup);
     return verdict;
   }
   const bool isRunnable = code.empty() || bundle.settings.code == sim2d::CodeUse::Allowed;
-  checkWorld(bundle, isRunnable, std::move(setup), verdict);
+  checkWorld(bundle, isRunnable, std::move(setup), std::move(unread), verdict);
   return verdict;
 }
 

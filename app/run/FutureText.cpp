@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/run/Futures.h"
+#include "app/run/ShallowReader.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
@@ -90,6 +91,7 @@ FutureJson mapJson(const sim2d::OccupancyGrid& map) {
           {"cells", FutureJson::binary({cells, cells + map.cells().size()})}};
 }
 
+/// Null: it has not the cells that it should.
 std::shared_ptr<const sim2d::OccupancyGrid> mapOf(const FutureJson& json) {
   if (json.is_null()) {
     return std::make_shared<const sim2d::OccupancyGrid>();
@@ -100,11 +102,18 @@ std::shared_ptr<const sim2d::OccupancyGrid> mapOf(const FutureJson& json) {
   for (const std::uint8_t byte : bytes) {
     cells.push_back(static_cast<std::int8_t>(byte));
   }
+  const int width = json.at("width").get<int>(), height = json.at("height").get<int>();
+  const double resolution = json.at("resolution").get<double>();
+  const bool isWhole =
+      width > 0 && height > 0 && resolution > 0.0 && std::isfinite(resolution) &&
+      static_cast<std::size_t>(width) * static_cast<std::size_t>(height) == cells.size();
+  if (!isWhole) {
+    return nullptr;
+  }
   const base::Pose2 origin{{json.at("x").get<double>(), json.at("y").get<double>()},
                            json.at("heading").get<double>()};
-  return std::make_shared<const sim2d::OccupancyGrid>(
-      json.at("width").get<int>(), json.at("height").get<int>(),
-      json.at("resolution").get<double>(), origin, std::move(cells));
+  return std::make_shared<const sim2d::OccupancyGrid>(width, height, resolution, origin,
+                                                      std::move(cells));
 }
 
 FutureJson treesJson(const bt::TreeFiles& trees) {
@@ -157,7 +166,16 @@ FuturesOptions futureOptionsOf(const FutureJson& json) {
   return options;
 }
 
-FuturesQuestion questionFrom(const FutureJson& json) {
+bool areOptions(const FuturesOptions& options) {
+  constexpr double kLeastGap = 1e-3;  // [s]
+  return options.count >= 1 && options.count <= kMostFutures && options.jobs >= 1 &&
+         options.jobs <= kMostFutures && options.horizon >= 0.0 &&
+         options.horizon <= kLongestFuture && options.spread >= 0.0 && options.spread <= 1.0 &&
+         options.sampleGap >= kLeastGap && options.sampleGap <= kLongestFuture;
+}
+
+/// Nothing: values that cannot be.
+std::optional<FuturesQuestion> questionFrom(const FutureJson& json) {
   FuturesQuestion question;
   Bundle& bundle = question.bundle;
   bundle.path = json.at("path").get<std::string>();
@@ -168,8 +186,12 @@ FuturesQuestion questionFrom(const FutureJson& json) {
   bundle.settings.exact = json.at("exact").get<bool>();
   bundle.settings.code = sim2d::CodeUse::Refused;
   const auto quirks = json.at("compat").get<std::string>();
+  const auto compatibility = sim2d::Compatibility::parse(quirks);
+  if (bundle.map == nullptr || (!quirks.empty() && !compatibility)) {
+    return std::nullopt;
+  }
   if (!quirks.empty()) {
-    bundle.settings.compatibility = *sim2d::Compatibility::parse(quirks);
+    bundle.settings.compatibility = *compatibility;
   }
   for (const FutureJson& stage : json.at("stages")) {
     question.stages.push_back(stageOf(stage));
@@ -180,7 +202,9 @@ FuturesQuestion questionFrom(const FutureJson& json) {
   question.at = json.at("at").get<std::int64_t>();
   question.state = json.at("state").get<std::string>();
   question.options = futureOptionsOf(json.at("options"));
-  return question;
+  return question.at >= 0 && areOptions(question.options)
+             ? std::optional<FuturesQuestion>(std::move(question))
+             : std::nullopt;
 }
 
 }  // namespace
@@ -251,12 +275,18 @@ std::string questionBytes(const FuturesQuestion& question) {
 }
 
 base::Result<FuturesQuestion> questionOf(const std::string& bytes) {
-  const FutureJson json = FutureJson::from_cbor(bytes, true, false);
-  try {
-    return questionFrom(json);
-  } catch (const FutureJson::exception&) {
+  ShallowReader shallow;
+  if (!FutureJson::sax_parse(bytes, &shallow, FutureJson::input_format_t::cbor)) {
     return base::error("futures.bad-question");
   }
+  const FutureJson json = FutureJson::from_cbor(bytes, true, false);
+  try {
+    if (std::optional<FuturesQuestion> question = questionFrom(json)) {
+      return *std::move(question);
+    }
+  } catch (const FutureJson::exception&) {  // told below
+  }
+  return base::error("futures.bad-question");
 }
 
 }  // namespace app

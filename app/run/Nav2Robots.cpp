@@ -46,7 +46,8 @@ base::Diagnostics wrongNav2Values(const sim2d::Scenario& scenario,
 }
 
 std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
-    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath) {
+    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath,
+    base::Diagnostics& unread) {
   std::shared_ptr<sim2d::Scenario> changed;
   for (std::size_t i = 0; i < scenario->robots.size(); ++i) {
     const sim2d::Robot& robot = scenario->robots[i];
@@ -57,9 +58,30 @@ std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
     if (loaded.ok()) {
       changed = changed != nullptr ? changed : std::make_shared<sim2d::Scenario>(*scenario);
       changed->robots[i].goalRadius = sim2d::nav2::xyGoalTolerance(loaded.parameters);
+    } else {
+      base::append(unread, loaded.problems);
     }
   }
   return changed != nullptr ? changed : scenario;
+}
+
+base::Diagnostics unlistedNav2Trees(const sim2d::Scenario& scenario,
+                                    const std::string& scenarioPath,
+                                    const std::vector<std::string>& inputs) {
+  const auto isListed = [&inputs](const std::string& file) {
+    return std::find(inputs.begin(), inputs.end(), file) != inputs.end();
+  };
+  base::Diagnostics unlisted;
+  sim2d::forEachListed(scenario.robots, [&](const sim2d::Robot& robot) {
+    if (!isNav2(robot)) {
+      return;
+    }
+    const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
+    if (isListed(loaded.paramsFile) && !loaded.treeFile.empty() && !isListed(loaded.treeFile)) {
+      unlisted.push_back(base::error("nav2.read-late", {loaded.treeFile}, loaded.paramsFile));
+    }
+  });
+  return unlisted;
 }
 
 std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
@@ -70,11 +92,14 @@ std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
       return;
     }
     const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
-    for (const std::string& file : {loaded.paramsFile, loaded.treeFile}) {
+    const bool isRoute = robot.goal.goals.size() > 1 && !loaded.throughFile.empty();
+    for (const std::string& file :
+         {loaded.paramsFile, isRoute ? loaded.throughFile : loaded.treeFile}) {
       if (!file.empty()) {
         files.push_back(file);
       }
     }
+    files.insert(files.end(), loaded.masks.files.begin(), loaded.masks.files.end());
   });
   return files;
 }
@@ -88,8 +113,11 @@ base::Diagnostics checkNav2File(const std::string& path) {
   const sim2d::nav2::Nav2Reading reading = readNav2Parameters(*file);
   base::append(found, reading.problems);
   base::append(found, bt::nav2Contradictions(reading.parameters, nullptr));
+  const bt::Nav2Masks masks = bt::loadNav2Masks(reading.parameters);
+  base::append(found, masks.problems);
   if (!base::hasErrors(found)) {  // what the servers say of it when they are made
-    const auto servers = bt::Nav2Servers::make({reading.parameters, {}, {}, {}, 1, -1});
+    const auto servers =
+        bt::Nav2Servers::make({reading.parameters, {}, {}, {}, 1, -1, masks.local, masks.global});
     for (const base::Diagnostic& problem : servers.diagnostics()) {
       const bool isTold =  // with its line, by who read the file
           std::any_of(found.begin(), found.end(),

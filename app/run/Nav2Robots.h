@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,46 @@ bt::Nav2Folders shippedNav2();
 /// Problems of the files are told where the world is made.
 base::Diagnostics wrongNav2Values(const sim2d::Scenario& scenario, const std::string& scenarioPath);
 /// The scenario as a world takes it: robots of `nav2` without a `goal_radius` have that of their
-/// file's goal checker.
+/// file's goal checker. `unread`: why it is not known; of a file that can be read by the time its
+/// world is made, nobody else tells.
 std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
-    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath);
+    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath,
+    base::Diagnostics& unread);
+/// Trees that were not known when `inputs` were listed, as their parameter file could not be read.
+base::Diagnostics unlistedNav2Trees(const sim2d::Scenario& scenario,
+                                    const std::string& scenarioPath,
+                                    const std::vector<std::string>& inputs);
 
 /// The parameter files and trees that they read.
 std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
                                      const std::string& scenarioPath);
+
+/// A parameter of a robot's file, as a form shows it. Values are YAML.
+struct Nav2Parameter {
+  std::string path;                  // below the robot's key `nav2`, the shortest that is its own
+  std::string node, name;            // "controller_server", "FollowPath.temperature"
+  std::string type, unit, meaning;   // "double"; a sentence, empty: Nav2 has none
+  std::string fallback;              // of Nav2's code
+  std::optional<std::string> filed;  // in the file
+  std::optional<std::string> given;  // by the scenario, instead
+
+  /// What counts.
+  const std::string& value() const { return given ? *given : filed ? *filed : fallback; }
+};
+/// Those that have an effect, in the order of the file's servers; with errors of the file: what
+/// could be read.
+struct Nav2Sheet {
+  std::string file;
+  std::vector<Nav2Parameter> parameters;
+  base::Diagnostics problems;
+};
+Nav2Sheet nav2SheetOf(const sim2d::Robot& robot, const std::string& scenarioPath);
+/// The robot with a value instead of that of the file; none: with that of the file.
+sim2d::Robot withNav2Value(sim2d::Robot robot, const Nav2Parameter& parameter,
+                           std::optional<std::string> yaml);
+/// What is wrong with a value that such a robot gives; empty: nothing.
+std::string nav2ValueProblem(const sim2d::Robot& robot, const std::string& scenarioPath,
+                             const Nav2Parameter& parameter, const std::string& yaml);
 
 /// A `nav2_params.yaml` by itself: everything that is wrong with it, and what deserves a word.
 base::Diagnostics checkNav2File(const std::string& path);

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/run/FolderLock.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Sha256.h"
 #include "sim2d/base/Text.h"
@@ -201,23 +202,84 @@ class ScenarioMaker {
 
 }  // namespace
 
-base::Result<RecordedRun> readRecordedRun(const std::string& folder, std::size_t mostInMemory) {
+namespace {
+
+/// What a run that was killed has left in its folder; empty: nothing.
+std::string restOfKilled(const std::string& folder) {
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const bool isRest = isRestOfOutput(at->path().filename().string());
+    if (isRest && fs::exists(at->path() / "trace.json", error)) {
+      return at->path().string();
+    }
+  }
+  return {};
+}
+
+base::Result<RecordedRun> readKilled(const std::string& folder, const std::string& rest,
+                                     std::size_t mostInMemory) {
+  const auto lock = FolderLock::take(folder);
+  if (!lock) {
+    return lock.diagnostics();  // it goes on
+  }
+  RecordedRun run;
+  sim2d::RecordCut& cut = run.cut.emplace();
+  cut.isUnfinished = true;
+  const auto recording = sim2d::readRecording(rest, mostInMemory, &cut);
+  if (!recording) {
+    return recording.diagnostics();
+  }
+  if ((*recording)->size() == 0) {
+    return base::error("trace.unfinished", {}, folder);
+  }
+  run.recording = *recording;
+  cut.note("trajectory.csv");
+  cut.time = run.recording->timeOf(run.recording->size() - 1);
+  return {std::move(run), {base::warning("trace.killed", {cut.time}, folder)}};
+}
+
+/// Problems with parts that are known to be cut are told once, by the cut.
+base::Diagnostics troubleWithParts(const std::string& folder, const sim2d::RecordCut& cut) {
+  base::Diagnostics problems = checkParts(folder);
+  problems.erase(std::remove_if(problems.begin(), problems.end(),
+                                [&cut](const base::Diagnostic& each) {
+                                  return cut.has(fs::path(each.file).filename().string());
+                                }),
+                 problems.end());
+  return problems;
+}
+
+}  // namespace
+
+base::Result<RecordedRun> readRecordedRun(const std::string& folder, std::size_t mostInMemory,
+                                          CutRecords cuts) {
   const base::Diagnostics unsettled = settleFolder(folder);
   if (base::hasErrors(unsettled)) {
     return unsettled;
   }
   std::error_code none;
   if (!fs::exists(fs::path(folder) / "trace.json", none)) {
+    const std::string rest = cuts == CutRecords::Shown ? restOfKilled(folder) : std::string();
+    if (!rest.empty()) {
+      return readKilled(folder, rest, mostInMemory);
+    }
     const bool isCut = fs::exists(fs::path(folder) / "trajectory.csv", none);
     return base::error(isCut ? "trace.unfinished" : "trace.no-run", {}, folder);
   }
-  const auto recording = sim2d::readRecording(folder, mostInMemory);
+  sim2d::RecordCut cut;
+  const auto recording =
+      sim2d::readRecording(folder, mostInMemory, cuts == CutRecords::Shown ? &cut : nullptr);
   base::Diagnostics problems = recording.diagnostics();
   if (recording && (*recording)->size() == 0) {
     problems.push_back(base::error("trace.no-states", {}, folder));
   }
-  base::append(problems, recording ? checkParts(folder) : base::Diagnostics());
+  base::append(problems, recording ? troubleWithParts(folder, cut) : base::Diagnostics());
   RecordedRun run;
+  if (cut.isCut()) {
+    const std::string end = cut.end ? base::formatDouble(*cut.end) : std::string();
+    problems.push_back(base::warning("trace.cut", {cut.time, end}, folder));
+    run.cut = cut;
+  }
   run.scenario = findScenario(folder, problems);
   if (base::hasErrors(problems)) {
     return problems;

@@ -287,6 +287,8 @@ RunWriter::RunWriter(const std::string& folder, const sim2d::World& world,
     begin(Trajectory, sim2d::headLine(sim2d::kTrajectoryColumns));
     begin(Events, sim2d::headLine(sim2d::kEventColumns));
     begin(Trees, sim2d::headLine(sim2d::kTreeColumns));
+    // What a killed run leaves can be shown by it; trouble is told when it is written in the end.
+    base::writeFileAtomically(pathIn(folder_, "trace.json"), sim2d::traceJson(header));
   }
 }
 
@@ -351,6 +353,9 @@ void RunWriter::append(const sim2d::Frame& frame) {
   if (files_[Trajectory]) {
     write(frame, isRecorded);
   }
+  if (companion_ != nullptr) {
+    companion_->append(frame);
+  }
 }
 
 base::Result<metrics::Evaluation> RunWriter::evaluation() {
@@ -387,7 +392,8 @@ base::Diagnostics RunWriter::writeSteps(const std::string& path,
 }
 
 bool RunWriter::hasFailed() const {
-  return std::any_of(files_.begin(), files_.end(),
+  return (companion_ != nullptr && companion_->hasFailed()) ||
+         std::any_of(files_.begin(), files_.end(),
                      [](const auto& file) { return file && file->hasFailed(); });
 }
 
@@ -437,6 +443,9 @@ base::Diagnostics writeRunFolder(OutputFolder& output, const FinishedRun& run, R
   }
   if (!run.effectsCsv.empty()) {
     write("counterfactual.csv", run.effectsCsv);
+  }
+  if (writer.companion() != nullptr) {
+    base::append(problems, output.atTheirPlaces(writer.companion()->finish(output, run.header)));
   }
   if (!run.totalsOnly) {
     write("trace.json", sim2d::traceJson(run.header));

@@ -17,6 +17,15 @@
 
 namespace app {
 
+/// Takes a run beside its writer and makes more files of it.
+class RunCompanion : public sim2d::FrameSink {
+ public:
+  /// A file could not be written: there is no use in going on.
+  virtual bool hasFailed() const = 0;
+  /// The run is over: the rest of its files, in the staging folder.
+  virtual base::Diagnostics finish(OutputFolder& output, const sim2d::TraceHeader& header) = 0;
+};
+
 /// Takes a run while it goes on: trajectory, events and tree changes go into the files of its
 /// folder, the metrics are fed. Of past steps nothing stays in memory but their times.
 class RunWriter : public sim2d::FrameSink {
@@ -27,6 +36,9 @@ class RunWriter : public sim2d::FrameSink {
             const metrics::Selection& selection, const metrics::MetricParameters& parameters,
             const std::shared_ptr<metrics::KnownRoutes>& known = nullptr);
   void append(const sim2d::Frame& frame) override;
+  /// It gets every frame too, and lives as long as this.
+  void setCompanion(RunCompanion* companion) { companion_ = companion; }
+  RunCompanion* companion() const { return companion_; }  // null: there is none
 
   /// Once, at the end. Its results have no series: those are for writeSteps().
   base::Result<metrics::Evaluation> evaluation();
@@ -58,6 +70,7 @@ class RunWriter : public sim2d::FrameSink {
   // inputs and scans once there were some
   std::array<std::optional<base::GrowingFile>, 5> files_;
   metrics::FrameEvaluation evaluation_;
+  RunCompanion* companion_ = nullptr;
   std::set<int> known_;  // people that the metrics have been told of
   metrics::NumberStore store_;
   std::vector<Column> columns_;  // in the store

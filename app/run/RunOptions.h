@@ -12,6 +12,13 @@
 
 namespace app {
 
+/// The words of the command line about the live view.
+struct LiveWords {
+  std::optional<int> port;  // none: there is no live view; 0: any that is free
+  std::string address = "127.0.0.1";
+  std::vector<std::string> origins;  // of pages that may connect beside the usual ones
+};
+
 /// The options of `run`, as given; also of the window.
 struct RunOptions {
   std::string scenario;
@@ -32,8 +39,11 @@ struct RunOptions {
   bool exact = false;
   bool counterfactual = false;  // the same seed again without robots
   std::string compat;
+  std::string speed;  // simulated seconds per second, "max"; empty: as it is usual
+  LiveWords live;
   bool allowCode = false;  // programs and libraries that the scenario names may start
   bool force = false;      // files of others in the output folder may be replaced
+  std::string record;      // "mcap": a rosbag2 folder too; empty: nothing more
   bool totals = false;  // manifest.json and metrics.json alone, nothing per step or behaviour type
 };
 

@@ -16,6 +16,7 @@ using Seconds = std::chrono::duration<double>;
 
 constexpr double kMostLag = 0.1;  // [s] of wall time that are caught up with
 constexpr double kMeasureSeconds = 0.5;
+constexpr std::size_t kMostPastEntries = 20000;  // changes that nobody has taken
 
 }  // namespace
 
@@ -181,6 +182,8 @@ void Session::watchEntries(std::optional<int> person) {
   order([&] {
     watched_ = person;
     wantsEntries_ = true;
+    lastEntries_.reset();
+    news_.pastEntries.clear();
   });
 }
 
@@ -196,7 +199,12 @@ void Session::serve(sim2d::HumanBehavior& behavior, const sim2d::WorldView& view
   }
   if (watched_ && std::exchange(wantsEntries_, false)) {
     const int human = view.indexOf(*watched_);
-    news_.entries = human < 0 ? Entries() : behavior.blackboard(human);
+    Entries now = human < 0 ? Entries() : behavior.blackboard(human);
+    if (lastEntries_ != now && news_.pastEntries.size() < kMostPastEntries) {
+      news_.pastEntries.push_back({view.step() - 1, now});
+      lastEntries_ = now;
+    }
+    news_.entries = std::move(now);
   }
 }
 
@@ -211,6 +219,7 @@ bool Session::waitForTurn(sim2d::World& world) {
     news_.broke = broke;
   }
   wantsEntries_ = true;
+  base::append(news_.refused, world.refused());
   while (!stop_) {
     serve(world.behavior(), world.view());
     if (world.stepIndex() < repeatUntil_) {

@@ -24,6 +24,12 @@ using RecordingPtr = std::shared_ptr<const sim2d::Recording>;
 /// Keys and values of a blackboard, as texts.
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
+/// Of one person after a step.
+struct StepEntries {
+  std::int64_t step = 0;
+  Entries entries;
+};
+
 /// What a session has to tell, collected until somebody looks.
 struct SessionNews {
   std::optional<base::Diagnostics> remarks;  // of making the world; errors: it could not be made
@@ -34,6 +40,8 @@ struct SessionNews {
   bool isStopped = false;                  // the world was not made: its map is another one now
   std::optional<sim2d::TreeBreak> broke;   // at a breakpoint: it waits since then
   std::optional<Entries> entries;          // of the person who is watched, after the newest step
+  std::vector<StepEntries> pastEntries;    // of the same, each change since the last news
+  base::Diagnostics refused;               // inputs that were not possible
 };
 
 /// One run of a world, the same for the commands and the window: it is stepped until its rule is
@@ -116,6 +124,7 @@ class Session {
   std::optional<std::vector<sim2d::TreeBreakpoint>> breakpoints_;  // that the world has not got yet
   std::optional<int> watched_;
   bool wantsEntries_ = false;
+  std::optional<Entries> lastEntries_;  // of the watched person that were told
   SessionNews news_;
   // of the thread that runs alone
   Clock::time_point wallStart_;

@@ -4,11 +4,13 @@
 #include <optional>
 #include <utility>
 
+#include "app/run/LeafScript.h"
 #include "bt/human/HumanContext.h"
 #include "bt/human/HumanNodes.h"
+#include "bt/robot/Nav2Files.h"
+#include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/world/HumanBehavior.h"
 
 namespace app {
@@ -16,105 +18,6 @@ namespace app {
 namespace {
 
 using base::NodeStatus;
-using base::YamlNode;
-
-/// What leaves answer while a tree is played.
-struct LeafScript {
-  struct Entry {
-    std::string leaf;
-    std::vector<base::NodeStatus> statuses;  // never empty; SUCCESS, FAILURE or RUNNING
-    int line = 0, column = 0;
-  };
-  std::string path;
-  std::vector<Entry> entries;  // in the order of the file
-
-  const Entry* find(const std::string& leaf) const {  // nullptr = not in the script
-    const auto found = std::find_if(entries.begin(), entries.end(),
-                                    [&leaf](const Entry& entry) { return entry.leaf == leaf; });
-    return found == entries.end() ? nullptr : &*found;
-  }
-};
-
-constexpr const char* kStatuses = "SUCCESS, FAILURE or RUNNING";
-
-std::optional<NodeStatus> statusOf(const std::string& word) {
-  for (const NodeStatus status : {NodeStatus::Success, NodeStatus::Failure, NodeStatus::Running}) {
-    if (word == base::nodeStatusName(status)) {
-      return status;
-    }
-  }
-  return std::nullopt;
-}
-
-/// Every problem of a script with file, line and column.
-class ScriptReader {
- public:
-  explicit ScriptReader(const std::string& path) { script_.path = path; }
-
-  base::Result<LeafScript> read() {
-    const base::Result<std::string> text = base::readTextFile(script_.path);
-    if (!text) {
-      return text.diagnostics();
-    }
-    const YamlNode root = base::parseYaml(*text, script_.path, problems_);
-    if (!base::hasErrors(problems_)) {
-      readRoot(root);
-    }
-    if (base::hasErrors(problems_)) {
-      return problems_;
-    }
-    return {std::move(script_), std::move(problems_)};
-  }
-
- private:
-  void readRoot(const YamlNode& root) {
-    if (root.isNull()) {
-      return;  // nothing is said: every leaf succeeds
-    }
-    if (!root.isMap()) {
-      error(root, "script.no-map");
-      return;
-    }
-    for (const YamlNode& item : root.items) {
-      readEntry(item);
-    }
-  }
-
-  void readEntry(const YamlNode& item) {
-    LeafScript::Entry entry;
-    entry.leaf = item.key;
-    entry.line = item.keyLine;
-    entry.column = item.keyColumn;
-    const std::vector<YamlNode> words = item.isList() ? item.items : std::vector{item};
-    for (const YamlNode& word : words) {
-      readStatus(word, entry);
-    }
-    if (words.empty()) {
-      error(item, "script.empty-list", {item.key});
-    }
-    script_.entries.push_back(std::move(entry));
-  }
-
-  void readStatus(const YamlNode& word, LeafScript::Entry& entry) {
-    const std::optional<NodeStatus> status = word.isScalar() ? statusOf(word.text) : std::nullopt;
-    if (status) {
-      entry.statuses.push_back(*status);
-      return;
-    }
-    const std::string what = word.isScalar() ? "'" + word.text + "' is" : "this is";
-    error(word, "script.no-status", {what, kStatuses});
-  }
-
-  void error(const YamlNode& node, std::string_view code, base::ProblemValues values = {}) {
-    const bool isValue = !node.isNull() || node.keyLine == 0;  // nothing stands behind its key
-    problems_.push_back(base::error(code, std::move(values), script_.path,
-                                    isValue ? node.line : node.keyLine,
-                                    isValue ? node.column : node.keyColumn));
-  }
-
-  LeafScript script_;
-  base::Diagnostics problems_;
-};
 
 /// The world of a tree that is played alone: one person at the origin, nobody and nothing else.
 class PlayView final : public sim2d::WorldView {
@@ -161,13 +64,10 @@ class PlayView final : public sim2d::WorldView {
   sim2d::ResolvedHuman person_;
 };
 
-/// The host of a played tree. Decorators and controls of people's trees take it for the context of
-/// a person, which it is.
-class TreePlayer : public bt::HumanContext {
+/// What the leaves of a tree answer, by a script, and how they were called.
+class LeafAnswers {
  public:
-  TreePlayer(bt::Society& society, const PlayView& view, sim2d::Intents& intents,
-             const bt::Program& program, LeafScript script)
-      : HumanContext(society, view, intents, 0), script_(std::move(script)) {
+  LeafAnswers(const bt::Program& program, LeafScript script) : script_(std::move(script)) {
     for (int node = 0; node < program.nodeCount(); ++node) {
       const LeafScript::Entry* named = script_.find(program.label(node));
       answers_.push_back({named ? named : script_.find(program.manifest(node).id)});
@@ -198,62 +98,91 @@ class TreePlayer : public bt::HumanContext {
   std::vector<LeafCall> calls_;
 };
 
-TreePlayer& playerOf(bt::LeafContext& leaf) {
-  return static_cast<TreePlayer&>(bt::humanOf(leaf));
+/// The host of a person's tree. Decorators and controls take it for the context of a person, which
+/// it is.
+class PersonHost : public bt::HumanContext {
+ public:
+  PersonHost(bt::Society& society, const PlayView& view, sim2d::Intents& intents,
+             LeafAnswers& leaves)
+      : HumanContext(society, view, intents, 0), answers(leaves) {}
+  LeafAnswers& answers;
+};
+
+/// The host of a navigator's tree: a robot that stands at the origin, with a goal that stays.
+class NavigatorOfPlay : public bt::NavigatorHost {
+ public:
+  explicit NavigatorOfPlay(LeafAnswers& leaves)
+      : answers(leaves), goal_(paths().add({{{1.0, 0.0}, 0.0}})) {}
+  LeafAnswers& answers;
+
+  sim2d::nav2::Distro distro() const override { return sim2d::nav2::Distro::Main; }
+  base::Pose2 pose() const override { return {}; }
+  double speed() const override { return 0.0; }
+  double goalReachedTolerance() const override { return 0.25; }
+  bt::PathId newestGoal() const override { return goal_; }
+  bool isPathValid(bt::PathId, int, bool) const override { return true; }
+  void begin(bt::RobotAction, const bt::RobotRequest&) override {}
+  bt::RobotOutcome outcome(bt::RobotAction) const override { return {}; }
+  void cancel(bt::RobotAction) override {}
+  bool clear(const bt::ClearRequest&) override { return true; }
+  void countRecovery() override {}
+
+ private:
+  bt::PathId goal_;
+};
+
+LeafAnswers& personsAnswers(bt::LeafContext& leaf) {
+  return static_cast<PersonHost&>(bt::humanOf(leaf)).answers;
+}
+LeafAnswers& robotsAnswers(bt::LeafContext& leaf) {
+  return static_cast<NavigatorOfPlay&>(bt::robotOf(leaf)).answers;
 }
 
-NodeStatus answer(bt::LeafContext& leaf) {
-  return playerOf(leaf).answer(leaf.node());
-}
-
-void noteHalt(bt::LeafContext& leaf) {
-  playerOf(leaf).noteHalt(leaf.node());
-}
-
-/// Names of the script that no leaf has: most likely a slip.
-base::Diagnostics unusedNames(const bt::Program& program, const LeafScript& script) {
-  std::vector<std::string> names;
-  for (int node = 0; node < program.nodeCount(); ++node) {
-    if (program.node(node).isStateful) {  // a leaf of the script
-      names.push_back(program.label(node));
-      names.push_back(program.manifest(node).id);
-    }
-  }
-  base::Diagnostics found;
-  for (const LeafScript::Entry& entry : script.entries) {
-    if (std::find(names.begin(), names.end(), entry.leaf) == names.end()) {
-      found.push_back(base::warning("run.unknown-leaf",
-                                    {entry.leaf, base::nearestName(entry.leaf, names)}, script.path,
-                                    entry.line, entry.column));
-    }
-  }
-  return found;
+/// Of both kinds of trees, by where a leaf finds its answers.
+template <LeafAnswers& (*answersOf)(bt::LeafContext&)>
+bt::StatefulFunctions scriptedLeaf() {
+  const bt::LeafFunction answer = [](bt::LeafContext& leaf) {
+    return answersOf(leaf).answer(leaf.node());
+  };
+  return {answer, answer, [](bt::LeafContext& leaf) { answersOf(leaf).noteHalt(leaf.node()); }};
 }
 
 class ScriptedPlay final : public TreePlay {
  public:
   ScriptedPlay(const PlaySetup& setup, bt::TreeTable files, LeafScript script,
-               std::shared_ptr<const bt::Program> program)
+               std::shared_ptr<const bt::Program> program, bool isOfRobot)
       : table_(std::move(files)),
         view_(setup.dt, setup.seed, setup.compatibility),
         controls_(1),
         intents_(controls_),
-        player_(society_, view_, intents_, *program, std::move(script)),
+        answers_(*program, std::move(script)),
+        person_(society_, view_, intents_, answers_),
+        robot_(answers_),
+        isOfRobot_(isOfRobot),
         state_(std::move(program)) {
     society_.minds.resize(1);
     society_.groups.assign(1, -1);
-    state_.set(state_.program().hostSlot(0), view_.constants(0).id);
-    state_.set(state_.program().hostSlot(1), setup.dt);
+    if (isOfRobot_) {
+      for (const int goal : {0, 1}) {
+        state_.set(state_.program().hostSlot(goal), static_cast<int>(robot_.newestGoal()));
+      }
+      state_.set(state_.program().hostSlot(2), 0);
+    } else {
+      state_.set(state_.program().hostSlot(0), view_.constants(0).id);
+      state_.set(state_.program().hostSlot(1), setup.dt);
+    }
   }
 
   NodeStatus tick() override {
     view_.beginStep();
-    player_.beginStep();
-    // As its base: that is what the nodes take the host for.
-    bt::HumanContext* const host = &player_;
-    return state_.tickOnce({view_.step(), view_.dt(), host});
+    answers_.beginStep();
+    // As their bases: that is what the nodes take the host for.
+    bt::HumanContext* const person = &person_;
+    bt::NavigatorHost* const robot = &robot_;
+    return isOfRobot_ ? state_.tickOnce({view_.step(), view_.dt(), robot})
+                      : state_.tickOnce({view_.step(), view_.dt(), person});
   }
-  const std::vector<LeafCall>& calls() const override { return player_.calls(); }
+  const std::vector<LeafCall>& calls() const override { return answers_.calls(); }
   const bt::Program& program() const override { return state_.program(); }
 
   base::Diagnostics fault() const override {
@@ -273,9 +202,22 @@ class ScriptedPlay final : public TreePlay {
   bt::Society society_;
   std::vector<sim2d::HumanControl> controls_;
   sim2d::Intents intents_;
-  TreePlayer player_;
+  LeafAnswers answers_;
+  PersonHost person_;
+  NavigatorOfPlay robot_;
+  bool isOfRobot_;
   bt::TreeState state_;
 };
+
+/// As the planner `nav2` names them when its file says nothing else.
+bt::CompileOptions navigatorOptions(const bt::TreeTable& table) {
+  bt::CompileOptions options;
+  options.mainTree = table.mainTree;
+  options.hostEntries = {{"goal", bt::PortType::Any},
+                         {"goals", bt::PortType::Any},
+                         {"number_recoveries", bt::PortType::Int}};
+  return options;
+}
 
 }  // namespace
 
@@ -284,20 +226,26 @@ base::Result<std::unique_ptr<TreePlay>> TreePlay::create(const PlaySetup& setup)
   base::Diagnostics problems = table.diagnostics();
   base::Result<LeafScript> script = LeafScript();
   if (!setup.script.empty()) {
-    script = ScriptReader(setup.script).read();
+    script = readLeafScript(setup.script);
     base::append(problems, script.diagnostics());
   }
   if (!table) {
     return problems;
   }
-  const bt::NodeLibrary library = bt::humanNodes().withLeaves({answer, answer, noteHalt});
-  const base::Result<std::shared_ptr<const bt::Program>> program = bt::compile(*table, library);
+  const base::Result<std::string> text = base::readTextFile(setup.tree);
+  const bool isOfRobot = text && bt::looksLikeNavigatorTree(*text);
+  const bt::NodeLibrary library = isOfRobot
+                                      ? bt::robotNodes().withLeaves(scriptedLeaf<robotsAnswers>())
+                                      : bt::humanNodes().withLeaves(scriptedLeaf<personsAnswers>());
+  const base::Result<std::shared_ptr<const bt::Program>> program =
+      bt::compile(*table, library, isOfRobot ? navigatorOptions(*table) : bt::CompileOptions());
   base::append(problems, program.diagnostics());
   if (!program || !script) {
     return problems;
   }
   base::append(problems, unusedNames(**program, *script));
-  return {std::make_unique<ScriptedPlay>(setup, *std::move(table), *std::move(script), *program),
+  return {std::make_unique<ScriptedPlay>(setup, *std::move(table), *std::move(script), *program,
+                                         isOfRobot),
           std::move(problems)};
 }
 

@@ -11,7 +11,7 @@
 namespace app {
 
 struct PlaySetup {
-  std::string tree;  // file
+  std::string tree;  // file; of a person, or of a robot (Nav2's) when its nodes say so
   /// YAML file of what leaves answer, `IsRobotVisible: [FAILURE, SUCCESS]`. A key is the name of a
   /// leaf or the ID of leaves; the statuses are those of its calls in order, the last one repeats.
   /// One status alone needs no list. Empty: every leaf succeeds.
@@ -21,7 +21,7 @@ struct PlaySetup {
   sim2d::Compatibility compatibility;
 };
 
-/// A leaf of people's trees was called, or halted while it was RUNNING.
+/// A leaf of people's or robots' trees was called, or halted while it was RUNNING.
 struct LeafCall {
   int node = 0;
   base::NodeStatus status = base::NodeStatus::Idle;

@@ -329,7 +329,7 @@ std::function<editor::RunRequest()> FileCommands::againOf(const QString& folder)
 /// The document is the scenario of the run meanwhile, as far as it is known.
 bool FileCommands::openRun(const QString& path) {
   const base::Result<RecordedRun> run =
-      readRecordedRun(path.toStdString(), workspace_.runner().historyMemory());
+      readRecordedRun(path.toStdString(), workspace_.runner().historyMemory(), CutRecords::Shown);
   if (!run) {
     return tell(run.diagnostics());
   }
@@ -361,7 +361,16 @@ bool FileCommands::openRun(const QString& path) {
   Q_EMIT opened();  // first: the view fits what is drawn while nothing runs
   base::Diagnostics remarks = run.diagnostics();
   base::append(remarks, otherProgram(path.toStdString()));
-  workspace_.openRecorded(run->recording, folder.dirName(), againOf(path));
+  cutOfRun_.reset();
+  for (const base::Diagnostic& each : run.diagnostics()) {
+    cutOfRun_ = run->cut && (each.code == "trace.cut" || each.code == "trace.killed")
+                    ? std::optional(each)
+                    : cutOfRun_;
+  }
+  const QString name = folder.dirName();
+  workspace_.openRecorded(run->recording, run->cut ? tr("%1 (cut)").arg(name) : name,
+                          run->cut ? std::function<editor::RunRequest()>() : againOf(path));
+  Q_EMIT runOpened(folder.absolutePath());
   return tell(remarks);
 }
 

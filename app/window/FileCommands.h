@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <QFileDialog>
 #include <QMenu>
@@ -43,6 +44,8 @@ class FileCommands : public QObject {
   QString exportFolder() const;                                    // what `askExport` proposes
   bool exportPlan(const ExportPlan& plan);                         // writes it
   const base::Diagnostics& problems() const { return problems_; }  // of the last command
+  /// What is said of the recorded run that was opened last, if it is cut.
+  const std::optional<base::Diagnostic>& cutOfRun() const { return cutOfRun_; }
 
   // with dialogs
   void askOpen();
@@ -63,6 +66,7 @@ class FileCommands : public QObject {
   QString folder() const;
 
  Q_SIGNALS:
+  void runOpened(const QString& folder);  // a recorded run is shown
   void opened();  // a document is there to be edited, or a recorded run to be seen
   void closed();  // nothing is there any more
   void recentChanged();
@@ -94,6 +98,7 @@ class FileCommands : public QObject {
   RunOptions options_;
   sim2d::Compatibility compatibility_;
   base::Diagnostics problems_;
+  std::optional<base::Diagnostic> cutOfRun_;
   QString beforeRun_, scenarioOfRun_;  // files; a recorded run is shown
   bool mapRefused_ = false;            // what they say ends with the next map
 };

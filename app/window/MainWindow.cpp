@@ -20,6 +20,7 @@
 #include "app/window/HistoryDialog.h"
 #include "app/window/KeyRules.h"
 #include "app/window/NoticeBar.h"
+#include "app/window/RunMemory.h"
 #include "app/window/ShortcutsDialog.h"
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
@@ -33,6 +34,7 @@
 #include "editor/panels/IssuesPanel.h"
 #include "editor/panels/ScenarioPanel.h"
 #include "editor/panels/TextViewer.h"
+#include "editor/trees/TreeStudio.h"
 
 namespace app {
 
@@ -45,6 +47,7 @@ constexpr const char* kWindowStateKey = "window/state";
 constexpr const char* kThemeKey = "window/theme";
 constexpr int kLayoutVersion = 2;
 constexpr QSize kLeastWindow(860, 480);  // fits 1920 x 1080 at 200 %, the time line too
+constexpr const char* kCutNotice = "cut-run";
 constexpr int kSavedWidth = 120;
 constexpr int kMenuHeight = 28;
 constexpr int kMessageMs = 8000;
@@ -86,6 +89,8 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   connectFiles();
   connectView();
   connectRun();
+  const auto* runs = new RunMemory(workspace_, memory_, this);
+  connect(files_, &FileCommands::runOpened, runs, &RunMemory::followRun);
   const auto* figures = new FigureCommands(workspace_, *docks_, *actions_, docks_);
   connect(figures, &FigureCommands::told, this,
           [this](const QString& words) { statusBar()->showMessage(words, kMessageMs); });
@@ -126,6 +131,13 @@ void MainWindow::placeParts(const WindowSetup& setup) {
   connect(notices_, &NoticeBar::keyboardFree, this,
           [this] { centre_->currentWidget()->setFocus(); });
   setCentralWidget(middle);
+  auto* above = qobject_cast<QVBoxLayout*>(middle->layout());
+  connect(docks_->treeLarge(), &QAction::toggled, this, [this, above](bool on) {
+    auto* tree = on ? findChild<editor::TreeStudio*>() : nullptr;  // notices stay in sight
+    QVBoxLayout* to = tree == nullptr ? above : qobject_cast<QVBoxLayout*>(tree->layout());
+    to->insertWidget(0, notices_);
+    notices_->setVisible(!notices_->notices().empty());
+  });
 }
 
 /// Who listens to the workspace goes before it: its end still makes changes that are told.
@@ -239,6 +251,20 @@ void MainWindow::connectView() {
 void MainWindow::connectRun() {
   SimulationRunner& runner = workspace_.runner();
   connect(&runner, &SimulationRunner::stateChanged, this, &MainWindow::followState);
+  connect(&runner, &SimulationRunner::inputsRefused, this,
+          [this](const base::Diagnostics& problems) {
+            statusBar()->showMessage(QString::fromStdString(problems.front().message), kMessageMs);
+          });
+  connect(files_, &FileCommands::runOpened, this, [this](const QString& /*folder*/) {
+    const std::optional<base::Diagnostic> cut = files_->cutOfRun();
+    cut ? notices_->warn(QString::fromLatin1(kCutNotice), QString::fromStdString(cut->message))
+        : notices_->drop(QString::fromLatin1(kCutNotice));
+  });
+  connect(&runner, &SimulationRunner::stateChanged, this, [this] {
+    if (!workspace_.isOfRecord()) {
+      notices_->drop(QString::fromLatin1(kCutNotice));
+    }
+  });
   connect(&workspace_, &Workspace::editRefused, this, [this] {
     statusBar()->showMessage(tr("A recorded run is not edited: Ctrl+R leaves it"), kMessageMs);
   });
@@ -288,10 +314,11 @@ void MainWindow::followState() {
   showTitle();
 }
 
-void MainWindow::showBeside(QWidget* view) {
+void MainWindow::showBeside(QWidget* view, int columns) {
   if (view != nullptr) {
     canvas_->addWidget(view);
-    canvas_->setSizes({canvas_->width() / 2, canvas_->width() / 2});
+    const int column = canvas_->width() / (columns + 1);
+    canvas_->setSizes({column, columns * column});
     view->show();
   }
   editor::later(*canvas_, [this] { workspace_.view().fitAll(false); });  // once it has its size

@@ -78,7 +78,7 @@ class MainWindow : public QMainWindow {
   void showTitle();
   void showIssues();
   void followState();
-  void showBeside(QWidget* view);
+  void showBeside(QWidget* view, int columns);
   void showBreak(const sim2d::TreeBreak& at);
   void showFullScreenMap(bool on);
   void tellAbout();

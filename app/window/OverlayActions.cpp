@@ -39,6 +39,10 @@ OverlayActions::OverlayActions(Workspace& workspace, QObject* parent)
                     tr("What people do and why, below their names"));
   speech = toggle(tr("&Speech"), &CanvasOptions::speech, Qt::Key_B,
                   tr("What people say, and who hears it"));
+  localCosts = toggle(tr("&Local costmap"), &CanvasOptions::localCosts, Qt::Key_M,
+                      tr("What the ground round a robot with Nav2 costs its controller"));
+  globalCosts = toggle(tr("Gl&obal costmap"), &CanvasOptions::globalCosts, Qt::Key_K,
+                       tr("What the ground costs the planner of a robot with Nav2"));
 }
 
 QAction* OverlayActions::toggle(const QString& text, bool CanvasOptions::*option, int letter,
@@ -59,7 +63,8 @@ constexpr Named kOverlayNames[] = {
     {"gaussian", &CanvasOptions::gaussian}, {"velocities", &CanvasOptions::velocities},
     {"plans", &CanvasOptions::plans},       {"contacts", &CanvasOptions::contacts},
     {"thoughts", &CanvasOptions::thoughts}, {"zones", &CanvasOptions::proxemics},
-    {"forces", &CanvasOptions::forces}};
+    {"forces", &CanvasOptions::forces},     {"local-costs", &CanvasOptions::localCosts},
+    {"ways", &CanvasOptions::candidates},   {"global-costs", &CanvasOptions::globalCosts}};
 
 }  // namespace
 
@@ -82,9 +87,11 @@ void OverlayActions::show(const std::vector<std::string>& names) {
 
 void OverlayActions::remember(Memory& memory) {
   const std::pair<QAction*, const char*> kept[] = {
-      {density, "map/density"},   {sight, "map/sight"},       {gaussian, "map/gaussian"},
-      {plans, "map/plans"},       {contacts, "map/contacts"}, {velocities, "map/velocities"},
-      {thoughts, "map/thoughts"}, {speech, "map/speech"}};
+      {density, "map/density"},       {sight, "map/sight"},
+      {gaussian, "map/gaussian"},     {plans, "map/plans"},
+      {contacts, "map/contacts"},     {velocities, "map/velocities"},
+      {thoughts, "map/thoughts"},     {speech, "map/speech"},
+      {localCosts, "map/localCosts"}, {globalCosts, "map/globalCosts"}};
   for (const auto& [action, key] : kept) {
     const QVariant before = memory.value(key);
     if (before.isValid()) {

@@ -21,10 +21,11 @@ class OverlayActions : public QObject {
  public:
   OverlayActions(Workspace& workspace, QObject* parent);
 
-  QAction *velocities, *gaussian, *sight, *density, *plans, *contacts, *thoughts, *speech;
+  QAction *velocities, *gaussian, *sight, *density, *plans, *contacts, *thoughts, *speech,
+      *localCosts, *globalCosts;
   QList<QAction*> all;
   void remember(Memory& memory);  // they are as they were left
-  /// Words of the command line for them, with "zones" and "forces".
+  /// Words of the command line for them, with "zones", "forces" and "ways".
   static std::vector<std::string> names();
   void show(const std::vector<std::string>& names);
 

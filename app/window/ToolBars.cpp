@@ -7,6 +7,7 @@
 #include <QMenuBar>
 #include <QToolButton>
 
+#include "editor/canvas/FrameLayer.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/panels/BehaviorMenu.h"
@@ -177,12 +178,34 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
   return recent;
 }
 
+namespace {
+
+/// In a run: what hands can do to people.
+void offerHands(Workspace& workspace, const QPoint& at) {
+  editor::MapView& view = workspace.view();
+  const base::Vec2 place = view.worldAt(at);
+  auto* menu = new QMenu(&view);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  workspace.hands().fillMenu(*menu, workspace.scene().frameLayer().agentAt(place), place);
+  if (menu->isEmpty()) {
+    delete menu;
+    return;
+  }
+  menu->popup(view.viewport()->mapToGlobal(at));
+}
+
+}  // namespace
+
 void connectCanvasMenu(Workspace& workspace, const WindowActions& actions, const Docks& docks) {
   editor::MapView& view = workspace.view();
   view.setContextMenuPolicy(Qt::CustomContextMenu);
   const auto offer = [&workspace, &actions, &docks, &view](const QPoint& at) {
     const bool editing = workspace.runner().state() == editor::SimulationRunner::State::Editing;
-    if (!editing || !workspace.tools().isSelecting()) {
+    if (!editing) {
+      offerHands(workspace, at);
+      return;
+    }
+    if (!workspace.tools().isSelecting()) {
       return;
     }
     editor::ScenarioDocument& document = workspace.document();

@@ -191,6 +191,14 @@ base::Diagnostics runTo(Workspace& workspace, double time) {
   return {};
 }
 
+/// What no recording holds and overlays show: ways of people, what robots sense and weigh.
+void showNewest(Workspace& workspace, const WindowOptions& options) {
+  const SimulationRunner& runner = workspace.runner();
+  if (!options.overlays.empty() && !runner.isRecorded() && runner.newestFrame() != nullptr) {
+    workspace.scene().showFrame(runner.newestFrame(), runner.recording().get());
+  }
+}
+
 base::Diagnostics showTreeOf(MainWindow& window, const std::string& person) {
   editor::ScenarioDocument& document = window.workspace().document();
   for (const sim2d::Human& human : document.scenario().humans) {
@@ -240,12 +248,13 @@ base::Diagnostics selectNamed(editor::ScenarioDocument& document, const std::str
 base::Diagnostics takeScreenshot(MainWindow& window, const WindowOptions& options) {
   window.workspace().document().checkNow();  // the issues are those of the file
   pass(kSettleMs);
+  window.actions().ofRuns->show(options.overlays);  // some are gathered while they are on
   if (!window.isOnStartPage() && options.at > 0.0) {
     if (base::Diagnostics problems = runTo(window.workspace(), options.at); !problems.empty()) {
       return problems;
     }
+    showNewest(window.workspace(), options);
   }
-  window.actions().ofRuns->show(options.overlays);
   if (base::Diagnostics problems = selectNamed(window.workspace().document(), options.select);
       !problems.empty()) {
     return problems;
@@ -390,9 +399,11 @@ void addWindow(CommandRegistry& commands) {
   root.add_option("--size", window->size, "Size of the window, WxH");
   root.add_option("--scale", window->scale, "Pixels per point");
   root.add_option("--theme", window->theme, "light or dark")->check(oneOf({"light", "dark"}));
-  root.add_option("--overlay", window->overlays,
-                  "What a picture shows over the run: density, sight, gaussian, velocities, plans, "
-                  "contacts, thoughts, zones, forces; several with commas")
+  root.add_option(
+          "--overlay", window->overlays,
+          "What a picture shows over the run: density, sight, gaussian, velocities, plans, "
+          "contacts, thoughts, zones, forces, ways, local-costs, global-costs; several with "
+          "commas")
       ->delimiter(',')
       ->check(oneOf(OverlayActions::names()));
   root.add_option("--select", window->select, "Who is selected in a picture, by name");

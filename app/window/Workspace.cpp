@@ -30,7 +30,8 @@ Workspace::Workspace(const editor::Theme& theme, const editor::ToolRegistry& too
       events_(document_, runner_),
       feed_(document_, runner_),
       playback_(runner_, theme),
-      scrub_(runner_, events_, scene_) {
+      scrub_(runner_, events_, scene_),
+      hands_(runner_, scene_) {
   new editor::ToolOptionsBar(tools_, *view_);  // the view owns it
   new editor::RunLayers(runner_, events_, *view_);
   // The tool just chosen hears its keys, wherever the choice was made.

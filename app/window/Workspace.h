@@ -19,6 +19,7 @@
 #include "editor/document/ScenarioDocument.h"
 #include "editor/panels/HandDrive.h"
 #include "editor/panels/MetricsFeed.h"
+#include "editor/panels/PeopleHands.h"
 #include "editor/panels/Playback.h"
 #include "editor/panels/RunEvents.h"
 #include "editor/panels/Scrubbing.h"
@@ -48,6 +49,7 @@ class Workspace : public QObject {
   editor::PlaybackActions& playback() { return playback_; }
   editor::ScrubActions& scrub() { return scrub_; }
   editor::HandDrive& drive() { return *drive_; }
+  editor::PeopleHands& hands() { return hands_; }
   const editor::Theme& theme() const { return theme_; }
   void setTheme(const editor::Theme& theme);
   /// Shows a run that was recorded before instead of the document; nothing is edited meanwhile.
@@ -92,6 +94,7 @@ class Workspace : public QObject {
   editor::MetricsFeed feed_;
   editor::PlaybackActions playback_;
   editor::ScrubActions scrub_;
+  editor::PeopleHands hands_;
   std::set<std::pair<QString, std::string>> allowedCode_;  // file (empty: not saved yet), its words
   std::optional<QString> freeFile_;
   QString recordedName_;  // of the recorded run that is shown

@@ -9,6 +9,23 @@
 namespace bt {
 namespace {
 
+/// Of a number or truth; nothing of a text.
+std::optional<PortType> typeOf(const Value& value) {
+  switch (value.type) {
+    case ValueType::Int:
+      return PortType::Int;
+    case ValueType::Long:
+    case ValueType::Double:
+      return PortType::Double;
+    case ValueType::Bool:
+      return PortType::Bool;
+    case ValueType::Unset:
+    case ValueType::String:
+      break;
+  }
+  return std::nullopt;
+}
+
 /// Room for two events of every leaf that may last and some more; a tick seldom has more.
 std::size_t roomForEvents(const Program& program) {
   const auto count = std::count_if(
@@ -66,6 +83,19 @@ std::optional<bool> TreeState::truthOf(const Script& condition) const {
   assert(condition.written.empty());
   ScriptRunner runner(condition, slots_.get());
   return runner.run() ? runner.truth() : std::nullopt;
+}
+
+bool TreeState::setFromText(const std::string& key, const std::string& text) {
+  const int slot = program_->findSlot(key);
+  if (slot < 0) {
+    return false;
+  }
+  const Value value = Value::of(std::string_view(text));
+  Slot& entry = slots_[static_cast<std::size_t>(slot)];
+  const std::optional<PortType> now =
+      entry.type == PortType::Any ? typeOf(entry.value) : std::nullopt;
+  const std::optional<Value> asBefore = now ? convertTo(value, *now) : std::nullopt;
+  return store(entry, asBefore.value_or(value));
 }
 
 std::vector<std::pair<std::string, std::string>> TreeState::entries() const {

@@ -74,6 +74,10 @@ class TreeState {
   bool set(int slot, const T& value) {  // int, double or Value
     return store(slots_[static_cast<std::size_t>(slot)], value);
   }
+  /// The entry of that key, as entries() names it, from a text: of its type; where none is fixed,
+  /// of the type of its value if the text fits that. False: there is no such entry, or it does not
+  /// fit.
+  bool setFromText(const std::string& key, const std::string& text);
   const Value& get(int slot) const { return slots_[static_cast<std::size_t>(slot)].value; }
   /// What a script that changes nothing says of the entries; nothing: one has no value, or it is no
   /// truth. Its slots are those of the program.

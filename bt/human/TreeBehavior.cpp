@@ -68,6 +68,7 @@ class TreeBehavior final : public sim2d::HumanBehavior {
     society_.troubles.clear();
   }
   std::vector<std::pair<std::string, std::string>> blackboard(int human) const override;
+  std::string setEntry(int human, const std::string& key, const std::string& text) override;
   void setBreakpoints(const std::vector<sim2d::TreeBreakpoint>& points) override {
     breakpoints_.set(points);
   }
@@ -272,6 +273,20 @@ std::vector<std::pair<std::string, std::string>> TreeBehavior::blackboard(int hu
     return {};
   }
   return players_[index].tree->entries();
+}
+
+/// `id` and `dt` are ours: the tree would not know itself, or the value would not last.
+std::string TreeBehavior::setEntry(int human, const std::string& key, const std::string& text) {
+  const auto index = static_cast<std::size_t>(human);
+  if (human < 0 || index >= players_.size() || !players_[index].tree) {
+    return "the person has no tree";
+  }
+  if (key == "id" || key == "dt") {
+    return "the program sets the entry '" + key + "' itself";
+  }
+  return players_[index].tree->setFromText(key, text)
+             ? std::string()
+             : "'" + text + "' is no value of the entry '" + key + "', or there is no such entry";
 }
 
 }  // namespace

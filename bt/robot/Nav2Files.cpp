@@ -75,6 +75,7 @@ std::string distroWords(unsigned distros) {
 /// Tells of nodes that are not in the branch, always fail, or have one answer.
 void lookAtNodes(const NodeSpec& node, const std::string& file, Distro distro, NavigatorTree& to) {
   const unsigned distros = distrosOfNode(node.id);
+  to.isThroughPoses = to.isThroughPoses || node.id == "ComputePathThroughPoses";
   if (!sim2d::nav2::isIn(distros, distro)) {
     to.problems.push_back(base::warning(
         "nav2.node-of-others", {node.id, distroWords(distros), sim2d::nav2::distroName(distro)},
@@ -166,8 +167,29 @@ NavigatorTree loadNavigatorTree(const std::string& file, const Nav2Parameters& p
   return tree;
 }
 
-Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
-                    const std::string& robot, const Nav2Folders& shipped) {
+namespace {
+
+/// The tree for several goals; one that the file names and that is not there is told, and goals
+/// are driven to one by one.
+void loadThrough(const std::string& folder, const Nav2Folders& shipped, Nav2Loaded& loaded) {
+  const std::string& own = loaded.parameters.btNavigator.defaultNavThroughPosesBtXml;
+  const std::string named = own.empty() ? kUsualThroughTree : own;
+  loaded.throughFile = nav2TreeFile(named, folder, loaded.parameters.distro, shipped);
+  if (loaded.throughFile.empty()) {
+    loaded.problems.push_back(
+        base::warning("nav2.no-file", {named, known(shipped.trees, ".xml")}, named));
+    return;
+  }
+  loaded.through = loadNavigatorTree(loaded.throughFile, loaded.parameters);
+  if (!own.empty()) {  // the shipped one has been looked at
+    base::append(loaded.problems, loaded.through.problems);
+  }
+}
+
+}  // namespace
+
+Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string& folder,
+                              const std::string& robot, const Nav2Folders& shipped) {
   Nav2Loaded loaded;
   loaded.paramsFile = nav2ParamsFile(choice.params, folder, shipped);
   if (loaded.paramsFile.empty()) {
@@ -184,6 +206,17 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
   sim2d::nav2::Nav2Reading reading = readWith(*file, choice, robot, loaded.wrongValues);
   base::append(loaded.problems, reading.problems);
   loaded.parameters = std::move(reading.parameters);
+  loaded.masks = loadNav2Masks(loaded.parameters);
+  base::append(loaded.problems, loaded.masks.problems);
+  return loaded;
+}
+
+Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
+                    const std::string& robot, const Nav2Folders& shipped) {
+  Nav2Loaded loaded = loadNav2Parameters(choice, folder, robot, shipped);
+  if (loaded.parameters.file.empty()) {  // it could not be read
+    return loaded;
+  }
   const std::string named =
       choice.tree.empty() ? loaded.parameters.btNavigator.defaultNavToPoseBtXml : choice.tree;
   loaded.treeFile = nav2TreeFile(named, folder, loaded.parameters.distro, shipped);
@@ -197,6 +230,10 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
   loaded.program = std::move(tree.program);
   loaded.constants = std::move(tree.constants);
   loaded.unsupported = std::move(tree.unsupported);
+  loaded.isThroughPoses = tree.isThroughPoses;
+  if (choice.tree.empty()) {
+    loadThrough(folder, shipped, loaded);
+  }
   return loaded;
 }
 

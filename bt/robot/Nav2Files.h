@@ -6,6 +6,7 @@
 
 #include "bt/engine/Program.h"
 #include "sim2d/nav/Planner.h"
+#include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 #include "sim2d/nav/nav2/params/Nav2Parameters.h"
 
 namespace bt {
@@ -19,6 +20,7 @@ struct Nav2Folders {
 /// What drives when a robot names no parameter file: a shipped one.
 constexpr const char* kUsualNav2Params = "generic";
 constexpr const char* kUsualNav2Tree = "navigate_to_pose_w_replanning_and_recovery";
+constexpr const char* kUsualThroughTree = "navigate_through_poses_w_replanning_and_recovery";
 
 /// Which files count: a path relative to `folder`, else the name of a shipped one ("turtlebot3").
 /// Empty: there is none.
@@ -29,6 +31,22 @@ std::string nav2ParamsFile(const std::string& named, const std::string& folder,
 std::string nav2TreeFile(const std::string& named, const std::string& folder,
                          sim2d::nav2::Distro distro, const Nav2Folders& shipped);
 
+/// A navigator tree by itself: its nodes in that branch, ports, references.
+struct NavigatorTree {
+  std::shared_ptr<const Program> program;  // null: with errors
+  std::vector<std::string> constants, unsupported;
+  bool isThroughPoses = false;  // it plans through several goals
+  base::Diagnostics problems;
+};
+
+/// Masks that filters of both costmaps name in `mask_file`, beside the parameter file. PGM alone.
+struct Nav2Masks {
+  sim2d::nav2::FilterMasks local, global;
+  std::vector<std::string> files;  // that were read: YAML and images
+  base::Diagnostics problems;
+};
+Nav2Masks loadNav2Masks(const sim2d::nav2::Nav2Parameters& parameters);
+
 /// All that a robot's choice comes to.
 struct Nav2Loaded {
   std::string paramsFile, treeFile;
@@ -36,22 +54,23 @@ struct Nav2Loaded {
   std::shared_ptr<const Program> program;
   std::vector<std::string> constants;    // nodes of the tree with one answer here, and which
   std::vector<std::string> unsupported;  // nodes that always fail here, and why
-  base::Diagnostics problems;            // of both files
-  base::Diagnostics wrongValues;         // of the choice's values that no parameter fits
+  bool isThroughPoses = false;           // the tree plans through several goals
+  std::string throughFile;               // drives several goals where no tree is chosen
+  NavigatorTree through;
+  Nav2Masks masks;
+  base::Diagnostics problems;     // of both files
+  base::Diagnostics wrongValues;  // of the choice's values that no parameter fits
   bool ok() const {
     return !base::hasErrors(problems) && !base::hasErrors(wrongValues) && program != nullptr;
   }
 };
 /// `robot`: its name, whose namespace counts first in the file.
+Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string& folder,
+                              const std::string& robot, const Nav2Folders& shipped);
+/// With the tree.
 Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
                     const std::string& robot, const Nav2Folders& shipped);
 
-/// A navigator tree by itself: its nodes in that branch, ports, references.
-struct NavigatorTree {
-  std::shared_ptr<const Program> program;  // null: with errors
-  std::vector<std::string> constants, unsupported;
-  base::Diagnostics problems;
-};
 NavigatorTree loadNavigatorTree(const std::string& file,
                                 const sim2d::nav2::Nav2Parameters& parameters);
 /// Whether nodes of Nav2 are in the text of a tree.

@@ -9,8 +9,9 @@
 
 #include "bt/engine/TreeState.h"
 #include "bt/robot/Nav2Report.h"
+#include "bt/robot/Nav2Route.h"
 #include "bt/robot/Nav2Servers.h"
-#include "sim2d/base/Math.h"
+#include "bt/robot/Nav2Shown.h"
 
 namespace bt {
 namespace {
@@ -39,7 +40,7 @@ class Nav2Planner final : public sim2d::Planner {
       : setup_(setup),
         loaded_(std::move(loaded)),
         latencies_(latencies),
-        tree_(loaded_.program),
+        tree_(std::make_unique<TreeState>(loaded_.program)),
         driving_{loaded_.program->paths(), {}} {
     driving_.statuses.resize(static_cast<std::size_t>(loaded_.program->nodeCount()),
                              NodeStatus::Idle);
@@ -47,8 +48,8 @@ class Nav2Planner final : public sim2d::Planner {
 
   bool wantsMap() const override { return true; }
   base::Diagnostics takeMap(const sim2d::OccupancyGrid& map) override {
-    auto servers = Nav2Servers::make(
-        {loaded_.parameters, setup_.body, map, latencies_, setup_.seed, setup_.robotId});
+    auto servers = Nav2Servers::make({loaded_.parameters, setup_.body, map, latencies_, setup_.seed,
+                                      setup_.robotId, loaded_.masks.local, loaded_.masks.global});
     base::Diagnostics problems;
     for (const base::Diagnostic& problem : servers.diagnostics()) {
       problems.push_back(
@@ -68,24 +69,20 @@ class Nav2Planner final : public sim2d::Planner {
     }
     hasScan_ = true;
     servers_->sense(observation);
-    if (!goal_ || *goal_ != observation.goal) {
+    if (!route_.goesOnWith(observation.goal, observation.goalsAfter)) {
       beginRun(observation);
     }
-    tick(observation);
-    if (const TreeFault* const fault = tree_.fault()) {
+    tick();
+    if (const TreeFault* const fault = tree_->fault()) {
       return base::error("nav2.tree", {setup_.robot, fault->path + ": " + fault->message});
     }
     return servers_->act();
   }
 
   std::vector<base::Vec2> path() const override {
-    std::vector<base::Vec2> points;
-    if (servers_ != nullptr && servers_->controller() != nullptr) {
-      for (const base::Pose2& pose : servers_->shownPath()) {
-        points.push_back(pose.position);
-      }
-    }
-    return points;
+    return servers_ != nullptr && servers_->controller() != nullptr
+               ? pointsOf(servers_->shownPath())
+               : std::vector<base::Vec2>();
   }
   std::vector<sim2d::Candidate> candidates() const override {
     std::vector<sim2d::Candidate> ways;
@@ -94,17 +91,36 @@ class Nav2Planner final : public sim2d::Planner {
     }
     const sim2d::nav2::ControlView& view = servers_->controller()->view();
     for (const sim2d::nav2::WeighedTrajectory& trajectory : view.trajectories) {
-      sim2d::Candidate& way = ways.emplace_back();
-      for (const base::Pose2& pose : trajectory.poses) {
-        way.points.push_back(pose.position);
-      }
-      way.cost =
-          trajectory.refusal.empty() ? trajectory.total : std::numeric_limits<double>::infinity();
-      way.isChosen = trajectory.isChosen;
+      ways.push_back(shownWay(trajectory));
     }
     return ways;
   }
+  void watch(bool costs, bool ways) override {
+    watchesCosts_ = costs;
+    watchesWays_ = ways;
+    if (servers_ != nullptr) {
+      servers_->watchWays(ways);
+    }
+  }
+  sim2d::PlannerView view() const override {
+    sim2d::PlannerView shown;
+    if (servers_ == nullptr) {
+      return shown;
+    }
+    if (watchesCosts_) {
+      shown.localCosts = localCosts_.of(servers_->localCostmap());
+      shown.globalCosts = globalCosts_.of(servers_->globalCostmap());
+    }
+    if (const sim2d::nav2::Controller* const controller = servers_->controller();
+        watchesWays_ && controller != nullptr) {
+      shown.controller = servers_->controllerName();
+      shown.lookahead = controller->view().lookahead;
+      shown.predicted = pointsOf(controller->view().predicted);
+    }
+    return shown;
+  }
   bool takeReplanned() override { return servers_ != nullptr && servers_->takeReplanned(); }
+  std::size_t takePassedGoals() override { return route_.takePassed(); }
   const sim2d::DrivingTree* tree() const override { return &driving_; }
   std::string reportJson() const override {
     return servers_ == nullptr ? std::string()
@@ -114,45 +130,69 @@ class Nav2Planner final : public sim2d::Planner {
  private:
   TickInput input() { return {step_, setup_.dt, static_cast<NavigatorHost*>(servers_.get())}; }
 
-  /// The goal has no heading of its own: that of the straight way there.
   void beginRun(const Observation& observation) {
-    goal_ = observation.goal;
-    const base::Vec2 way = observation.goal - observation.pose.position;
-    const base::Pose2 pose{observation.goal, base::atan2(way.y(), way.x())};
-    tree_.halt(input());
+    if (route_.isEmpty() && !observation.goalsAfter.empty() && loaded_.through.program != nullptr) {
+      driveThrough();
+    }
+    route_.begin(observation.pose, observation.goal, observation.goalsAfter,
+                 loaded_.isThroughPoses);
+    tree_->halt(input());
     servers_->restart();
-    const PathId goal = servers_->paths().add({pose});
-    servers_->setGoal(goal);
-    tree_.set(loaded_.program->hostSlot(0), static_cast<int>(goal));
-    tree_.set(loaded_.program->hostSlot(1), static_cast<int>(goal));
-    tree_.set(loaded_.program->hostSlot(2), 0);
+    const PathId goals = servers_->paths().add(route_.poses());
+    servers_->setGoal(goals);
+    tree_->set(loaded_.program->hostSlot(0), static_cast<int>(goals));
+    tree_->set(loaded_.program->hostSlot(1), static_cast<int>(goals));
+    tree_->set(loaded_.program->hostSlot(2), 0);
     isDone_ = false;
   }
 
-  void tick(const Observation& /*observation*/) {
+  /// From the first goal on by the tree for routes.
+  void driveThrough() {
+    loaded_.program = loaded_.through.program;
+    loaded_.treeFile = loaded_.throughFile;
+    loaded_.constants = loaded_.through.constants;
+    loaded_.unsupported = loaded_.through.unsupported;
+    loaded_.isThroughPoses = true;
+    tree_ = std::make_unique<TreeState>(loaded_.program);
+    driving_.paths = loaded_.program->paths();
+    driving_.statuses.assign(static_cast<std::size_t>(loaded_.program->nodeCount()),
+                             NodeStatus::Idle);
+  }
+
+  /// How many goals the tree has left in its list; after it has succeeded only the last counts.
+  void followGoals(NodeStatus status) {
+    const Value& goals = tree_->get(loaded_.program->hostSlot(1));
+    const std::size_t left = servers_->paths().get(valueAs<int>(goals).value_or(0)).size();
+    route_.treeLeft(status == NodeStatus::Success ? 1 : left);
+  }
+
+  void tick() {
     ++step_;
     if (isDone_) {
       std::fill(driving_.statuses.begin(), driving_.statuses.end(), NodeStatus::Idle);
       return;
     }
-    const NodeStatus status = tree_.tickOnce(input());
-    driving_.statuses.assign(tree_.statuses().begin(), tree_.statuses().end());
+    const NodeStatus status = tree_->tickOnce(input());
+    driving_.statuses.assign(tree_->statuses().begin(), tree_->statuses().end());
+    followGoals(status);
     isDone_ = status == NodeStatus::Success || status == NodeStatus::Failure;
     if (isDone_) {
-      tree_.halt(input());
+      tree_->halt(input());
     }
   }
 
   sim2d::PlannerSetup setup_;
   Nav2Loaded loaded_;
   Nav2Latencies latencies_;
-  TreeState tree_;
+  std::unique_ptr<TreeState> tree_;
   sim2d::DrivingTree driving_;
   std::unique_ptr<Nav2Servers> servers_;
-  std::optional<base::Vec2> goal_;
+  Nav2Route route_;
   std::optional<double> setOut_;  // [s], first asked
   std::int64_t step_ = 0;         // ticks
   bool isDone_ = false, hasScan_ = false;
+  bool watchesCosts_ = false, watchesWays_ = false;
+  mutable ShownCosts localCosts_, globalCosts_;
 };
 
 base::Result<std::shared_ptr<sim2d::Planner>> makeNav2(const sim2d::PlannerSetup& setup,

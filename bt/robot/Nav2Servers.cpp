@@ -1,16 +1,12 @@
 #include "bt/robot/Nav2Servers.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "bt/robot/Nav2Motions.h"
 #include "sim2d/base/Math.h"
-#include "sim2d/base/Text.h"
 #include "sim2d/nav/Motion.h"
 #include "sim2d/nav/SensedWorld.h"
-#include "sim2d/nav/nav2/costmap/FootprintCost.h"
-#include "sim2d/nav/nav2/global/PlannerServer.h"
 
 namespace bt {
 namespace {
@@ -19,28 +15,18 @@ using sim2d::BodyTwist;
 using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
 using State = RobotOutcome::State;
 
-constexpr double kCostmapTimeout = 1.0;  // [s], of planner_server since Jazzy
-constexpr double kLidarHeight = 0.2;     // [m]; scenarios do not tell
-constexpr double kCutTolerance = 1e-9;   // [m/s], [rad/s]
+constexpr double kLidarHeight = 0.2;    // [m]; scenarios do not tell
+constexpr double kCutTolerance = 1e-9;  // [m/s], [rad/s]
 
 sim2d::nav2::CostmapSetup costmapSetup(const CostmapSettings& settings,
-                                       const Nav2Servers::Setup& setup) {
+                                       const Nav2Servers::Setup& setup, const FilterMasks& masks) {
   CostmapSetup result;
+  result.masks = masks;
   result.settings = settings;
   result.map = setup.map;
   result.lidarHeight = kLidarHeight;
   result.distro = setup.parameters.distro;
   return result;
-}
-
-/// The only one may be left without a name. Null: there is none.
-template <class T>
-T* namedOne(const std::map<std::string, std::unique_ptr<T>>& all, const std::string& name) {
-  if (name.empty() && all.size() == 1) {
-    return all.begin()->second.get();
-  }
-  const auto found = all.find(name);
-  return found == all.end() ? nullptr : found->second.get();
 }
 
 ControlledShape shapeOf(const LayeredCostmap& costmap) {
@@ -82,8 +68,8 @@ base::Result<std::unique_ptr<Nav2Servers>> Nav2Servers::make(Setup setup) {
 base::Diagnostics Nav2Servers::build() {
   base::Diagnostics problems;
   const Nav2Parameters& parameters = setup_.parameters;
-  const CostmapSetup local = costmapSetup(parameters.localCostmap, setup_);
-  const CostmapSetup global = costmapSetup(parameters.globalCostmap, setup_);
+  const CostmapSetup local = costmapSetup(parameters.localCostmap, setup_, setup_.localMasks);
+  const CostmapSetup global = costmapSetup(parameters.globalCostmap, setup_, setup_.globalMasks);
   base::append(problems, prefixed("local_costmap", problemsOf(local)));
   base::append(problems, prefixed("global_costmap", problemsOf(global)));
   base::Result<std::unique_ptr<ControllerServer>> controllers = makeControllerServer(
@@ -138,6 +124,7 @@ void Nav2Servers::sense(const sim2d::Observation& observation) {
   odometry_.add(time_, observation.motion);
   local_->update(sensed_);
   global_->update(sensed_);
+  applySpeedLimit();
 }
 
 BodyTwist Nav2Servers::act() {
@@ -184,7 +171,7 @@ void Nav2Servers::restart() {
   hasPlanned_ = false;
 }
 
-// ---- planning and smoothing --------------------------------------------------------------------
+// ---- actions --------------------------------------------------------------------
 
 void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
   result(action) = {};
@@ -193,6 +180,7 @@ void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
     FollowPathGoal goal{path, request.server, request.goalChecker, request.progressChecker,
                         request.pathHandler};
     shownPath_ = path;
+    controllerName_ = request.server;
     if (isCancelling_) {
       nextFollow_ = std::move(goal);
     } else {
@@ -235,198 +223,6 @@ void Nav2Servers::cancel(RobotAction action) {
   if (result(action).state == State::Running) {
     result(action).state = State::Cancelled;
   }
-}
-
-/// After a clear, until the next update: Humble waits for ever, the others give up.
-bool Nav2Servers::waitsForCostmap(Asked& asked) {
-  if (global_->isCurrent() && global_->updates() > 0) {
-    return false;
-  }
-  asked.waitsSince = asked.waitsSince < 0.0 ? time_ : asked.waitsSince;
-  return distro() == Distro::Humble || time_ - asked.waitsSince <= kCostmapTimeout;
-}
-
-PlanRequest Nav2Servers::planRequest(const base::Pose2& from, const base::Pose2& to) const {
-  PlanRequest request(global_->costmap(), from, to);
-  const CostmapFootprint& footprint = global_->footprint();
-  if (!footprint.isRadius) {
-    request.footprint = footprint.corners;
-  }
-  if (const auto law = global_->inflation()) {
-    request.circumscribedCost = law->cost(footprint.circumscribed);
-  }
-  return request;
-}
-
-void Nav2Servers::planIfAsked(RobotAction action) {
-  Asked& request = asked(action);
-  const auto latency = static_cast<std::int64_t>(setup_.latencies.planner);
-  if (request.isWaiting && step_ - request.step >= latency && !waitsForCostmap(request)) {
-    planNow(action, request);
-  }
-}
-
-void Nav2Servers::planNow(RobotAction action, Asked& asked) {
-  if (!global_->isCurrent()) {
-    finish(action, static_cast<int>(PlanError::Timeout));
-    ++counts_.planFailures;
-    return;
-  }
-  GlobalPlanner* const planner = namedOne(planners_, asked.request.server);
-  const Path& goals = paths().get(asked.request.path);
-  const Path& starts = paths().get(asked.request.start.value_or(0));
-  const base::Pose2 start = starts.empty() ? observation_->pose : starts.front();
-  PlanError error = PlanError::InvalidPlanner;
-  Path path;
-  if (planner != nullptr && goals.empty()) {
-    error = PlanError::NoValidPath;
-  } else if (planner != nullptr && action == RobotAction::ComputePath) {
-    PlanResult plan = planner->plan(planRequest(start, goals.back()));
-    error = plan.error;
-    path = std::move(plan.path);
-  } else if (planner != nullptr) {
-    ThroughPosesResult plan =
-        planThroughPoses(*planner, planRequest(start, goals.back()), goals,
-                         setup_.parameters.plannerServer.allowPartialPlanning);
-    error = plan.error;
-    path = std::move(plan.path);
-  }
-  if (error == PlanError::None && path.empty()) {
-    error = PlanError::NoValidPath;
-  }
-  if (error != PlanError::None) {
-    ++counts_.planFailures;
-    finish(action, static_cast<int>(error));
-    return;
-  }
-  hasReplanned_ = hasReplanned_ || hasPlanned_;
-  counts_.replans += hasPlanned_ ? 1 : 0;
-  hasPlanned_ = true;
-  finish(action, 0, paths().add(std::move(path)));
-}
-
-void Nav2Servers::smoothIfAsked() {
-  Asked& request = asked(RobotAction::SmoothPath);
-  if (request.isWaiting) {
-    smoothNow(request.request);
-  }
-}
-
-/// Smoothers look at the published global costmap.
-void Nav2Servers::smoothNow(const RobotRequest& request) {
-  const PathSmoother* const smoother = namedOne(smoothers_, request.server);
-  if (smoother == nullptr) {
-    finish(RobotAction::SmoothPath, static_cast<int>(SmoothError::InvalidSmoother));
-    return;
-  }
-  const Path& path = paths().get(request.path);
-  SmoothResult smoothed = path.empty()
-                              ? SmoothResult{SmoothError::InvalidPath, {}, false}
-                              : smoother->smooth(path, global_->published(), request.timeAllowance);
-  if (smoothed.error == SmoothError::None && request.checksCollisions) {
-    const bool isHit =
-        std::any_of(smoothed.path.begin(), smoothed.path.end(), [&](const base::Pose2& place) {
-          return isInCollision(global_->published(), global_->footprint(), place, true);
-        });
-    smoothed.error = isHit ? SmoothError::SmoothedPathInCollision : smoothed.error;
-  }
-  const bool isFine = smoothed.error == SmoothError::None;
-  finish(RobotAction::SmoothPath, static_cast<int>(smoothed.error),
-         isFine ? paths().add(std::move(smoothed.path)) : 0);
-  result(RobotAction::SmoothPath).wasCompleted = smoothed.wasCompleted;
-}
-
-// ---- controlling -------------------------------------------------------------------------------
-
-ControlCycle Nav2Servers::cycle() const {
-  return {observation_->pose,
-          observation_->motion,
-          local_->costmap(),
-          shape_,
-          local_->isCurrent() && local_->updates() > 0,
-          time_};
-}
-
-/// A cancelled goal ends at once, whatever the rate; then the next one may begin.
-void Nav2Servers::control() {
-  if (isCancelling_) {
-    const FollowFeedback feedback = controllers_->update(cycle());
-    command_ = feedback.command ? feedback.command : command_;
-    isCancelling_ = controllers_->isRunning();
-    if (!isCancelling_ && nextFollow_) {
-      controllers_->follow(*std::exchange(nextFollow_, std::nullopt));
-    }
-  }
-  if (!isCancelling_ && isDue(controllers_->parameters().frequency)) {
-    takeFeedback(controllers_->update(cycle()));
-  }
-}
-
-void Nav2Servers::takeFeedback(const FollowFeedback& feedback) {
-  command_ = feedback.command ? feedback.command : command_;
-  counts_.noValidControl +=
-      feedback.isPatient || feedback.code == ControlCode::NoValidControl ? 1 : 0;
-  counts_.progressFailures += feedback.code == ControlCode::FailedToMakeProgress ? 1 : 0;
-  RobotOutcome& outcome = result(RobotAction::FollowPath);
-  if (outcome.state != State::Running) {
-    return;
-  }
-  if (feedback.status == FollowStatus::Succeeded) {
-    outcome.state = State::Succeeded;
-  } else if (feedback.status == FollowStatus::Failed) {
-    outcome.state = State::Failed;
-    outcome.errorCode = static_cast<int>(feedback.code);
-  } else if (feedback.status == FollowStatus::Canceled) {
-    outcome.state = State::Cancelled;
-  }
-}
-
-// ---- what nodes ask ----------------------------------------------------------------------------
-
-double Nav2Servers::speed() const {
-  const BodyTwist mean = odometry_.mean();
-  return std::sqrt(mean.linear * mean.linear + mean.lateral * mean.lateral);
-}
-
-bool Nav2Servers::isPathValid(PathId id, int maxCost, bool unknownBlocks) const {
-  const Path& path = paths().get(id);
-  const base::Vec2 robot = observation_->pose.position;
-  const CostmapFootprint& footprint = global_->footprint();
-  const Costmap& costmap = global_->costmap();
-  const auto nearest =
-      std::min_element(path.begin(), path.end(), [&](const base::Pose2& a, const base::Pose2& b) {
-        return (a.position - robot).squaredNorm() < (b.position - robot).squaredNorm();
-      });
-  const auto isBlocked = [&](const base::Pose2& place) {
-    const std::uint8_t cost = footprint.isRadius ? placeCost(costmap, place.position)
-                                                 : footprintCost(costmap, footprint.corners, place);
-    if (cost == kNoInformation) {
-      return unknownBlocks;
-    }
-    return cost == kLethal || (footprint.isRadius && cost == kInscribed) || cost >= maxCost;
-  };
-  return !path.empty() && std::none_of(nearest, path.end(), isBlocked);
-}
-
-bool Nav2Servers::clear(const ClearRequest& request) {
-  LayeredCostmap& costmap = request.isLocal ? *local_ : *global_;
-  ++counts_.clears;
-  std::string names = request.plugins;
-  std::replace(names.begin(), names.end(), ';', ',');
-  std::vector<std::string> plugins;
-  for (const std::string& name : base::split(names, ',')) {
-    if (!base::trimmed(name).empty()) {
-      plugins.push_back(base::trimmed(name));
-    }
-  }
-  using Extent = ClearRequest::Extent;
-  if (request.extent == Extent::Entire) {
-    costmap.clearEntirely();
-    return true;
-  }
-  const base::Vec2 place = request.pose ? request.pose->position : observation_->pose.position;
-  return request.extent == Extent::Except ? costmap.clearExcept(place, request.distance, plugins)
-                                          : costmap.clearAround(place, request.distance, plugins);
 }
 
 }  // namespace bt

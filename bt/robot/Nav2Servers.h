@@ -49,6 +49,7 @@ class Nav2Servers final : public NavigatorHost {
     Nav2Latencies latencies;
     std::uint64_t seed = 1;
     int robotId = -1;
+    sim2d::nav2::FilterMasks localMasks{}, globalMasks{};  // of filters
   };
   /// Problems of costmaps, controllers and the rest; with errors there are no servers.
   static base::Result<std::unique_ptr<Nav2Servers>> make(Setup setup);
@@ -62,6 +63,8 @@ class Nav2Servers final : public NavigatorHost {
   /// A new run of the tree begins: nothing is asked for any more.
   void restart();
   static const std::array<RobotAction, 4>& behaviorActions();
+  /// Whether the controller keeps what it weighs, for display.
+  void watchWays(bool wanted) { watchesWays_ = wanted; }
 
   const Nav2Counts& counts() const { return counts_; }
   bool takeReplanned() { return std::exchange(hasReplanned_, false); }
@@ -69,6 +72,7 @@ class Nav2Servers final : public NavigatorHost {
   const sim2d::nav2::LayeredCostmap& localCostmap() const { return *local_; }
   const sim2d::nav2::LayeredCostmap& globalCostmap() const { return *global_; }
   sim2d::nav2::Controller* controller() const { return controllers_->controller(); }
+  const std::string& controllerName() const { return controllerName_; }  // as the tree says it
   const sim2d::nav2::Nav2Parameters& parameters() const { return setup_.parameters; }
 
   // NavigatorHost
@@ -109,6 +113,8 @@ class Nav2Servers final : public NavigatorHost {
   void smoothIfAsked();
   void smoothNow(const RobotRequest& request);
   void control();
+  void watchController();
+  void applySpeedLimit();
   void takeFeedback(const sim2d::nav2::FollowFeedback& feedback);
   sim2d::nav2::ControlCycle cycle() const;
   sim2d::nav2::PlanRequest planRequest(const base::Pose2& from, const base::Pose2& to) const;
@@ -140,6 +146,9 @@ class Nav2Servers final : public NavigatorHost {
   PathId goal_ = 0;
   bool hasPlanned_ = false, hasReplanned_ = false;
   sim2d::nav2::Path shownPath_;
+  std::string controllerName_;  // of the path that was given last
+  bool watchesWays_ = false;
+  sim2d::nav2::SpeedLimit localLimit_, globalLimit_;  // of speed filters, applied
   Nav2Counts counts_;
 };
 

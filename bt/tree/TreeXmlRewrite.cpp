@@ -191,6 +191,13 @@ Attributes attributesOf(const NodeSpec& node) {
   return all;
 }
 
+/// A node of the text with what is said in it or before it.
+struct CommentedNode {
+  const NodeSpec* node = nullptr;
+  const SourceElement* source = nullptr;
+  Position begin = 0;  // of what is said before it, else of the element
+};
+
 class TreeRewriter {
  public:
   TreeRewriter(std::string_view text, const NodeCatalogue& catalogue)
@@ -208,14 +215,82 @@ class TreeRewriter {
   void writeStart(const NodeSpec& before, const NodeSpec& now, const SourceElement& source);
   void writeChildren(const NodeSpec& before, const NodeSpec& now, const SourceElement& source);
   void writeNew(const NodeSpec& node, bool compact, const std::string& margin);
+  void findComments(const NodeSpec& node, const SourceElement& source, Position behind);
+  const CommentedNode* commentedLike(const NodeSpec& node) const;
+  std::string withItsComments(const NodeSpec& node, bool compact, const std::string& margin) const;
   Position writeMainTree(const std::string& before, const std::string& now,
                          const SourceElement& root);
 
   std::string_view text_;
   const NodeCatalogue& catalogue_;
   std::string result_;
+  std::vector<CommentedNode> commented_;  // of the text as it was
   bool isPossible_ = true;
 };
+
+/// `behind`: the element before it, or the start tag around it. What stands on the line of that is
+/// said of that.
+void TreeRewriter::findComments(const NodeSpec& node, const SourceElement& source,
+                                Position behind) {
+  if (source.children.size() != node.children.size()) {
+    return;
+  }
+  const std::string_view gap = text_.substr(behind, source.begin - behind);
+  const Position line = gap.find('\n');
+  const Position said = line == gap.npos ? gap.npos : gap.find("<!--", line);
+  const bool isInside =
+      text_.substr(source.begin, source.end - source.begin).find("<!--") != text_.npos;
+  if (said != gap.npos || isInside) {
+    commented_.push_back({&node, &source, said == gap.npos ? source.begin : behind + said});
+  }
+  for (std::size_t k = 0; isInside && k < node.children.size(); ++k) {
+    findComments(node.children[k], source.children[k],
+                 k == 0 ? source.body : source.children[k - 1].end);
+  }
+}
+
+const CommentedNode* TreeRewriter::commentedLike(const NodeSpec& node) const {
+  const auto found =
+      std::find_if(commented_.begin(), commented_.end(),
+                   [&node](const CommentedNode& each) { return *each.node == node; });
+  return found == commented_.end() ? nullptr : &*found;
+}
+
+/// A node that stands in another place now, as lines of their own without the last break: a node of
+/// the text that is like it takes along what is said of it.
+std::string TreeRewriter::withItsComments(const NodeSpec& node, bool compact,
+                                          const std::string& margin) const {
+  const CommentedNode* like = commentedLike(node);
+  if (like != nullptr && !(compact && like->node->explicitNotation)) {
+    const std::string before = marginOf(like->source->begin);
+    std::string lines = margin;
+    for (Position from = like->begin; from < like->source->end;) {
+      const Position line = std::min(text_.find('\n', from), like->source->end);
+      lines += part(from, line);
+      from = line + 1;
+      if (line < like->source->end) {
+        const bool isIndented = text_.substr(from, before.size()) == before;
+        lines += "\n" + (isIndented ? margin : std::string());
+        from += isIndented ? before.size() : 0;
+      }
+    }
+    return lines;
+  }
+  NodeSpec alone = node;
+  alone.children.clear();
+  std::string text = textOf(alone, catalogue_, compact, margin);
+  text.pop_back();
+  if (node.children.empty()) {
+    return text;
+  }
+  const Position tag = margin.size() + 1;
+  const std::string name = text.substr(tag, text.find_first_of(" \t/>", tag) - tag);
+  text = text.substr(0, text.rfind("/>")) + ">";
+  for (const NodeSpec& child : node.children) {
+    text += "\n" + withItsComments(child, node.id == "ReactiveSequence", margin + "  ");
+  }
+  return text + "\n" + margin + "</" + name + ">";
+}
 
 std::string TreeRewriter::marginOf(Position begin) const {
   const Position line = text_.rfind('\n', begin);
@@ -225,9 +300,7 @@ std::string TreeRewriter::marginOf(Position begin) const {
 }
 
 void TreeRewriter::writeNew(const NodeSpec& node, bool compact, const std::string& margin) {
-  std::string text = textOf(node, catalogue_, compact, margin);
-  text.pop_back();  // the line break
-  result_ += "\n" + text;
+  result_ += "\n" + withItsComments(node, compact, margin);
 }
 
 void TreeRewriter::writeStart(const NodeSpec& before, const NodeSpec& now,
@@ -300,9 +373,8 @@ void TreeRewriter::write(const NodeSpec& before, const NodeSpec& now, const Sour
     return;
   }
   if (before.id != now.id || before.subTree != now.subTree) {
-    std::string text = textOf(now, catalogue_, false, marginOf(source.begin));
-    text.pop_back();
-    result_ += text.substr(marginOf(source.begin).size());
+    const std::string margin = marginOf(source.begin);
+    result_ += withItsComments(now, false, margin).substr(margin.size());
     return;
   }
   writeStart(before, now, source);
@@ -346,12 +418,25 @@ std::optional<std::string> TreeRewriter::rewrite(const TreeFile& before, const T
   if (!root || !isSame || root->isClosed) {
     return std::nullopt;
   }
+  std::size_t place = 0;
+  for (const SourceElement& element : root->children) {
+    const bool isTree = element.tag == "BehaviorTree";
+    if (isTree && place < before.trees.size() && element.children.size() == 1) {
+      findComments(before.trees[place].root, element.children.front(), element.body);
+    }
+    place += isTree ? 1 : 0;
+  }
   std::size_t number = 0;
   Position from = writeMainTree(before.mainTree, now.mainTree, *root);
   const auto addNew = [&](const std::string& margin) {
     for (const TreeSpec& tree : now.trees) {
       if (before.find(tree.id) == nullptr) {
         std::string text = textOf(tree, catalogue_, margin);
+        const std::string plain = textOf(tree.root, catalogue_, false, margin + "  ");
+        const Position at = text.find(plain);
+        if (at != text.npos) {
+          text.replace(at, plain.size() - 1, withItsComments(tree.root, false, margin + "  "));
+        }
         text.pop_back();
         result_ += "\n" + text;
       }

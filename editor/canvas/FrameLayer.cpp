@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/PlannerPainter.h"
 #include "editor/canvas/RunOverlays.h"
 #include "editor/canvas/SensePainter.h"
 #include "editor/canvas/SpriteAtlas.h"
@@ -299,6 +300,7 @@ void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     paintBelieved(*painter);
   }
   paintPull(*painter);
+  paintPush(*painter);
   for (const Body& body : bodies_) {
     if (options().robots && body.isRobot()) {
       paintRobot(*painter, body);
@@ -383,9 +385,11 @@ void FrameLayer::paintPerceived(QPainter& painter) const {
       senses.scan(painter, *each.scan);
     }
   }
+  const PlannerPainter planners(theme());
   for (const sim2d::RobotSenses& each : *frame_->senses) {
     if (options().candidates) {
-      senses.ways(painter, each.ways);
+      hasPrices(each) ? planners.ways(painter, each.ways) : senses.ways(painter, each.ways);
+      planners.aim(painter, each);
     }
   }
 }
@@ -426,6 +430,30 @@ void FrameLayer::paintPull(QPainter& painter) const {
   const PixelFrame frame(painter, toScene(pull->to));
   setInk(painter, QPen(theme().color(Role::Accent), 2.0), theme().color(Role::Panel));
   painter.drawEllipse(QPointF(), 5.0, 5.0);
+}
+
+/// The arrow of a push, with its speed.
+void FrameLayer::paintPush(QPainter& painter) const {
+  const auto& push = mapScene().push();
+  const Body* person = push ? body(push->person) : nullptr;
+  if (person == nullptr || push->velocity.isZero()) {
+    return;
+  }
+  const Vec2 to = person->pose.position + push->velocity;
+  setInk(painter, screenPen(painter, theme().color(Role::Accent), 3.0));
+  painter.drawLine(toScene(person->pose.position), toScene(to));
+  const PixelFrame frame(painter, toScene(to));
+  painter.setPen(QPen(theme().color(Role::Accent), 3.0));
+  FigurePainter(theme()).arrowHead(painter, QPointF(),
+                                   base::headingOf(push->velocity) * 180.0 / base::kPi, 11.0);
+  painter.setFont(theme().figureFont(9.0));
+  const QString words = QStringLiteral("%1 m/s").arg(push->velocity.norm(), 0, 'f', 1);
+  QRectF box = QFontMetricsF(painter.font()).boundingRect(words).adjusted(-6, -3, 6, 3);
+  box.moveCenter(QPointF(0.0, push->velocity.y() >= 0.0 ? -20.0 : 20.0));
+  setInk(painter, QPen(theme().color(Role::Accent), 1.0), theme().color(Role::Panel));
+  painter.drawRoundedRect(box, 4.0, 4.0);
+  painter.setPen(theme().color(Role::Text));
+  painter.drawText(box, Qt::AlignCenter, words);
 }
 
 std::vector<ForceArrow> forcesOn(const sim2d::Frame& frame, int humanId) {

@@ -92,6 +92,7 @@ class FrameLayer : public FullLayer {
   void paintPerceived(QPainter& painter) const;
   void paintBelieved(QPainter& painter) const;
   void paintPull(QPainter& painter) const;
+  void paintPush(QPainter& painter) const;
   void paintPeople(QPainter& painter) const;
   void paintRobot(QPainter& painter, const Body& robot) const;
   void paintSpeech(QPainter& painter) const;

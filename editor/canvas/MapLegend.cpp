@@ -229,9 +229,10 @@ LegendPart thoughtPart() {
 
 bool wantsLegend(const MapScene& scene) {
   const CanvasOptions& on = scene.options();
-  return scene.isRunMode() &&
-         (on.forces || on.velocities || on.proxemics || on.gaussian || on.sight || on.density ||
-          on.plans || on.contacts || on.thoughts || on.detections || on.candidates);
+  return scene.isRunMode() && (on.forces || on.velocities || on.proxemics || on.gaussian ||
+                               on.sight || on.density || on.plans || on.contacts || on.thoughts ||
+                               on.detections || on.candidates || on.localCosts || on.globalCosts ||
+                               (on.lidar && isLidarChosen(scene)) || !senseRows(scene).empty());
 }
 
 std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
@@ -253,7 +254,14 @@ std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
   add(on.plans, [&] { return planPart(scene); });
   add(on.contacts, [&] { return contactPart(scene); });
   add(on.thoughts, [] { return thoughtPart(); });
+  add(on.localCosts || on.globalCosts, [&] { return costPart(scene); });
+  if (LegendPart prices = on.candidates ? pricePart(scene) : LegendPart(); !prices.rows.empty()) {
+    parts.push_back(std::move(prices));
+  }
   std::vector<LegendRow> senses = senseRows(scene);
+  if (senses.empty() && on.lidar && isLidarChosen(scene)) {
+    senses.push_back(noteRow(QObject::tr("laser: newest moment only")));
+  }
   if (!senses.empty()) {
     parts.push_back({QObject::tr("Robot"), std::move(senses)});
   }

@@ -27,9 +27,16 @@ struct LegendPart {
 /// view, for the scales of arrows.
 std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre);
 /// Whether an overlay is on that has a legend: then there is room for it, whoever is selected.
+/// Laser scans, which are on at first, ask for it only while a robot with a lidar is selected.
 bool wantsLegend(const MapScene& scene);
+/// Costs of the cells of a planner's costmaps; what its ways cost, and what each critic gave the
+/// chosen one (no rows: it does not tell).
+LegendPart costPart(const MapScene& scene);
+LegendPart pricePart(const MapScene& scene);
 /// Of lidar, detector and ways weighed by the one robot that is selected.
 std::vector<LegendRow> senseRows(const MapScene& scene);
+/// One robot is selected in a run, and it has a lidar.
+bool isLidarChosen(const MapScene& scene);
 
 /// The legend at the right of a view, beside the map and never over it: the view is narrower for so
 /// long.

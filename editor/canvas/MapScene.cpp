@@ -140,7 +140,7 @@ MapScene::MapScene(ScenarioDocument& document, const Theme& theme, QObject* pare
 
 void MapScene::addRunLayer(std::unique_ptr<FullLayer> layer) {
   constexpr double kBeneath = 0.5;
-  layer->setZValue(FrameDepth - kBeneath);
+  layer->setZValue(double{FrameDepth} - kBeneath);
   runLayers_.push_back(layer.get());
   addItem(layer.release());
 }

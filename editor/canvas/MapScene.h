@@ -51,6 +51,7 @@ struct CanvasOptions {
   bool names = true, routes = true, grid = true, rulers = false;
   bool trails = true, robotPath = true, speech = true, proxemics = false, forces = false;
   bool lidar = true, detections = false, candidates = false;                  // of robots, in a run
+  bool localCosts = false, globalCosts = false;                               // idem, of planners
   bool velocities = false, gaussian = false, sight = false, density = false;  // of people, in a run
   bool plans = false, contacts = false, thoughts = false;                     // idem
   bool map = true, people = true, robots = true, goals = true, obstacles = true, areas = true;
@@ -119,6 +120,17 @@ class MapScene : public QGraphicsScene {
   };
   const std::optional<Pull>& pull() const { return pull_; }
   void setPull(std::optional<Pull> pull);
+  /// A person of the run who is about to get a push: an arrow from where they are, one metre of it
+  /// is one metre per second.
+  struct Push {
+    int person = 0;
+    Vec2 velocity = Vec2::Zero();  // [m/s]
+  };
+  const std::optional<Push>& push() const { return push_; }
+  void setPush(std::optional<Push> push);
+  /// The next drag draws the arrow of this person, wherever it begins; none: of nobody.
+  void armPush(std::optional<int> person) { armedPush_ = person; }
+  std::optional<int> armedPush() const { return armedPush_; }
   bool isPullable() const { return isPullable_; }  // false: the run is over, or was recorded
   void setPullable(bool pullable);
   FrameLayer& frameLayer() const { return *frameLayer_; }
@@ -157,6 +169,7 @@ class MapScene : public QGraphicsScene {
   void themeChanged();
   void guestChanged();
   void pullChanged();
+  void pushed(int person, const base::Vec2& velocity);  // [m/s]
 
  protected:
   void mousePressEvent(QGraphicsSceneMouseEvent* event) override;
@@ -208,6 +221,8 @@ class MapScene : public QGraphicsScene {
   LabelLayer* labelLayer_ = nullptr;
   ToolLayer* toolLayer_ = nullptr;
   RouteModel* routes_ = nullptr;
+  std::optional<Push> push_;
+  std::optional<int> armedPush_;
 };
 
 }  // namespace editor

@@ -357,7 +357,6 @@ void MapView::drawForeground(QPainter* painter, const QRectF&) {
   }
   paintScaleBar(*painter, context);
   legendCorner_ = paintGroupLegend(*painter, context);
-  paintSenseLegend(*painter, context);
   if (const QColor color = stateColor(); color.isValid()) {
     painter->fillRect(QRectF(0.0, 0.0, window.width(), kStateLinePx), color);
   }

@@ -41,9 +41,6 @@ std::vector<QRectF> overlayBoxes(const OverlayContext& context) {
     boxes.emplace_back(window.topLeft(), QSizeF(window.width(), kRulerPx));
     boxes.emplace_back(window.topLeft(), QSizeF(kRulerPx, window.height()));
   }
-  if (const QRectF senses = senseLegendBox(context); !senses.isEmpty()) {
-    boxes.push_back(senses);
-  }
   return boxes;
 }
 

@@ -26,14 +26,10 @@ void paintRulers(QPainter& painter, const OverlayContext& context);
 int paintGroupLegend(QPainter& painter, const OverlayContext& context);
 /// Where that is [px]; empty when there is no legend.
 QRectF groupLegendBox(const OverlayContext& context);
-/// What lidar, detector and weighed ways look like, while a robot of a run is selected and there is
-/// no legend beside the map.
-void paintSenseLegend(QPainter& painter, const OverlayContext& context);
-QRectF senseLegendBox(const OverlayContext& context);  // empty when there is none
 /// The ground of a legend or of fields over the map.
 void paintPlate(QPainter& painter, const Theme& theme, const QRectF& box);
 
-/// What scale bar, rulers and legends of a run cover, where they are shown [px of the window].
+/// What scale bar and rulers cover, where they are shown [px of the window].
 std::vector<QRectF> overlayBoxes(const OverlayContext& context);
 
 /// 1, 2 or 5 times a power of ten [m], about `targetPx` long on the screen.

@@ -7,6 +7,7 @@
 
 #include "bt/human/Perception.h"
 #include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/PlannerPainter.h"
 #include "metrics/SightPolygon.h"
 
 namespace editor {
@@ -32,6 +33,7 @@ void RunOverlays::end() {
   frame_.reset();
   header_.reset();
   field_.reset();
+  costs_ = {};
   most_ = 0.0;
   contacts_.clear();
   thoughts_.clear();
@@ -89,12 +91,16 @@ std::vector<ShownBody> RunOverlays::bodiesIn(const QRectF& exposed) const {
 
 void RunOverlays::paintGround(QPainter& painter, const QRectF& exposed) {
   const CanvasOptions& options = scene_.options();
-  const bool isAnything =
-      options.density || options.proxemics || options.gaussian || options.sight || options.plans;
+  const bool isAnything = options.density || options.proxemics || options.gaussian ||
+                          options.sight || options.plans || options.localCosts ||
+                          options.globalCosts;
   if (frame_ == nullptr || !isAnything) {
     return;
   }
   painter.setRenderHint(QPainter::Antialiasing);
+  if (options.localCosts || options.globalCosts) {
+    paintCosts(painter);
+  }
   const double scale = pixelsPerMetreOf(painter);
   const PixelFrame pixels(painter, {});
   const OverlayPainter over(painter, scene_.theme(), {QPointF(), scale});
@@ -108,6 +114,31 @@ void RunOverlays::paintGround(QPainter& painter, const QRectF& exposed) {
   }
   if (options.plans) {
     paintPlans(over, bodies);
+  }
+}
+
+/// The local one in the place of that part of the global one.
+void RunOverlays::paintCosts(QPainter& painter) {
+  const std::optional<LookedAt> robot = plannerLookedAt(scene_);
+  if (!robot) {
+    return;
+  }
+  const CanvasOptions& options = scene_.options();
+  const PlannerPainter planners(scene_.theme());
+  const auto picture = [this](CostPicture& kept, const sim2d::CostGridPtr& grid) -> const QImage& {
+    if (kept.grid != grid) {
+      kept = {grid, costImage(*grid, scene_.theme())};
+    }
+    return kept.image;
+  };
+  const sim2d::CostGridPtr local = options.localCosts ? robot->senses->localCosts : nullptr;
+  const sim2d::CostGridPtr global = options.globalCosts ? robot->senses->globalCosts : nullptr;
+  if (global != nullptr) {
+    planners.costs(painter, *global, picture(costs_[1], global), local ? areaOf(*local) : QRectF());
+  }
+  if (local != nullptr) {
+    planners.costs(painter, *local, picture(costs_[0], local));
+    planners.edge(painter, *local);
   }
 }
 

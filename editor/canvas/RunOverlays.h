@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -22,7 +23,10 @@ class RunOverlays {
 
   void show(std::shared_ptr<const sim2d::Frame> frame, const sim2d::Recording* recording);
   void end();
-  void themeChanged() { field_.reset(); }
+  void themeChanged() {
+    field_.reset();
+    costs_ = {};
+  }
 
   /// All of the run so far; those after the moment that is shown are not drawn.
   void setContacts(std::vector<sim2d::ContactMark> contacts) { contacts_ = std::move(contacts); }
@@ -50,6 +54,7 @@ class RunOverlays {
     metrics::DensityField field;
     QImage image;
   };
+  void paintCosts(QPainter& painter);
   void paintDensity(const OverlayPainter& over);
   void paintSpaces(const OverlayPainter& over, const std::vector<ShownBody>& bodies) const;
   void paintSight(const OverlayPainter& over, const std::vector<ShownBody>& bodies) const;
@@ -61,6 +66,12 @@ class RunOverlays {
   std::shared_ptr<const sim2d::TraceHeader> header_;
   std::optional<Field> field_;  // of the frame
   double most_ = 0.0;           // it does not fall in a run
+  /// Of costmaps, made again when they have changed: local, global.
+  struct CostPicture {
+    sim2d::CostGridPtr grid;
+    QImage image;
+  };
+  std::array<CostPicture, 2> costs_;
   std::vector<sim2d::ContactMark> contacts_;
   std::map<int, QString> thoughts_;
 };

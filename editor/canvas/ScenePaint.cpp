@@ -254,10 +254,17 @@ void MapScene::setPull(std::optional<Pull> pull) {
   }
 }
 
+void MapScene::setPush(std::optional<Push> push) {
+  push_ = isPullable_ ? std::move(push) : std::nullopt;
+  update();
+}
+
 void MapScene::setPullable(bool pullable) {
   isPullable_ = pullable;
   if (!pullable) {
     setPull({});
+    setPush({});
+    armedPush_.reset();
   }
 }
 

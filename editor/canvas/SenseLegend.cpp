@@ -5,18 +5,14 @@
 
 #include "editor/canvas/FrameLayer.h"
 #include "editor/canvas/MapLegend.h"
-#include "editor/canvas/Overlays.h"
 #include "editor/canvas/PixelFrame.h"
+#include "editor/canvas/PlannerPainter.h"
+#include "sim2d/scenario/Defaults.h"
 
 // What the colours of lidar, detector and weighed ways say, while a robot of a run is selected.
 namespace editor {
 
 namespace {
-
-constexpr double kSenseRowPx = 20.0;
-constexpr double kSenseWidthPx = 220.0;
-constexpr double kSenseMarginPx = 12.0;
-constexpr double kSenseSamplePx = 20.0;
 
 void sampleLine(QPainter& painter, const QRectF& box, const QPen& pen) {
   setInk(painter, pen);
@@ -51,12 +47,6 @@ void addWayRows(std::vector<LegendRow>& rows, const Theme& theme) {
   }
 }
 
-QRectF boxOfRows(const OverlayContext& context, std::size_t rows) {
-  return {context.window.right() - kSenseWidthPx - kSenseMarginPx,
-          context.window.top() + kSenseMarginPx, kSenseWidthPx,
-          static_cast<double>(rows) * kSenseRowPx + 12.0};
-}
-
 }  // namespace
 
 std::vector<LegendRow> senseRows(const MapScene& scene) {
@@ -89,35 +79,20 @@ std::vector<LegendRow> senseRows(const MapScene& scene) {
            paintRing(painter, pen, 6.0, box.center());
          }});
   }
-  if (scene.options().candidates && !senses->ways.empty()) {
+  if (scene.options().candidates && !senses->ways.empty() && !hasPrices(*senses)) {
     addWayRows(rows, theme);
   }
   return rows;
 }
 
-/// Over the map as long as there is no legend beside it.
-QRectF senseLegendBox(const OverlayContext& context) {
-  const std::size_t rows = senseRows(context.scene).size();
-  return rows == 0 || wantsLegend(context.scene) ? QRectF() : boxOfRows(context, rows);
-}
-
-void paintSenseLegend(QPainter& painter, const OverlayContext& context) {
-  const std::vector<LegendRow> rows = senseRows(context.scene);
-  if (rows.empty() || wantsLegend(context.scene)) {
-    return;
-  }
-  const Theme& theme = context.scene.theme();
-  const QRectF box = boxOfRows(context, rows.size());
-  paintPlate(painter, theme, box);
-  painter.setFont(theme.font(9.0));
-  QRectF line(box.left() + 12.0, box.top() + 6.0, box.width() - 20.0, kSenseRowPx);
-  for (const LegendRow& row : rows) {
-    row.sample(painter, QRectF(line.topLeft(), QSizeF(kSenseSamplePx, kSenseRowPx)));
-    painter.setPen(theme.color(Role::Text));
-    painter.drawText(line.adjusted(kSenseSamplePx + 8.0, 0.0, 0.0, 0.0),
-                     Qt::AlignLeft | Qt::AlignVCenter, row.words);
-    line.translate(0.0, kSenseRowPx);
-  }
+bool isLidarChosen(const MapScene& scene) {
+  const std::vector<EntityId>& selection = scene.document().selection();
+  const std::optional<Entity> value = scene.isRunMode() && selection.size() == 1
+                                          ? scene.document().entity(selection.front())
+                                          : std::nullopt;
+  const auto* robot = value ? std::get_if<sim2d::Robot>(&*value) : nullptr;
+  return robot != nullptr &&
+         sim2d::resolveRobot(scene.document().scenario(), *robot, -1).lidar.beams > 0;
 }
 
 }  // namespace editor

@@ -79,7 +79,12 @@ BehaviorPanel::BehaviorPanel(ScenarioDocument& document, SimulationRunner& runne
   connect(&runner, &SimulationRunner::breakpointsChanged, this, &BehaviorPanel::showBreakpoints);
   connect(&runner, &SimulationRunner::entriesChanged, this, &BehaviorPanel::showEntries);
   connect(&runner, &SimulationRunner::lookingBackChanged, this, &BehaviorPanel::showEntries);
-  connect(&runner, &SimulationRunner::frameShown, this, &BehaviorPanel::showStatus);
+  connect(&runner, &SimulationRunner::frameShown, this, [this] {
+    showStatus();
+    if (runner_.isLookingBack()) {
+      showEntries();
+    }
+  });
   connect(&document_, &ScenarioDocument::selectionChanged, this, &BehaviorPanel::follow);
   connect(&document_, &ScenarioDocument::settled, this,
           [this] { isVisible() ? rebuild() : (void)(stale_ = true); });
@@ -163,7 +168,9 @@ void BehaviorPanel::follow() {
     person_ = id.kind == EntityKind::Human ? id : person_;
   }
   const sim2d::Human* human = document_.human(person_);
-  runner_.watchEntries(human == nullptr ? std::nullopt : std::optional<int>(human->id));
+  if (human != nullptr && runner_.watched() != human->id) {  // the last one stays, for the studio
+    runner_.watchEntries(human->id);
+  }
   rebuild();
   showEntries();
 }
@@ -310,10 +317,10 @@ void BehaviorPanel::showBreakpoints() {
   outline_->showBreakpoints(own);
 }
 
-/// Of the newest state alone: while the past is shown they would mislead.
+/// Of the state that is shown, where that is known.
 void BehaviorPanel::showEntries() {
-  const std::optional<app::Entries>& entries = runner_.entries();
-  const bool isShown = entries && !entries->empty() && !runner_.isLookingBack();
+  const app::Entries* entries = runner_.shownEntries();
+  const bool isShown = entries != nullptr && !entries->empty();
   entriesTitle_->setVisible(isShown);
   entries_->setVisible(isShown);
   if (!isShown) {

@@ -152,7 +152,8 @@ void CompareTable::fill() {
     const app::ComparedMetric& metric = rows_[static_cast<std::size_t>(row)];
     const auto put = [&](int column, const QString& text, bool isNumber) {
       auto* item = new QTableWidgetItem(text);
-      item->setTextAlignment((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+      item->setTextAlignment(
+          static_cast<int>((isNumber ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
       item->setToolTip(QString::fromStdString(metric.info.name + "\n" + metric.info.formula));
       table_->setItem(row, column, item);
     };
@@ -176,7 +177,7 @@ void CompareTable::fill() {
     const bool isUnit = column + 1 == heads.size();
     header->resizeSection(column, isUnit ? kUnitWidth : kNumberWidth);
     table_->horizontalHeaderItem(column)->setTextAlignment(
-        (isUnit ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        static_cast<int>((isUnit ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter));
   }
   table_->horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   showSelected();

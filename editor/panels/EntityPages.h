@@ -44,6 +44,7 @@ class PersonPage : public PropertyPage {
   std::optional<long long> ownSeed_;  // tried out here; none = the scenario's
 };
 
+class Nav2Form;
 class RobotPicture;
 
 /// A picture of the body over what one sets first: type, planner, start, goal. The parameters of
@@ -58,12 +59,14 @@ class RobotPage : public PropertyPage {
  private:
   void addTypeRows(FormSection* section, const sim2d::Registries& registries);
   void addPlannerRows(FormSection* section, const sim2d::Registries& registries);
+  void addNav2Section();
   void addGoalSection();
   template <class Part>
   void addPart(const QString& title, const sim2d::FieldTables& tables,
                const std::map<std::string, FieldLook>& looks = {});
 
   RobotPicture* picture_;
+  Nav2Form* nav2_ = nullptr;
   QToolButton* source_ = nullptr;
 };
 

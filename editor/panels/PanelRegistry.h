@@ -48,8 +48,9 @@ class PanelContext : public QObject {
   /// Of the tree of the person who is selected, as outlineOf() numbers it; -1 = none.
   void nodeChosen(int node, const QObject* by);
   void comparedChanged(const std::vector<editor::TimelineRun>& runs);
-  void besideWanted(QWidget* view);  // to stand beside the canvas; null: nothing
-  void goalsWanted();                // for the people who are selected
+  /// To stand beside the canvas, so many times as wide as that; null: nothing.
+  void besideWanted(QWidget* view, int columns);
+  void goalsWanted();  // for the people who are selected
 };
 
 /// Where a panel is found.

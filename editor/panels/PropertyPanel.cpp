@@ -81,7 +81,7 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
       name_(new ElidedLabel(this)),
       about_(secondaryLabel({}, this)),
       now_(new NowSection(this)),
-      later_(secondaryLabel(tr("Changes count from the next start."), this)),
+      later_(new QWidget(this)),
       stack_(new QStackedWidget(this)),
       guestPage_(emptyState(tr("Came in by a source in this run. To change such people, select the "
                                "person that the source copies."),
@@ -90,7 +90,12 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
   picture_->setFixedSize(kPictureSize, kPictureSize);
   name_->setFont(theme_.font(12.0, QFont::DemiBold));
   about_->setTextFormat(Qt::PlainText);
-  later_->setContentsMargins(12, 6, 12, 6);
+  auto* restart = linkButton(tr("Restart"), tr("Begin the run anew with what is set now"), this,
+                             [this] { Q_EMIT restartWanted(); });
+  restart->setObjectName(QStringLiteral("restart"));
+  auto* hint = secondaryLabel(tr("Changes count from the next start."), later_);
+  hint->setWordWrap(true);
+  arranged(new QHBoxLayout(later_), {12, 6, 12, 6}, 8, {hint, restart})->setStretch(0, 1);
   later_->hide();
   auto* top = arranged(new QHBoxLayout, {12, 12, 12, 12}, 12, {picture_});
   top->addLayout(arranged(new QVBoxLayout, {}, 0, {name_, about_}), 1);
@@ -280,6 +285,11 @@ void addPropertyPanel(PanelRegistry& to) {
            QObject::connect(&context.runner, &SimulationRunner::frameShown, panel,
                             [panel, &runner = context.runner](const FramePtr& frame) {
                               panel->showFrame(frame, runner.isRecorded());
+                            });
+           QObject::connect(panel, &PropertyPanel::restartWanted, &context.runner,
+                            [&runner = context.runner] {
+                              runner.reset();
+                              runner.play();
                             });
            const MapScene& scene = context.view.mapScene();
            QObject::connect(

@@ -28,6 +28,9 @@ class PropertyPanel : public QWidget {
   /// Somebody whom a source brought into the run, to be looked at instead of the selection.
   void setGuest(std::optional<sim2d::TraceHuman> guest);
 
+ Q_SIGNALS:
+  void restartWanted();  // of the run that is on, with what has been edited
+
  private:
   void follow();
   void refresh();
@@ -43,7 +46,7 @@ class PropertyPanel : public QWidget {
   ElidedLabel* name_;
   QLabel* about_;
   NowSection* now_;
-  QLabel* later_;
+  QWidget* later_;
   bool isSame_ = true;  // in the step that has not ended nothing came or went
   FramePtr frame_;
   bool isRecorded_ = false;

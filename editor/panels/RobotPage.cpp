@@ -4,6 +4,7 @@
 #include <QToolTip>
 
 #include "editor/panels/EntityPages.h"
+#include "editor/panels/Nav2Form.h"
 #include "editor/panels/RobotPicture.h"
 #include "editor/panels/RouteEditor.h"
 #include "editor/run/SimulationRunner.h"
@@ -122,6 +123,15 @@ QString publishedOf(const std::string& name) {
            QString::fromStdString(type->source).toHtmlEscaped());
 }
 
+/// A field with no label that takes the place of one too.
+void overBothColumns(QWidget& field) {
+  auto* grid = qobject_cast<QGridLayout*>(field.parentWidget()->layout());
+  int row = 0, column = 0, rows = 0, columns = 0;
+  grid->getItemPosition(grid->indexOf(&field), &row, &column, &rows, &columns);
+  grid->removeWidget(&field);
+  grid->addWidget(&field, row, 0, rows, column + columns);
+}
+
 /// A chooser of names, the usual one marked as it counts without a word in the file.
 FieldLook namesLook(std::vector<std::string> names, const std::string& usual,
                     const std::function<QString(const std::string&)>& title,
@@ -160,6 +170,7 @@ RobotPage::RobotPage(ScenarioDocument& document, const sim2d::FieldTables& table
   FormSection* parameters = addFold(tr("Parameters"));
   addParameterRows(parameters, plannersOf(registries),
                    tr("Parameters that the planner does not have or that are no numbers"));
+  addNav2Section();
   FormSection* body = addFold(tr("Body and limits"));
   for (const char* key : {"radius", "mass", "max_vel", "max_acc", "max_omega", "max_alpha"}) {
     addField<Robot>(body, key);
@@ -191,6 +202,7 @@ void RobotPage::addPart(const QString& title, const sim2d::FieldTables& tables,
 
 void RobotPage::setTheme(const Theme& theme) {
   picture_->setTheme(theme);
+  nav2_->setTheme(theme);
 }
 
 /// The chooser, and where the figures of the chosen type are from.
@@ -246,9 +258,13 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
       return robotOf(each).planner == std::string(sim2d::kNav2Planner);
     });
   };
-  for (const char* const key : {"nav2_params", "nav2_tree", "nav2_distro"}) {
-    addField<Robot>(section, key, nav2);
-  }
+  nav2.placeholder = tr("of the generic robot");
+  addField<Robot>(section, "nav2_params", nav2);
+  nav2.placeholder = tr("Nav2's own");
+  addField<Robot>(section, "nav2_tree", nav2);
+  nav2.words = QStringList{tr("Humble"), tr("Jazzy"), tr("Main")};
+  nav2.none = tr("As the file tells (default)");
+  addField<Robot>(section, "nav2_distro", nav2);
   QLabel* help = secondaryLabel({}, this);
   help->setObjectName(QStringLiteral("planner_help"));
   help->setWordWrap(true);
@@ -258,6 +274,34 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
     const auto planner = commonValue(shown, name);
     help->setText(planner ? helpOfName(*planner) : QString());
     section->setRowVisible(help, !help->text().isEmpty());
+  });
+}
+
+/// Of one robot with Nav2: what its file says, and what the scenario says instead.
+void RobotPage::addNav2Section() {
+  FormSection* section = addSection(tr("Parameters of Nav2"));
+  section->setOpen(false);
+  nav2_ = new Nav2Form(this);
+  section->addRow({}, nav2_);
+  overBothColumns(*nav2_);
+  QToolButton* all = section->addLink(tr("Reset"), tr("Take all values of the file again"), [this] {
+    apply(tr("Take the file's parameters of Nav2"),
+          [](Entity& entity) { std::get<Robot>(entity).nav2Values.clear(); });
+  });
+  connect(nav2_, &Nav2Form::edited, this,
+          [this](const app::Nav2Parameter& parameter, const std::optional<std::string>& yaml) {
+            apply(tr("Change %1").arg(QString::fromStdString(parameter.path)), [&](Entity& entity) {
+              entity = app::withNav2Value(robotOf(entity), parameter, yaml);
+            });
+          });
+  addRefresh([this, section, all](const std::vector<Entity>& shown) {
+    const Robot& robot = robotOf(shown.front());
+    const bool isNav2 = shown.size() == 1 && robot.planner == std::string(sim2d::kNav2Planner);
+    section->setVisible(isNav2);
+    nav2_->show(isNav2 ? std::optional(robot) : std::nullopt, document().path());
+    const int changed = nav2_->changedCount();
+    section->setNote(changed > 0 ? tr("%1 changed").arg(changed) : QString());
+    all->setVisible(changed > 0);
   });
 }
 

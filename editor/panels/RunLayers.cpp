@@ -38,6 +38,7 @@ RunLayers::RunLayers(SimulationRunner& runner, const RunEvents& events, MapView&
   connect(&view_.mapScene().document(), &ScenarioDocument::selectionChanged, this,
           &RunLayers::follow);
   view_.viewport()->installEventFilter(this);
+  follow();
 }
 
 void RunLayers::follow() {
@@ -49,6 +50,7 @@ void RunLayers::follow() {
     view_.mapScene().overlays().setThoughts({});
   }
   const CanvasOptions& options = view_.mapScene().options();
+  runner_.watchPlanners(options.localCosts || options.globalCosts, options.candidates);
   if (recording_ == nullptr || runner_.shownFrame() == nullptr) {
     return;
   }

@@ -1,7 +1,6 @@
 #include "editor/panels/RunsPanel.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <QDir>
@@ -12,7 +11,6 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include "editor/document/Autosave.h"
 #include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
@@ -26,7 +24,6 @@ namespace {
 
 enum RunColumn { RunNameColumn, LeftAtColumn, ChangedColumn, RunColumns };
 constexpr int kRowRole = Qt::UserRole;
-constexpr double kGhostTrailGap = 0.15;  // [s]
 constexpr int kSwatch = 18;
 
 /// The letter of a run on its line, as on the map and in the plots.
@@ -91,7 +88,7 @@ QWidget* RunsPanel::makeHead() {
   add_->setToolTip(tr("A recorded run, to be compared: the folder that `run` has written"));
   show_->setToolTip(tr("Show this run, at the same time"));
   remove_->setToolTip(tr("Forget this run"));
-  beside_->setToolTip(tr("The first of the runs that are compared stands beside the map"));
+  beside_->setToolTip(tr("The runs that are compared stand beside the map, up to four"));
   beside_->setCheckable(true);
   arranged(new QHBoxLayout(head), {12, 6, 12, 6}, 8,
            {fork_, add_, show_, remove_, beside_, partings_})
@@ -323,7 +320,7 @@ void RunsPanel::addRecorded(const QString& folder) {
   const std::size_t memory = context_.runner.historyMemory() / SimulationRunner::kMostBranches;
   reading_.start([path, memory] {
     return std::make_shared<ReadRun>(
-        ReadRun{path, app::readRecordedRun(path.toStdString(), memory)});
+        ReadRun{path, app::readRecordedRun(path.toStdString(), memory, app::CutRecords::Shown)});
   });
 }
 
@@ -332,57 +329,16 @@ void RunsPanel::takeRead(const ReadRun& read) {
     Q_EMIT context_.problemsFound(read.run.diagnostics());
     return;
   }
-  const Row row{-1, read.folder, QDir(read.folder).dirName(), read.run->recording};
+  const QString name = QDir(read.folder).dirName();
+  const Row row{-1, read.folder, read.run->cut ? tr("%1 (cut)").arg(name) : name,
+                read.run->recording};
+  if (read.run->cut) {
+    Q_EMIT context_.problemsFound(read.run.diagnostics());
+  }
   guests_.erase(std::remove(guests_.begin(), guests_.end(), row), guests_.end());
   guests_.push_back(row);
   ticked_.insert(row);
   fillList();
-}
-
-GhostLayer::Ghost RunsPanel::ghostOf(const Row& row, double time) const {
-  const sim2d::Recording& recording = *row.recording;
-  GhostLayer::Ghost ghost;
-  ghost.style = static_cast<std::size_t>(std::max(0, styleOf(row)));
-  ghost.header = recording.header();
-  const std::size_t index = recording.indexAtTime(time + 1e-9);
-  ghost.frame = recording.frameIfKept(index);
-  if (ghost.frame == nullptr || !context_.view.mapScene().options().trails) {
-    return ghost;
-  }
-  const double gap = recording.size() > 1 ? recording.timeOf(1) - recording.timeOf(0) : 1.0;
-  const auto stride = static_cast<std::size_t>(std::max(1L, std::lround(kGhostTrailGap / gap)));
-  const double seconds = context_.view.mapScene().options().trailSeconds;
-  std::size_t at = recording.indexAtTime(std::max(0.0, time - seconds)) / stride * stride;
-  for (; at <= index; at += stride) {
-    const FramePtr frame = recording.frameIfKept(at);
-    if (frame == nullptr) {
-      continue;
-    }
-    for (const sim2d::BodyColumns* columns :
-         {static_cast<const sim2d::BodyColumns*>(&frame->humans), &frame->robots}) {
-      for (std::size_t k = 0; k < columns->size(); ++k) {
-        ghost.trails[columns->id[k]].emplace_back(columns->x[k], columns->y[k]);
-      }
-    }
-  }
-  return ghost;
-}
-
-void RunsPanel::showGhosts() {
-  const FramePtr shown = context_.runner.shownFrame();
-  std::vector<GhostLayer::Ghost> ghosts;
-  if (shown != nullptr && !beside_->isChecked()) {
-    for (const Row& row : compared()) {
-      GhostLayer::Ghost ghost = ghostOf(row, shown->time);
-      if (ghost.frame != nullptr) {
-        ghosts.push_back(std::move(ghost));
-      }
-    }
-  }
-  ghosts_->show(std::move(ghosts), shown);
-  if (side_ != nullptr && shown != nullptr && sideOf_) {
-    side_->showAt(sideOf_->recording, shown->time);
-  }
 }
 
 /// While a run goes on its metrics change all the time: they are compared when it rests.
@@ -403,27 +359,6 @@ void RunsPanel::measure() {
   }
   table_->compare(std::move(runs));
   partings_->setText(table_->partings());
-}
-
-void RunsPanel::showBeside() {
-  const std::vector<Row> others = compared();
-  beside_->setEnabled(!others.empty());
-  const bool isWanted = beside_->isChecked() && !others.empty();
-  const bool isSame = isWanted && side_ != nullptr && sideOf_ && *sideOf_ == others.front() &&
-                      sideOf_->recording == others.front().recording;
-  if (!isSame && side_ != nullptr) {
-    Q_EMIT context_.besideWanted(nullptr);
-    side_.reset();
-    sideOf_.reset();
-  }
-  if (isWanted && !isSame) {
-    sideOf_ = others.front();
-    side_ = std::make_unique<SideView>(
-        context_.view, documentOf(*sideOf_->recording, context_.document, sideOf_->branch >= 0));
-    side_->setTitle(ghostStyle(0, context_.theme()).letter + QStringLiteral("  ") + sideOf_->name);
-    Q_EMIT context_.besideWanted(side_.get());
-  }
-  showGhosts();
 }
 
 void addRunsPanel(PanelRegistry& to) {

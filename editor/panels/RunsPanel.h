@@ -14,7 +14,7 @@
 #include "editor/document/LatestTask.h"
 #include "editor/panels/CompareTable.h"
 #include "editor/panels/PanelRegistry.h"
-#include "editor/panels/SideView.h"
+#include "editor/panels/SideBySide.h"
 
 namespace editor {
 
@@ -31,9 +31,9 @@ class RunsPanel : public QWidget {
   const GhostLayer& ghosts() const { return *ghosts_; }
   QPushButton& forkButton() const { return *fork_; }
   QPushButton& besideButton() const { return *beside_; }
-  SideView* sideView() const { return side_.get(); }
-  void addRecorded(const QString& folder);  // read beside the window
-  void forkShown();                         // asks how
+  SideBySide* beside() const { return side_.get(); }  // null: nothing stands beside the map
+  void addRecorded(const QString& folder);            // read beside the window
+  void forkShown();                                   // asks how
 
  private:
   /// A row: a branch of the run, or a recorded run of a folder.
@@ -81,8 +81,7 @@ class RunsPanel : public QWidget {
   QLabel* partings_;
   std::vector<Row> guests_;  // recorded runs
   std::set<Row> ticked_;
-  std::unique_ptr<SideView> side_;
-  std::optional<Row> sideOf_;
+  std::unique_ptr<SideBySide> side_;
   bool isFilling_ = false;
   QTimer later_;  // the list is not filled anew while it tells of a tick
   LatestTask<std::shared_ptr<ReadRun>> reading_;

@@ -78,6 +78,9 @@ void ScrubActions::makeLengths() {
     describe(*action, tr("Trails of a run show so much of the past"));
     action->setCheckable(true);
     action->setChecked(scene_.options().trailSeconds == seconds);
+    connect(&scene_, &MapScene::optionsChanged, action, [this, action, seconds] {
+      action->setChecked(scene_.options().trailSeconds == seconds);
+    });
     connect(action, &QAction::triggered, this, [this, seconds] {
       CanvasOptions options = scene_.options();
       options.trailSeconds = seconds;

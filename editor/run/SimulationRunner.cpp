@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 namespace editor {
@@ -10,6 +11,7 @@ namespace {
 
 constexpr int kDisplayMs = 16;
 constexpr int kEndingMs = 1000;
+constexpr std::size_t kMostEntryChanges = 40000;     // of the person who is watched
 constexpr double kFastest = 64.0;                    // at which a recorded run is played
 constexpr std::chrono::milliseconds kPatience(100);  // with a run that is to end
 
@@ -89,8 +91,15 @@ void SimulationRunner::begin(RunRequest request, bool paused, sim2d::RecordedInp
   session_->watchEntries(watched_);
   session_->setPaused(paused);
   session_->setSpeed(speed_);
-  const auto run = [session = session_.get(), makeWorld = std::move(request.makeWorld)] {
-    session->run(makeWorld);
+  const auto run = [session = session_.get(), makeWorld = std::move(request.makeWorld),
+                    watch = watch_] {
+    session->run([&] {
+      auto world = makeWorld();
+      if (world) {
+        (*world)->watchPlanners(watch);
+      }
+      return world;
+    });
   };
   thread_ = std::async(std::launch::async, run);
   timer_.start();
@@ -207,6 +216,7 @@ void SimulationRunner::leaveRun() {
   result_.reset();
   brokeAt_.reset();
   setEntries(std::nullopt);
+  pastEntries_.clear();
   recording_.reset();
   newest_.reset();
   expected_.reset();
@@ -389,7 +399,40 @@ void SimulationRunner::poll() {
   }
 }
 
+bool SimulationRunner::isLive() const {
+  return state_ != State::Editing && session_ != nullptr && !finished_ && !lookingBack_ &&
+         !isLooping_;
+}
+
+void SimulationRunner::give(sim2d::Input input) {
+  if (isLive()) {
+    session_->add(std::move(input));
+  }
+}
+
+const app::Entries* SimulationRunner::shownEntries() const {
+  if (!lookingBack_ && !finished_) {
+    return entries_ ? &*entries_ : nullptr;
+  }
+  if (shown_ == nullptr || isRecorded_) {
+    return nullptr;
+  }
+  const auto isLater = [](std::int64_t step, const app::StepEntries& each) {
+    return step < each.step;
+  };
+  const auto next =
+      std::upper_bound(pastEntries_.begin(), pastEntries_.end(), shown_->step, isLater);
+  return next == pastEntries_.begin() ? nullptr : &std::prev(next)->entries;
+}
+
 void SimulationRunner::takeTrees(app::SessionNews& news) {
+  std::move(news.pastEntries.begin(), news.pastEntries.end(), std::back_inserter(pastEntries_));
+  if (pastEntries_.size() > kMostEntryChanges) {
+    pastEntries_.erase(pastEntries_.begin(), pastEntries_.end() - kMostEntryChanges / 2);
+  }
+  if (!news.refused.empty()) {
+    Q_EMIT inputsRefused(news.refused);
+  }
   if (news.entries) {
     setEntries(std::move(news.entries));
   }
@@ -413,6 +456,7 @@ void SimulationRunner::watchEntries(std::optional<int> person) {
   if (session_ != nullptr) {
     session_->watchEntries(person);
   }
+  pastEntries_.clear();
   setEntries(std::nullopt);
 }
 

@@ -77,8 +77,23 @@ class SimulationRunner : public QObject {
   const std::optional<sim2d::TreeBreak>& brokeAt() const { return brokeAt_; }
   /// Whose blackboard is told from now on, by id.
   void watchEntries(std::optional<int> person);
+  /// Of this run and those that follow: whether their newest states have costmaps of planners, and
+  /// ways that planners weigh and gather for display only. It costs time, and changes nothing.
+  void watchPlanners(bool costs, bool ways) {
+    watch_->costs = costs;
+    watch_->ways = ways;
+  }
+  std::optional<int> watched() const { return watched_; }
   /// Of that person in the newest state of a run that goes on; none: nothing is known.
   const std::optional<app::Entries>& entries() const { return entries_; }
+  /// The same in the state that is shown, which may lie in the past; none: nobody watched then.
+  /// Null too for recorded runs: their files hold none.
+  const app::Entries* shownEntries() const;
+
+  /// A run goes on, and its newest state is shown: inputs act in its next step.
+  bool isLive() const;
+  /// Acts in the next step and is recorded. Nothing without a run that goes on.
+  void give(sim2d::Input input);
 
   /// Shows a recorded run from its beginning; it holds states. reset() leaves it. `again`: the same
   /// run made here; null: what it was made of is not known.
@@ -136,6 +151,7 @@ class SimulationRunner : public QObject {
   void breakpointsChanged();
   void broke(const sim2d::TreeBreak& at);  // paused there
   void entriesChanged();
+  void inputsRefused(const base::Diagnostics& problems);
   void speedMeasured(double factor);
   void finished(const sim2d::RunResult& result);
   void failed(const QString& reason);                     // the world stopped; last state stays
@@ -194,6 +210,7 @@ class SimulationRunner : public QObject {
   std::vector<sim2d::TreeBreakpoint> breakpoints_;
   std::optional<sim2d::TreeBreak> brokeAt_;
   std::optional<int> watched_;
+  std::shared_ptr<sim2d::PlannerWatch> watch_ = std::make_shared<sim2d::PlannerWatch>();
   std::optional<app::Entries> entries_;
   std::optional<Part> loop_;
   bool isLooping_ = false;  // in the past of a run that has not come to its end
@@ -204,8 +221,9 @@ class SimulationRunner : public QObject {
   };
   std::optional<Expected> expected_;  // of a run that is made again
   int branch_ = -1, nextBranch_ = 0;
-  QElapsedTimer playing_;    // a recording
-  double playedFrom_ = 0.0;  // [s], when `playing_` began
+  QElapsedTimer playing_;                      // a recording
+  double playedFrom_ = 0.0;                    // [s], when `playing_` began
+  std::vector<app::StepEntries> pastEntries_;  // of the person who is watched, by step
 };
 
 }  // namespace editor

@@ -11,6 +11,7 @@ namespace editor {
 namespace {
 
 constexpr double kNudge = 0.1, kBigNudge = 1.0, kFineNudge = 0.01;  // [m]
+constexpr double kStrongestPush = 4.0;                              // [m/s]
 constexpr Qt::KeyboardModifiers kAddModifiers = Qt::ShiftModifier | Qt::ControlModifier;
 
 bool isAdding(const CanvasMouse& mouse) {
@@ -31,10 +32,11 @@ class SelectTool : public Tool {
 
   QString statusText() const override {
     if (scene().isRunMode()) {
-      return scene().pull() ? tr("The robot follows until the button goes up")
+      return scene().pull()        ? tr("The robot follows until the button goes up")
+             : scene().armedPush() ? tr("Drag an arrow: the longer, the stronger the push · Esc")
              : scene().isPullable()
-                 ? tr("Click a person to look closer · Drag a robot to lead it · "
-                      "Space pauses")
+                 ? tr("Click a person to look closer · Shift+drag pushes them · Drag a robot to "
+                      "lead it · Space pauses")
                  : tr("Click a person to look closer · Space pauses");
     }
     if (document().selection().empty()) {
@@ -68,6 +70,9 @@ class SelectTool : public Tool {
     deselectOnRelease_ = false;
     if (scene().isRunMode()) {
       const std::optional<int> agent = scene().frameLayer().agentAt(mouse.world);
+      if (beginPush(agent, mouse)) {
+        return;
+      }
       watch(agent);
       const bool isRobot = agent && *agent < 0;
       pulledRobot_ = isRobot && scene().isPullable() ? agent : std::nullopt;
@@ -97,7 +102,10 @@ class SelectTool : public Tool {
   }
 
   void move(const CanvasMouse& mouse) override {
-    if (pulledRobot_ && (scene().pull() || isDrag(from_, mouse))) {
+    if (pushedPerson_) {
+      const bool isArrow = scene().push() || isDrag(from_, mouse);
+      scene().setPush(MapScene::Push{*pushedPerson_, isArrow ? pushTo(mouse) : Vec2(Vec2::Zero())});
+    } else if (pulledRobot_ && (scene().pull() || isDrag(from_, mouse))) {
       const bool begins = !scene().pull();
       scene().setPull(MapScene::Pull{*pulledRobot_, mouse.world});
       if (begins) {
@@ -115,6 +123,16 @@ class SelectTool : public Tool {
   }
 
   void release(const CanvasMouse& mouse) override {
+    if (pushedPerson_) {
+      const int person = *pushedPerson_;
+      const bool isArrow = scene().push() && isDrag(from_, mouse);
+      end();
+      if (isArrow) {
+        Q_EMIT scene().pushed(person, pushTo(mouse));
+      }
+      Q_EMIT statusTextChanged();
+      return;
+    }
     if (gesture_ == Gesture::Handle && pulled_) {
       previewHandle(mouse);
     }
@@ -167,7 +185,9 @@ class SelectTool : public Tool {
   void cancel() override {
     const bool wasIdle = gesture_ == Gesture::None;
     end();
-    if (wasIdle) {
+    if (scene().armedPush()) {
+      scene().armPush({});
+    } else if (wasIdle) {
       watch({});
     }
     scene().setHovered({});
@@ -200,6 +220,20 @@ class SelectTool : public Tool {
     const EntityId known = agent ? scene().frameLayer().entityOf(*agent) : EntityId();
     document().setSelection(known ? std::vector<EntityId>{known} : std::vector<EntityId>());
     scene().setGuest(known ? std::nullopt : agent);
+  }
+  /// A metre of the arrow is a metre per second.
+  Vec2 pushTo(const CanvasMouse& mouse) const {
+    const Vec2 drawn = mouse.world - from_;
+    return drawn.norm() > kStrongestPush ? Vec2(kStrongestPush * drawn.normalized()) : drawn;
+  }
+  /// With Shift from a person, or from anywhere after the menu has asked for it.
+  bool beginPush(std::optional<int> agent, const CanvasMouse& mouse) {
+    const bool isPerson = agent && *agent >= 0 && mouse.modifiers.testFlag(Qt::ShiftModifier);
+    pushedPerson_ = scene().armedPush()                ? scene().armedPush()
+                    : isPerson && scene().isPullable() ? agent
+                                                       : std::nullopt;
+    scene().armPush({});
+    return pushedPerson_.has_value();
   }
   void hover(const CanvasMouse& mouse) {
     if (scene().isRunMode()) {
@@ -361,7 +395,9 @@ class SelectTool : public Tool {
     pulled_.reset();
     marks() = {};
     pulledRobot_.reset();
+    pushedPerson_.reset();
     scene().setPull({});
+    scene().setPush({});
     scene().clearPreview();
   }
 
@@ -388,7 +424,8 @@ class SelectTool : public Tool {
   std::optional<Entity> pulled_;
   Qt::CursorShape cursor_ = Qt::ArrowCursor;
   bool deselectOnRelease_ = false;
-  std::optional<int> pulledRobot_;  // pressed on in a run, as in frames
+  std::optional<int> pulledRobot_;   // pressed on in a run, as in frames
+  std::optional<int> pushedPerson_;  // idem, whose arrow is drawn
 };
 
 }  // namespace

@@ -11,8 +11,6 @@
 
 #include "editor/document/EditCommands.h"
 #include "editor/document/TreeFiles.h"
-#include "editor/look/FigurePainter.h"
-#include "editor/panels/BreakpointMenu.h"
 #include "editor/panels/TreeOutline.h"
 #include "editor/trees/TreeStudio.h"
 
@@ -33,26 +31,74 @@ QString readOnlyWords() {
   return QObject::tr("The node stands in an included file, which is not edited here");
 }
 
+/// One edited node among those that are looked at afterwards.
+MaybePlaces only(const MaybePlace& place) {
+  return place ? MaybePlaces({*place}) : std::nullopt;
+}
+
 }  // namespace
+
+bool TreeStudio::isPickable(const std::string& port) {
+  return kindOfPort(port) != EntityKind::Scenario;
+}
 
 bool TreeStudio::apply(const QString& text, const QString& ifNot, const Edit& edit) {
   if (human() == nullptr) {
     return false;
   }
   bt::TreeFile file = canvas_->graph().tree().file;
-  const MaybePlace place = edit(file);
-  if (!place) {
+  const MaybePlaces places = edit(file);
+  if (!places || places->empty()) {
     say(ifNot);
     return false;
   }
   hint_->clear();
   const int before = canvas_->chosen();
   pushTreeFile(document_, edited(), file, text);
-  const int now = canvas_->graph().nodeAtPlace(*place, before);
-  canvas_->choose(now);
+  std::vector<int> nodes;
+  for (const TreePlace& place : *places) {
+    nodes.push_back(canvas_->graph().nodeAtPlace(place, before));
+  }
+  canvas_->select(nodes, nodes.front());
   showChosen();
-  Q_EMIT nodeChosen(now);
+  Q_EMIT nodeChosen(canvas_->chosen());
   return true;
+}
+
+std::optional<std::vector<TreePlace>> TreeStudio::selectedPlaces() const {
+  const TreeGraph& graph = canvas_->graph();
+  std::vector<TreePlace> places;
+  for (const int node : canvas_->selected()) {
+    if (!graph.isEditable(node)) {
+      return std::nullopt;
+    }
+    places.push_back(graph.placeOf(node));
+  }
+  return withoutInner(std::move(places));
+}
+
+bool TreeStudio::applyToSelected(
+    const QString& text, const QString& ifNot,
+    const std::function<MaybePlaces(bt::TreeFile&, const std::vector<TreePlace>&)>& edit) {
+  const TreeGraph& graph = canvas_->graph();
+  if (!graph.has(canvas_->chosen())) {
+    say(tr("Choose a node first"));
+    return false;
+  }
+  const auto places = selectedPlaces();
+  if (!places) {
+    say(readOnlyWords());
+    return false;
+  }
+  const auto named = [&](QString words) {  // not all sentences name them
+    return words.replace(QStringLiteral("%1"), selectedWords());
+  };
+  return apply(named(text), named(ifNot), [&](bt::TreeFile& file) { return edit(file, *places); });
+}
+
+QString TreeStudio::selectedWords() const {
+  const std::size_t count = canvas_->selected().size();
+  return count == 1 ? label(canvas_->chosen()) : tr("%1 nodes").arg(count);
 }
 
 bool TreeStudio::applyToChosen(
@@ -72,7 +118,7 @@ bool TreeStudio::applyToChosen(
     return words.replace(QStringLiteral("%1"), label(node));
   };
   return apply(named(text), named(ifNot),
-               [&](bt::TreeFile& file) { return edit(file, graph.placeOf(node)); });
+               [&](bt::TreeFile& file) { return only(edit(file, graph.placeOf(node))); });
 }
 
 /// Below the chosen node, else behind it.
@@ -104,27 +150,35 @@ void TreeStudio::addAt(const QString& xml, const DropPlace& to) {
   }
   const TreePlace at = graph.placeOf(to.node);
   bt::TreeFile known = graph.tree().file;
-  const base::Result<bt::NodeSpec> node = nodeFromText(xml.toStdString(), known);
-  if (!node) {
-    say(QString::fromStdString(node.diagnostics().front().message));
+  const base::Result<std::vector<bt::NodeSpec>> nodes = nodesFromText(xml.toStdString(), known);
+  if (!nodes) {
+    say(QString::fromStdString(nodes.diagnostics().front().message));
     return;
   }
-  const QString name = nodeTitle(*node);
+  const QString name =
+      nodes->size() == 1 ? nodeTitle(nodes->front()) : tr("%1 nodes").arg(nodes->size());
   const bool isAround = to.how == DropPlace::How::Around;
   apply(isAround ? tr("Put %1 around %2").arg(name, label(to.node)) : tr("Add %1").arg(name),
         tr("%1 has no place for %2").arg(label(to.node), name), [&](bt::TreeFile& file) {
           file = known;
-          return isAround ? wrapNode(file, at, *node) : addNode(file, at, to.index, *node);
+          return isAround ? only(wrapNode(file, at, nodes->front()))
+                          : addNodes(file, at, to.index, *nodes);
         });
 }
 
 void TreeStudio::move(int node, const DropPlace& to) {
   const TreeGraph& graph = canvas_->graph();
-  if (graph.has(node) && graph.has(to.node)) {
-    apply(tr("Move %1").arg(label(node)), {}, [&](bt::TreeFile& file) {
-      return moveNode(file, graph.placeOf(node), graph.placeOf(to.node), to.index);
-    });
+  const auto places = selectedPlaces();
+  if (!graph.has(node) || !graph.has(to.node)) {
+    return;
   }
+  const bool isOfSeveral = canvas_->shown().isSelected(node) && places && places->size() > 1;
+  apply(tr("Move %1").arg(isOfSeveral ? selectedWords() : label(node)), {},
+        [&](bt::TreeFile& file) {
+          const TreePlace parent = graph.placeOf(to.node);
+          return isOfSeveral ? moveNodes(file, *places, parent, to.index)
+                             : only(moveNode(file, graph.placeOf(node), parent, to.index));
+        });
 }
 
 void TreeStudio::moveBy(int places) {
@@ -140,31 +194,43 @@ void TreeStudio::moveBy(int places) {
 }
 
 void TreeStudio::remove() {
-  applyToChosen(tr("Remove %1"), tr("A tree needs its root: replace it instead"), removeNode);
+  applyToSelected(tr("Remove %1"), tr("A tree needs its root: replace it instead"), removeNodes);
 }
 
 void TreeStudio::duplicate() {
-  applyToChosen(tr("Duplicate %1"), tr("There is no place beside %1 for another"), duplicateNode);
+  applyToSelected(tr("Duplicate %1"), tr("There is no place beside %1 for another"),
+                  duplicateNodes);
+}
+
+QString TreeStudio::selectedText() const {
+  const TreeGraph& graph = canvas_->graph();
+  std::vector<const bt::NodeSpec*> nodes;
+  for (const int node : canvas_->selected()) {
+    int above = graph.node(node).parent;
+    while (above >= 0 && !canvas_->shown().isSelected(above)) {
+      above = graph.node(above).parent;
+    }
+    if (above < 0) {  // else it is within another one
+      nodes.push_back(graph.node(node).node);
+    }
+  }
+  return QString::fromStdString(nodesText(nodes));
 }
 
 void TreeStudio::copy() {
-  const int node = canvas_->chosen();
-  if (!canvas_->graph().has(node)) {
+  if (canvas_->selected().empty()) {
     say(tr("Choose a node first"));
     return;
   }
-  QGuiApplication::clipboard()->setText(
-      QString::fromStdString(nodeText(*canvas_->graph().node(node).node)));
-  say(tr("%1 is copied as XML").arg(label(node)));
+  QGuiApplication::clipboard()->setText(selectedText());
+  const bool isOne = canvas_->selected().size() == 1;
+  say((isOne ? tr("%1 is copied as XML") : tr("%1 are copied as XML")).arg(selectedWords()));
 }
 
 void TreeStudio::cut() {
-  const int node = canvas_->chosen();
-  if (canvas_->graph().has(node)) {
-    const QString text = QString::fromStdString(nodeText(*canvas_->graph().node(node).node));
-    if (applyToChosen(tr("Cut %1"), tr("A tree needs its root"), removeNode)) {
-      QGuiApplication::clipboard()->setText(text);
-    }
+  const QString text = selectedText();
+  if (applyToSelected(tr("Cut %1"), tr("A tree needs its root"), removeNodes)) {
+    QGuiApplication::clipboard()->setText(text);
   }
 }
 
@@ -178,10 +244,13 @@ void TreeStudio::paste() {
 }
 
 void TreeStudio::wrapIn(const std::string& id) {
-  applyToChosen(tr("Put %2 around %1").arg(QStringLiteral("%1"), QString::fromStdString(id)), {},
-                [&id](bt::TreeFile& file, const TreePlace& place) {
-                  return wrapNode(file, place, freshNode(id));
-                });
+  const QString name = QString::fromStdString(id);
+  applyToSelected(tr("Put %2 around %1").arg(QStringLiteral("%1"), name),
+                  tr("%2 cannot hold %1: it takes one, or they have different parents")
+                      .arg(QStringLiteral("%1"), name),
+                  [&id](bt::TreeFile& file, const std::vector<TreePlace>& places) {
+                    return wrapNodes(file, places, freshNode(id));
+                  });
 }
 
 void TreeStudio::replaceBy(const std::string& id) {
@@ -294,112 +363,6 @@ void TreeStudio::giveTo(EntityId other) {
   const std::string text = treeText(document_, person_);
   pushTrees(document_, {{person_, text}, {other, text}},
             tr("Give the tree of %1 to %2").arg(QString::fromStdString(human()->name), name));
-}
-
-void TreeStudio::offerGiving() {
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  const std::vector<EntityId> same = peopleWithTreeOf(document_, person_);
-  for (const EntityId id : document_.entities(EntityKind::Human)) {
-    if (id == person_) {
-      continue;
-    }
-    QAction* action = menu->addAction(QString::fromStdString(document_.human(id)->name), this,
-                                      [this, id] { giveTo(id); });
-    action->setCheckable(true);
-    action->setChecked(std::count(same.begin(), same.end(), id) > 0);
-  }
-  if (menu->isEmpty()) {
-    menu->addAction(tr("There is nobody else"))->setEnabled(false);
-  }
-  menu->popup(give_->mapToGlobal(QPoint(0, give_->height())));
-}
-
-/// Kinds of nodes that hold others, or of leaves, in menus of their own.
-void TreeStudio::addKinds(QMenu& menu, const QString& title, bool areParents,
-                          const std::function<void(const std::string&)>& take) {
-  QMenu* all = menu.addMenu(title);
-  for (const bt::NodeKind kind : {bt::NodeKind::Decorator, bt::NodeKind::Control,
-                                  bt::NodeKind::Condition, bt::NodeKind::Action}) {
-    const bool isParent = kind == bt::NodeKind::Decorator || kind == bt::NodeKind::Control;
-    if (areParents && !isParent) {
-      continue;
-    }
-    QMenu* part = all->addMenu(QString::fromLatin1(bt::nodeKindName(kind)));
-    for (const bt::NodeManifest& manifest : treeCatalogue().all()) {
-      if (manifest.kind == kind) {
-        QAction* action = part->addAction(QString::fromStdString(manifest.id), this,
-                                          [take, id = manifest.id] { take(id); });
-        action->setToolTip(QString::fromStdString(manifest.description));
-      }
-    }
-    part->setToolTipsVisible(true);
-  }
-}
-
-void TreeStudio::addPicks(QMenu& menu, const bt::NodeSpec& node) {
-  const bt::NodeManifest* manifest = treeCatalogue().find(node.id);
-  if (manifest == nullptr) {
-    return;
-  }
-  for (const bt::PortSpec& port : manifest->ports) {
-    if (kindOfPort(port.key) != EntityKind::Scenario) {
-      menu.addAction(tr("Pick %1 on the map").arg(QString::fromStdString(port.key)), this,
-                     [this, key = port.key] { pick(key); });
-    }
-  }
-}
-
-void TreeStudio::fillMenu(QMenu& menu, int node) {
-  TreeGraph& graph = canvas_->graph();
-  const auto add = [&](const QString& text, const QString& key, bool isOn, auto action) {
-    QAction* entry =
-        menu.addAction(key.isEmpty() ? text : text + QLatin1Char('\t') + key, this, action);
-    entry->setEnabled(isOn);
-  };
-  if (!graph.has(node)) {
-    add(tr("Paste"), tr("Ctrl+V"), !graph.nodes().empty(), [this] { paste(); });
-    add(tr("Fit"), tr("F"), true, [this] { canvas_->fit(); });
-    return;
-  }
-  const bt::NodeSpec& spec = *graph.node(node).node;
-  const bool isOwn = graph.isEditable(node);
-  const bool isInner = isOwn && !graph.placeOf(node).isRoot();
-  add(tr("Add a node…"), tr("Ins"), isOwn, [this] { palette_->search().setFocus(); });
-  addPicks(menu, spec);
-  if (isOwn) {
-    addKinds(menu, tr("Put around it"), true, [this](const std::string& id) { wrapIn(id); });
-    addKinds(menu, tr("Replace it by"), false, [this](const std::string& id) { replaceBy(id); });
-  }
-  add(tr("Take it away from what it holds"), {}, isOwn && !spec.children.empty(),
-      [this] { unwrap(); });
-  if (spec.isSubTree()) {
-    add(tr("Put the subtree in its place"), {}, isOwn, [this] { putInPlace(); });
-  } else {
-    add(tr("Make a subtree of it"), {}, isInner, [this] { extract(); });
-  }
-  menu.addSeparator();
-  add(tr("Rename"), tr("F2"), isOwn, [this] { beginRename(); });
-  add(tr("Earlier"), tr("Alt+Left"), isInner, [this] { moveBy(-1); });
-  add(tr("Later"), tr("Alt+Right"), isInner, [this] { moveBy(1); });
-  add(tr("Duplicate"), tr("Ctrl+D"), isInner, [this] { duplicate(); });
-  add(tr("Cut"), tr("Ctrl+X"), isInner, [this] { cut(); });
-  add(tr("Copy as XML"), tr("Ctrl+C"), true, [this] { copy(); });
-  add(tr("Paste"), tr("Ctrl+V"), isOwn, [this] { paste(); });
-  add(tr("Delete"), tr("Del"), isInner, [this] { remove(); });
-  if (!graph.childrenOf(node).empty()) {
-    const bool isFolded = graph.isFolded(node);
-    add(isFolded ? tr("Unfold") : tr("Fold"), isFolded ? tr("+") : tr("-"), true,
-        [this, node, isFolded] {
-          canvas_->graph().setFolded(node, !isFolded);
-          canvas_->relayout();
-        });
-  }
-  menu.addSeparator();
-  if (human() != nullptr) {
-    fillBreakpointMenu(menu, runner_, graph.names()[static_cast<std::size_t>(node)], human()->id,
-                       *this);
-  }
 }
 
 }  // namespace editor

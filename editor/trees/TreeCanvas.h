@@ -9,7 +9,8 @@
 namespace editor {
 
 /// A tree that can be looked at and edited by mouse and keys: it tells what is wanted, others do
-/// it. Wheel zooms, dragging the ground moves the picture.
+/// it. Wheel zooms, dragging the ground moves the picture, with Shift or Ctrl it selects what the
+/// frame touches; a click with these adds a node to those that are selected, or takes it away.
 class TreeCanvas : public QWidget {
   Q_OBJECT
  public:
@@ -26,7 +27,11 @@ class TreeCanvas : public QWidget {
   /// Without `chosen`; what hides it is unfolded, and it comes into view.
   void choose(int node);
   int chosen() const { return view_.chosen; }
+  /// Several at once; `chosen`: the one among them that others show, else the last.
+  void select(std::vector<int> nodes, int chosen);
+  const std::vector<int>& selected() const { return view_.selected; }  // rising
   void setDirection(TreeDirection direction);
+  void setPlacing(TreeGraph::Placing placing);
   void fit();  // all of it, at most at 100 %; it stays so until the user zooms or moves it
   double zoom() const { return zoom_; }
   void zoomBy(double factor, const QPointF& about);
@@ -64,7 +69,7 @@ class TreeCanvas : public QWidget {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  enum class Gesture { None, Pressed, Moving, Panning };
+  enum class Gesture { None, Pressed, Moving, Panning, Band };
   bool isCommand(const QKeyEvent& event) const;
   bool moveChosen(const QKeyEvent& event);
   void hover(const QPoint& at);
@@ -73,6 +78,10 @@ class TreeCanvas : public QWidget {
   void fitTo(double leastZoom);
   void bringIntoView(int node);
   void chooseByUser(int node);
+  void toggleByUser(int node);
+  bool pressKnob(const QPointF& at);
+  std::vector<int> movedNodes() const;
+  void selectBand(const QRectF& band);
   QString tipOf(int node) const;
 
   Theme theme_;
@@ -86,6 +95,7 @@ class TreeCanvas : public QWidget {
   QPoint pressedAt_;
   QPointF originBefore_;
   int pressedNode_ = -1;
+  bool choosesOnRelease_ = false;
 };
 
 }  // namespace editor

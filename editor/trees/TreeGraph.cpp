@@ -9,6 +9,7 @@
 
 #include "editor/document/TreeFiles.h"
 #include "editor/panels/TreeOutline.h"
+#include "editor/trees/FilePlaces.h"
 
 namespace editor {
 
@@ -200,6 +201,53 @@ void TreeGraph::layOut() {
         QRectF(std::round(box.x) + kMargin, std::round(box.y) + kMargin, box.width, box.height);
   }
   bounds_ = QRectF(0.0, 0.0, laid.width + 2.0 * kMargin, laid.height + 2.0 * kMargin);
+  if (placing_ == Placing::File && hasFilePlaces()) {
+    moveToFilePlaces();
+  }
+}
+
+bool TreeGraph::hasFilePlaces() const {
+  const auto hasPlace = [](const OutlineNode& each) { return placeInFile(*each.node).has_value(); };
+  return !nodes_.empty() && hasPlace(nodes_.front()) &&
+         std::any_of(nodes_.begin() + 1, nodes_.end(), hasPlace);
+}
+
+void TreeGraph::moveToFilePlaces() {
+  const std::vector<QRectF> ours = boxes_;
+  QRectF all;
+  for (const int each : shown_) {  // parents before their children
+    const auto k = static_cast<std::size_t>(each);
+    const int parent = node(each).parent;
+    if (const std::optional<QPointF> place = placeInFile(*node(each).node)) {
+      boxes_[k].moveTopLeft(*place);
+    } else if (parent >= 0) {
+      const auto above = static_cast<std::size_t>(parent);
+      boxes_[k].moveTopLeft(boxes_[above].topLeft() + ours[k].topLeft() - ours[above].topLeft());
+    }
+    all = all.isNull() ? boxes_[k] : all.united(boxes_[k]);
+  }
+  for (const int each : shown_) {
+    boxes_[static_cast<std::size_t>(each)].translate(QPointF(kMargin, kMargin) - all.topLeft());
+  }
+  bounds_ = QRectF(QPointF(), all.size() + QSizeF(2.0 * kMargin, 2.0 * kMargin));
+}
+
+/// Its lines go the way in which most children of the file lie.
+void TreeGraph::setPlacing(Placing placing) {
+  placing_ = placing;
+  if (placing == Placing::File) {
+    int down = 0;
+    for (const OutlineNode& each : nodes_) {
+      const auto place = placeInFile(*each.node);
+      const auto above = each.parent < 0 ? std::nullopt : placeInFile(*node(each.parent).node);
+      if (place && above) {
+        const QPointF way = *place - *above;
+        down += std::abs(way.y()) >= std::abs(way.x()) ? 1 : -1;
+      }
+    }
+    direction_ = down >= 0 ? TreeDirection::Down : TreeDirection::Right;
+  }
+  layOut();
 }
 
 int TreeGraph::nodeAt(const QPointF& at) const {
@@ -286,17 +334,30 @@ void TreeGraph::addPlacesBelow(int parent, std::vector<DropPlace>& places) const
   }
 }
 
-std::vector<DropPlace> TreeGraph::dropPlaces(const bt::NodeSpec& what, int moving) const {
+/// For those that move, or one that is new, beside the children that stay.
+bool TreeGraph::hasRoom(int parent, const std::vector<int>& moving) const {
+  const int most = mostChildren(*node(parent).node);
+  const std::vector<int>& children = childrenOf(parent);
+  const auto stay = std::count_if(children.begin(), children.end(), [&moving](int child) {
+    return std::find(moving.begin(), moving.end(), child) == moving.end();
+  });
+  return most < 0 || static_cast<std::size_t>(stay) + std::max<std::size_t>(moving.size(), 1) <=
+                         static_cast<std::size_t>(most);
+}
+
+std::vector<DropPlace> TreeGraph::dropPlaces(const bt::NodeSpec& what,
+                                             const std::vector<int>& moving) const {
   std::vector<DropPlace> places;
-  const int home = moving >= 0 ? node(moving).parent : -1;
   for (const int each : shown_) {
-    if (!isEditable(each) || (moving >= 0 && isBelow(each, moving)) || isFolded(each)) {
+    const bool isMoving =
+        std::any_of(moving.begin(), moving.end(), [&](int above) { return isBelow(each, above); });
+    if (!isEditable(each) || isMoving || isFolded(each)) {
       continue;
     }
-    if (takesChild(*node(each).node) || each == home) {
+    if (hasRoom(each, moving)) {
       addPlacesBelow(each, places);
     }
-    if (moving < 0 && takesChild(what)) {
+    if (moving.empty() && takesChild(what)) {
       const QPointF above = direction_ == TreeDirection::Down ? QPointF(0, -12) : QPointF(-12, 0);
       places.push_back({DropPlace::How::Around, each, 0, {}, inlet(each) + above});
     }
@@ -305,7 +366,7 @@ std::vector<DropPlace> TreeGraph::dropPlaces(const bt::NodeSpec& what, int movin
 }
 
 std::optional<DropPlace> TreeGraph::dropAt(const QPointF& at, const bt::NodeSpec& what,
-                                           int moving) const {
+                                           const std::vector<int>& moving) const {
   const std::vector<DropPlace> places = dropPlaces(what, moving);
   const int under = nodeAt(at);
   const DropPlace* best = nullptr;

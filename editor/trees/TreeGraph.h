@@ -61,6 +61,12 @@ class TreeGraph {
   void show(int node);        // unfolds what hides it
   int below(int node) const;  // how many nodes stand below, seen or not
 
+  /// Ours, or that of the file for nodes that have a place there; the others keep their way from
+  /// the parent.
+  enum class Placing { Ours, File };
+  void setPlacing(Placing placing);
+  Placing placing() const { return placing_; }
+  bool hasFilePlaces() const;  // of the root and of one other node at least
   void setDirection(TreeDirection direction);
   TreeDirection direction() const { return direction_; }
   const std::vector<int>& shown() const { return shown_; }  // parents before their children
@@ -75,8 +81,9 @@ class TreeGraph {
   enum class Way { Up, Down, Left, Right };  // on the screen
   int beside(int node, Way way) const;
 
-  /// For a node like this, or for the node `moving` of the tree with all below it.
-  std::optional<DropPlace> dropAt(const QPointF& at, const bt::NodeSpec& what, int moving) const;
+  /// For a node like this, or for the nodes `moving` of the tree with all below them.
+  std::optional<DropPlace> dropAt(const QPointF& at, const bt::NodeSpec& what,
+                                  const std::vector<int>& moving) const;
 
   struct Problem {
     base::Severity severity = base::Severity::Warning;
@@ -89,9 +96,11 @@ class TreeGraph {
  private:
   void findProblems();
   void layOut();
+  void moveToFilePlaces();
   double widthOf(int node) const;
   bool isBelow(int node, int above) const;  // or the same
-  std::vector<DropPlace> dropPlaces(const bt::NodeSpec& what, int moving) const;
+  std::vector<DropPlace> dropPlaces(const bt::NodeSpec& what, const std::vector<int>& moving) const;
+  bool hasRoom(int parent, const std::vector<int>& moving) const;
   void addPlacesBelow(int parent, std::vector<DropPlace>& places) const;
 
   const Theme theme_;  // for the widths of texts
@@ -102,6 +111,7 @@ class TreeGraph {
   std::vector<std::vector<Problem>> problems_;
   std::map<std::string, bool> folds_;  // those that were chosen
   TreeDirection direction_ = TreeDirection::Down;
+  Placing placing_ = Placing::Ours;
   std::vector<int> shown_;
   std::vector<QRectF> boxes_;  // null: not shown
   QRectF bounds_;

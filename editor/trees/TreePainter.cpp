@@ -155,6 +155,7 @@ void TreePainter::paint(QPainter& painter, const QRectF& visible) const {
     }
   }
   paintDrop(painter);
+  paintBand(painter);
 }
 
 QPen TreePainter::penOf(int node, double width) const {
@@ -193,9 +194,11 @@ void TreePainter::paintLine(QPainter& painter, int child) const {
 
 void TreePainter::paintNode(QPainter& painter, int node) const {
   const QRectF box = graph_.box(node);
-  painter.setOpacity(node == view_.dragged ? 0.4 : 1.0);
-  if (node == view_.chosen) {
-    painter.setPen(QPen(theme_.color(Role::Accent), 2.0));
+  const bool isDragged =
+      std::find(view_.dragged.begin(), view_.dragged.end(), node) != view_.dragged.end();
+  painter.setOpacity(isDragged ? 0.4 : 1.0);
+  if (view_.isSelected(node)) {
+    painter.setPen(QPen(theme_.color(Role::Accent), node == view_.chosen ? 2.0 : 1.2));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(box.adjusted(-4, -4, 4, 4), kNodeRadius + 3, kNodeRadius + 3);
   }
@@ -293,6 +296,16 @@ void TreePainter::paintKnob(QPainter& painter, int node) const {
   painter.setFont(theme_.font(8.0));
   painter.drawText(knob, Qt::AlignCenter,
                    isFolded ? QStringLiteral("+%1").arg(graph_.below(node)) : QStringLiteral("–"));
+}
+
+void TreePainter::paintBand(QPainter& painter) const {
+  if (view_.band) {
+    QColor inside = theme_.color(Role::Accent);
+    painter.setPen(QPen(inside, 1.0));
+    inside.setAlphaF(0.12);
+    painter.setBrush(inside);
+    painter.drawRect(*view_.band);
+  }
 }
 
 void TreePainter::paintDrop(QPainter& painter) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -14,8 +15,15 @@ namespace editor {
 struct TreeView {
   std::vector<base::NodeStatus> statuses;  // by node; empty: no run is shown
   std::vector<sim2d::TreeBreakpoint> breakpoints;
-  int chosen = -1, hovered = -1, dragged = -1;
+  int chosen = -1, hovered = -1;
+  std::vector<int> selected;  // with the one that is chosen
+  std::vector<int> dragged;
   std::optional<DropPlace> drop;
+  std::optional<QRectF> band;  // that selects
+
+  bool isSelected(int node) const {
+    return std::find(selected.begin(), selected.end(), node) != selected.end();
+  }
 
   const base::NodeStatus* statusOf(int node) const;  // null: no run is shown
 };
@@ -38,6 +46,7 @@ class TreePainter {
   void paintMarks(QPainter& painter, int node) const;
   void paintKnob(QPainter& painter, int node) const;
   void paintDrop(QPainter& painter) const;
+  void paintBand(QPainter& painter) const;
   QPen penOf(int node, double width) const;
   bool isStopped(int node) const;
 

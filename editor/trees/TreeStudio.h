@@ -18,6 +18,8 @@
 #include "editor/trees/MapInset.h"
 #include "editor/trees/NodePalette.h"
 #include "editor/trees/TreeCanvas.h"
+#include "editor/trees/TreeEntries.h"
+#include "editor/trees/TreeGroups.h"
 #include "editor/trees/TreeHistory.h"
 #include "editor/trees/TreeText.h"
 
@@ -36,21 +38,25 @@ class TreeStudio : public QWidget {
   NodePalette& palette() const { return *palette_; }
   TreeHistory& history() const { return *history_; }
   TreeText& text() const { return *text_; }
-  QTabWidget& lower() const { return *lower_; }  // history and text
+  TreeEntries& entries() const { return *entries_; }
+  QTabWidget& lower() const { return *lower_; }  // history, text and entries
   EntityId person() const { return person_; }
   /// Who is changed by an edit: all who have the very same tree of their own, unless the switch for
   /// that is off.
   std::vector<EntityId> edited() const;
   QToolButton& sharing() const { return *sharing_; }
-  MapInset& inset() const { return *inset_; }  // while the map is not seen
+  QToolButton& placing() const { return *placing_; }  // hidden where the file has no places
+  MapInset& inset() const { return *inset_; }         // while the map is not seen
   QString hint() const { return hint_->text(); }
+  QString problem() const { return problem_->isHidden() ? QString() : problem_->text(); }
   QLineEdit& nameField() const { return *nameField_; }
 
   void choose(int node);  // tells others
   /// What can be done with a node of the tree; -1: with the tree.
   void fillMenu(QMenu& menu, int node);
 
-  // edits of the node that is chosen; they say why when they cannot be done
+  // edits of the nodes that are selected, or of the one that is chosen where it says "it"; each is
+  // one command, and they say why when they cannot be done
   void add(const QString& xml);
   void addAt(const QString& xml, const DropPlace& to);
   void move(int node, const DropPlace& to);
@@ -80,15 +86,25 @@ class TreeStudio : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  using Edit = std::function<MaybePlace(bt::TreeFile&)>;
+  using Edit = std::function<MaybePlaces(bt::TreeFile&)>;
   bool apply(const QString& text, const QString& ifNot, const Edit& edit);
   bool applyToChosen(const QString& text, const QString& ifNot,
                      const std::function<MaybePlace(bt::TreeFile&, const TreePlace&)>& edit);
+  bool applyToSelected(
+      const QString& text, const QString& ifNot,
+      const std::function<MaybePlaces(bt::TreeFile&, const std::vector<TreePlace>&)>& edit);
+  /// Of the file, outer ones alone; nothing: one of them is in an included file.
+  std::optional<std::vector<TreePlace>> selectedPlaces() const;
+  QString selectedWords() const;
+  QString selectedText() const;  // XML
+  static bool isPickable(const std::string& port);
+  void fillMenuOfSeveral(QMenu& menu);
   void makeLayout();
   QWidget* makeHead();
   void connectParts();
   void follow();
   void rebuild();
+  void showProblems(const base::Diagnostics& problems);
   void listPeople();
   void showSharing();
   void showChosen();  // in the parts beside the graph
@@ -108,6 +124,7 @@ class TreeStudio : public QWidget {
   void say(const QString& text);
   void placeInset();
   bool isAnyFolded() const;
+  void showPlacing();
   const sim2d::Human* human() const { return context_.document.human(person_); }
   QString label(int node) const;
 
@@ -119,13 +136,14 @@ class TreeStudio : public QWidget {
   bool choosing_ = false;
   std::string pickedPort_;
   QComboBox* people_;
-  QToolButton *sharing_, *turn_, *folds_, *give_;
-  QLabel *hint_, *empty_;
+  QToolButton *sharing_, *turn_, *folds_, *give_, *placing_;
+  QLabel *hint_, *problem_, *empty_;
   QTimer hintTimer_;
   TreeCanvas* canvas_;
   NodePalette* palette_;
   TreeHistory* history_;
   TreeText* text_;
+  TreeEntries* entries_;
   QTabWidget* lower_;
   QSplitter* halves_;
   bool isDivided_ = false;  // by the user

@@ -303,6 +303,7 @@ constexpr ProblemText kTexts[] = {
     {"nav2.data-type", "{layer}.{source}: data_type '{found}' counts as LaserScan"},
 
     // nav2_params.yaml and navigator trees.
+    {"nav2.read-late", "could not be read at first: {tree} is not among the inputs of the run"},
     {"nav2.no-parameters", "no parameters of ROS 2 in it (a node with ros__parameters)"},
     {"nav2.too-many-parameters",
      "more than {most} parameters, or more than {nodes} nodes with some"},
@@ -434,6 +435,12 @@ constexpr ProblemText kTexts[] = {
     {"trace.unfinished", "a run was not written to its end here: trace.json is missing"},
     {"trace.no-run", "is no folder of a run: trace.json is missing"},
     {"trace.no-states", "the record has no states"},
+    {"trace.cut",
+     "the record is cut: it is shown up to {time} s{end? of % s}, what comes after is lost: this "
+     "is no finished run"},
+    {"trace.killed",
+     "the run was ended from outside: it is shown up to {time} s, as far as it was on the disk, "
+     "and is no finished run"},
     {"trace.other-program",
      "was written by version {was}, this is {now}: it is shown as recorded, but made again it may "
      "be another run"},
@@ -558,6 +565,26 @@ constexpr ProblemText kTexts[] = {
     {"live.not-local", "whoever reaches {address} can watch this run and steer it"},
     {"live.page-refused",
      "a page of {origin} wanted to connect and was refused (--foxglove-origin {origin} lets it)"},
+
+    // Bags: MCAP files and folders of rosbag2.
+    {"bag.no-bag", "is no bag: neither an MCAP file nor a folder of rosbag2 with metadata.yaml"},
+    {"bag.bad-metadata", "tells no files of a bag"},
+    {"bag.storage", "bags of '{found}' cannot be read (mcap and sqlite3 can)"},
+    {"bag.compressed-file", "its files are compressed as a whole by '{found}' (decompress them)"},
+    {"bag.compression", "a chunk is compressed by '{found}', which is unknown (zstd is known)"},
+    {"bag.cut", "ends at byte {position} in the midst of a record: what is whole before it counts"},
+    {"bag.damaged", "a {part} at byte {position} is damaged and left out"},
+    {"bag.bad-database", "is no database of rosbag2: {reason}"},
+    {"bag.no-topic", "has no topic '{found}' ({nearest?did you mean '%'? }there are: {known})"},
+    {"bag.wrong-type", "topic {topic} is of type {found}, {wanted} is needed"},
+    {"bag.no-people-or-robot",
+     "tells of nobody: no topic of {known} (name them by --topics people=NAME,robot=NAME)"},
+    {"bag.topic-use", "--topics takes people=NAME, robot=NAME, map=NAME, not '{found}'"},
+    {"bag.bad-messages",
+     "{count} messages of topic {topic} could not be read and are left out, the first: {reason}"},
+    {"bag.no-messages", "topic {topic} has no message that can be read"},
+    {"bag.moved-frame",
+     "{count} messages are in the frame '{found}', which tf does not tie to 'map': taken for it"},
 
     // Runs.
     {"run.not-played", "{reason}"},
@@ -719,6 +746,10 @@ constexpr ProblemText kTexts[] = {
     {"option.duration", "--duration takes seconds above 0, at most 1000000"},
     {"option.stuck-after", "--stuck-after takes seconds, 0 (never) to 1000000"},
     {"option.dt", "--dt takes a step of 0.001 to 0.1 s"},
+    {"option.not-for-bags", "{option} is for other files: a bag tells that itself"},
+    {"option.only-bags", "{word} is for bags only: MCAP files and recordings of rosbag2"},
+    {"option.record-folder", "--record writes into the folder of the run (give -o DIR)"},
+    {"option.record-totals", "--record cannot go with --totals, which writes nothing per step"},
     {"option.record-every", "--record-every takes a number of steps >= 1"},
     {"option.threads", "--threads takes a number from 1 to 256"},
     {"option.set", "--set takes PATH=VALUE, not \"{found}\""},

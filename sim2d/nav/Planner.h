@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -11,6 +12,7 @@
 #include "sim2d/base/Registry.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/base/Stop.h"
+#include "sim2d/map/CostGrid.h"
 #include "sim2d/nav/Observation.h"
 #include "sim2d/nav/external/CodePermission.h"
 #include "sim2d/nav/nav2/Nav2Key.h"
@@ -23,6 +25,24 @@ struct Candidate {
   std::vector<Vec2> points;  // [m], the robot's place first
   double cost = 0.0;         // the less the better; infinite: would hit something
   bool isChosen = false;
+  /// What each part of the cost came to, in the planner's own words: "PathAlign", 3.2. They add up
+  /// to the cost; none: the planner does not tell.
+  std::vector<std::pair<std::string, double>> scores{};
+};
+
+/// What of a planner is looked at, for display alone: nothing that it does depends on it, what
+/// nobody looks at costs no time. Switched in any thread.
+struct PlannerWatch {
+  std::atomic<bool> costs{false};  // `PlannerView::localCosts`, `globalCosts`
+  std::atomic<bool> ways{false};   // `candidates` of planners that gather them only then; the rest
+};
+
+/// What a planner knows beside its path, for display. World frame [m].
+struct PlannerView {
+  CostGridPtr localCosts, globalCosts;  // while watched; null: it has none
+  std::string controller;               // which part of it drives: "FollowPath"; empty: itself
+  std::vector<Vec2> lookahead;          // what it aims at, the first is followed
+  std::vector<Vec2> predicted;          // where it means to go
 };
 
 /// A behaviour tree as a record wants it: paths of nodes, and what each returned in the last step.
@@ -62,11 +82,17 @@ class Planner {
   virtual std::vector<Vec2> path() const { return {}; }
   /// What it weighed in the last call, for display; a sample of it when there is much.
   virtual std::vector<Candidate> candidates() const { return {}; }
+  /// From the next call on these are told.
+  virtual void watch(bool /*costs*/, bool /*ways*/) {}
+  virtual PlannerView view() const { return {}; }
   /// Draws by another seed from now on. Planners that draw nothing, and those outside, stay as they
   /// are.
   virtual void reseed(std::uint64_t /*seed*/) {}
   /// It planned anew, or does not get on, since the last call.
   virtual bool takeReplanned() { return false; }
+  /// Goals that it has driven through without being inside `goalRadius` of them, since the last
+  /// call; they count as reached. The last goal never does.
+  virtual std::size_t takePassedGoals() { return 0; }
   /// It drives by a map of its own: `takeMap` is called before the first step.
   virtual bool wantsMap() const { return false; }
   /// The known map: that of the file with the obstacles that are drawn, doors open. Problems of it.

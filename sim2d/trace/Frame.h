@@ -6,9 +6,11 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "sim2d/base/Types.h"
+#include "sim2d/map/CostGrid.h"
 #include "sim2d/trace/Inputs.h"
 
 namespace sim2d {
@@ -179,12 +181,17 @@ struct RobotSenses {
     std::vector<Vec2> points;  // [m], the robot's place first
     double cost = 0.0;         // the less the better; infinite: would hit something
     bool isChosen = false;
+    std::vector<std::pair<std::string, double>> scores{};  // parts of the cost; none: not told
   };
 
   base::Pose2 believed;      // by odometry
   std::optional<Scan> scan;  // none: no lidar, or not turned yet
   std::vector<Body> bodies;
   std::vector<Way> ways;
+  CostGridPtr localCosts, globalCosts;  // of its planner, while somebody looks at them
+  std::string controller;               // that drives, where a planner has several
+  std::vector<Vec2> lookahead;          // what it aims at
+  std::vector<Vec2> predicted;          // where it means to go
 };
 
 /// A turn of a lidar that the run records: a row of `scans.csv`.

@@ -103,8 +103,11 @@ class Recording final : public FrameSink {
 /// With what the files of a run tell: no forces, no ways of the planners.
 std::shared_ptr<Recording> recordingOf(Trace trace,
                                        std::size_t mostInMemory = Recording::kUsualMemory);
-/// A run folder, with trees.csv where there is one. All problems, with their places.
+struct RecordCut;
+/// A run folder, with trees.csv where there is one. All problems, with their places. `cut`: of a
+/// record that is cut what is whole; null: it is refused.
 base::Result<std::shared_ptr<const Recording>> readRecording(
-    const std::string& directory, std::size_t mostInMemory = Recording::kUsualMemory);
+    const std::string& directory, std::size_t mostInMemory = Recording::kUsualMemory,
+    RecordCut* cut = nullptr);
 
 }  // namespace sim2d

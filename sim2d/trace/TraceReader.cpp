@@ -7,7 +7,9 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
+#include "sim2d/trace/CutRecord.h"
 #include "sim2d/trace/Recording.h"
+#include "sim2d/trace/TraceTexts.h"
 
 namespace sim2d {
 
@@ -36,7 +38,12 @@ void addInstant(Trace& trace, std::int64_t step) {
 
 class TrajectoryReader {
  public:
-  TrajectoryReader(CsvTable& table, Trace& trace) : table_(table), trace_(trace) {
+  /// `cut` null: nothing may be missing.
+  TrajectoryReader(CsvTable& table, Trace& trace, const RecordCut* cut)
+      : table_(table),
+        trace_(trace),
+        mayBeCut_(cut != nullptr),
+        meetsPeople_(cut != nullptr && cut->isUnfinished) {
     for (const TraceHuman& human : trace.header.humans) {
       humanIds_.insert(human.id);
     }
@@ -56,7 +63,12 @@ class TrajectoryReader {
       }
       last_ = table_[0];
     }
-    checkRobots(last_);
+    if (!mayBeCut_) {
+      checkRobots(last_);
+    }
+  }
+  bool lacksRobot() const {
+    return !trace_.frames.empty() && trace_.frames.back().robots.size() < robotIds_.size();
   }
 
  private:
@@ -86,7 +98,8 @@ class TrajectoryReader {
       table_.error(0, "trace.off-step");
     } else if (std::fabs(row.time - time) > 1e-9 * std::max(1.0, time)) {
       table_.error(1, "trace.time-off-step");
-    } else if (const auto& ids = row.isRobot ? robotIds_ : humanIds_; ids.count(row.id) == 0) {
+    } else if (const auto& ids = row.isRobot ? robotIds_ : humanIds_;
+               ids.count(row.id) == 0 && !(meetsPeople_ && !row.isRobot && meet(row.id))) {
       table_.error(2, "trace.unknown-id", {row.id});
     } else if (row.step == before && !isInOrder(row)) {
       table_.error(2, "trace.bad-order");
@@ -94,6 +107,15 @@ class TrajectoryReader {
       return fillGap(row.step, before);
     }
     return false;
+  }
+
+  /// Somebody came from a source, and the header was written before.
+  bool meet(int id) {
+    TraceHuman& human = trace_.header.humans.emplace_back();
+    human.id = id;
+    human.name = "person " + std::to_string(id);
+    humanIds_.insert(id);
+    return true;
   }
 
   bool isInOrder(const Row& row) const {
@@ -125,7 +147,7 @@ class TrajectoryReader {
   }
 
   void checkRobots(const CsvField& place) {
-    if (!trace_.frames.empty() && trace_.frames.back().robots.size() < robotIds_.size()) {
+    if (lacksRobot()) {
       table_.error(place, "trace.no-robot", {trace_.frames.back().step});
     }
   }
@@ -143,6 +165,7 @@ class TrajectoryReader {
 
   CsvTable& table_;
   Trace& trace_;
+  const bool mayBeCut_, meetsPeople_;
   std::set<int> humanIds_, robotIds_;
   CsvField last_;
 };
@@ -198,6 +221,19 @@ std::string textOf(const std::string& file, base::Diagnostics& problems) {
   base::Result<std::string> text = base::readTextFile(file, base::kMostRecord);
   base::append(problems, text.diagnostics());
   return text ? *std::move(text) : std::string();
+}
+
+/// `cut`: the whole lines of it, and the name of a file that has more is noted. An empty one was
+/// never written to.
+std::string wholeTextOf(const std::string& file, const std::string& name, RecordCut* cut,
+                        base::Diagnostics& problems) {
+  std::string text = textOf(file, problems);
+  const std::size_t whole = cut == nullptr ? text.size() : wholeLines(text);
+  if (cut != nullptr && (whole < text.size() || text.empty())) {
+    cut->note(name);
+    text.resize(whole);
+  }
+  return text;
 }
 
 constexpr std::array<base::NodeStatus, 5> kStatuses = {
@@ -270,38 +306,63 @@ class TreesReader {
   std::vector<Change> rows_;
 };
 
-}  // namespace
-
-base::Result<Trace> readTrace(const std::string& directory) {
+/// `cut` null: a record that is cut is refused.
+base::Result<Trace> traceOf(const TraceTexts& texts, RecordCut* cut) {
   base::Diagnostics problems;
-  const std::string folder = directory + (directory.empty() || directory.back() == '/' ? "" : "/");
-  const std::string trajectoryFile = folder + "trajectory.csv";
-  const std::string eventsFile = folder + "events.csv";
-  const std::string headerFile = folder + "trace.json";
-  const std::string trajectory = textOf(trajectoryFile, problems);
-  const std::string events = textOf(eventsFile, problems);
-  const std::string headerText = textOf(headerFile, problems);
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
   Trace trace;
-  base::Result<TraceHeader> header = parseTraceJson(headerText, headerFile);
+  base::Result<TraceHeader> header = parseTraceJson(texts.header.content, texts.header.path);
   base::append(problems, header.diagnostics());
   if (!header) {
     return problems;  // the rows mean nothing without it
   }
   trace.header = *std::move(header);
-  CsvTable rows(trajectory, trajectoryFile, problems);
-  TrajectoryReader(rows, trace).read();
-  CsvTable eventRows(events, eventsFile, problems);
-  readEvents(eventRows, trace);
-  if (!base::hasErrors(problems)) {
-    checkEnd(trace, trajectoryFile, problems);
+  CsvTable rows(texts.trajectory.content, texts.trajectory.path, problems);
+  TrajectoryReader reader(rows, trace, cut);
+  if (cut == nullptr || !texts.trajectory.content.empty()) {
+    reader.read();
+  }
+  CsvTable eventRows(texts.events.content, texts.events.path, problems);
+  if (cut == nullptr || !texts.events.content.empty()) {
+    readEvents(eventRows, trace);
+  }
+  if (cut != nullptr && !base::hasErrors(problems)) {
+    takeWholePart(trace, reader.lacksRobot(), *cut);
+  }
+  if (!base::hasErrors(problems) && !(cut != nullptr && cut->isCut())) {
+    checkEnd(trace, texts.trajectory.path, problems);
   }
   if (base::hasErrors(problems)) {
     return problems;
   }
   return {std::move(trace), std::move(problems)};
+}
+
+base::Result<Trace> readAnyTrace(const std::string& directory, RecordCut* cut) {
+  base::Diagnostics problems;
+  const std::string folder = directory + (directory.empty() || directory.back() == '/' ? "" : "/");
+  const auto fileOf = [&](const char* name) {
+    return cut == nullptr ? folder + name : wholeOrUnfinished(folder, name);
+  };
+  TraceTexts texts{
+      {fileOf("trajectory.csv"), {}}, {fileOf("events.csv"), {}}, {folder + "trace.json", {}}};
+  texts.trajectory.content = wholeTextOf(texts.trajectory.path, "trajectory.csv", cut, problems);
+  texts.events.content = wholeTextOf(texts.events.path, "events.csv", cut, problems);
+  texts.header.content = textOf(texts.header.path, problems);
+  return base::hasErrors(problems) ? base::Result<Trace>(problems) : traceOf(texts, cut);
+}
+
+}  // namespace
+
+base::Result<Trace> parseTrace(const TraceTexts& texts) {
+  return traceOf(texts, nullptr);
+}
+
+base::Result<Trace> readTrace(const std::string& directory) {
+  return readAnyTrace(directory, nullptr);
+}
+
+base::Result<Trace> readTraceAsFarAsWhole(const std::string& directory, RecordCut& cut) {
+  return readAnyTrace(directory, &cut);
 }
 
 std::shared_ptr<Recording> recordingOf(Trace trace, std::size_t mostInMemory) {
@@ -335,21 +396,22 @@ std::shared_ptr<Recording> recordingOf(Trace trace, std::size_t mostInMemory) {
 }
 
 base::Result<std::shared_ptr<const Recording>> readRecording(const std::string& directory,
-                                                             std::size_t mostInMemory) {
-  base::Result<Trace> trace = readTrace(directory);
+                                                             std::size_t mostInMemory,
+                                                             RecordCut* cut) {
+  base::Result<Trace> trace = readAnyTrace(directory, cut);
   if (!trace) {
     return trace.diagnostics();
   }
   base::Diagnostics problems = trace.diagnostics();
   const std::shared_ptr<Recording> recording = recordingOf(*std::move(trace), mostInMemory);
   const auto readIfThere = [&](const char* name, auto read) {
-    const std::filesystem::path file = std::filesystem::path(directory) / name;
+    const std::string file = cut == nullptr ? (std::filesystem::path(directory) / name).string()
+                                            : wholeOrUnfinished(directory, name);
     std::error_code none;  // no such file: a record of others, or nothing came from outside
     if (std::filesystem::exists(file, none)) {
-      const base::Result<std::string> text = base::readTextFile(file.string(), base::kMostRecord);
-      base::append(problems, text.diagnostics());
-      if (text) {
-        read(*text, file.string());
+      const std::string text = wholeTextOf(file, name, cut, problems);
+      if (!text.empty()) {
+        read(text, file);
       }
     }
   };

@@ -150,6 +150,12 @@ class HumanBehavior {
   virtual std::vector<std::pair<std::string, std::string>> blackboard(int /*human*/) const {
     return {};
   }
+  /// Gives an entry of that list another value, from a text, before the next step. What is wrong
+  /// with it; empty: it has it.
+  virtual std::string setEntry(int /*human*/, const std::string& /*key*/,
+                               const std::string& /*text*/) {
+    return "people have no blackboards here";
+  }
   /// From the next step on, instead of those before.
   virtual void setBreakpoints(const std::vector<TreeBreakpoint>& /*points*/) {}
   /// The first that was met since the last call.

@@ -25,6 +25,11 @@ bool drives(const ResolvedRobot& robot, const RobotState& state, double time) {
   return state.goal < robot.goals.size() && time >= robot.startTime - kTick;
 }
 
+void emitGoal(const ResolvedRobot& robot, std::size_t goal, WorldState& state) {
+  const int id = robot.goalIds[goal];
+  state.emit(EventKind::Goal, robot.id, id > 0 ? std::to_string(id) : "");
+}
+
 }  // namespace
 
 RobotDrive::RobotDrive(std::vector<std::shared_ptr<Planner>> planners, const WorldModel& model)
@@ -67,6 +72,10 @@ void RobotDrive::observe(const FrozenWorld& world, std::size_t robot) {
   observation_.motion = sensors_.odometry(robot).motion();
   observation_.goal =
       now.goal < constants.goals.size() ? constants.goals[now.goal] : observation_.pose.position;
+  observation_.goalsAfter.clear();
+  for (std::size_t later = now.goal + 1; later < constants.goals.size(); ++later) {
+    observation_.goalsAfter.push_back(constants.goals[later]);
+  }
   observation_.goalRadius = constants.goalRadius;
   observation_.time = world.state.time;
   observation_.dt = world.model.dt;
@@ -126,8 +135,36 @@ void RobotDrive::addSenses(std::size_t robot, bool isAsked) {
         {body.id, body.kind == BodyKind::Robot, body.position, body.velocity, body.radius});
   }
   if (isAsked) {
-    for (Candidate& way : planners_[robot]->candidates()) {
-      senses.ways.push_back({std::move(way.points), way.cost, way.isChosen});
+    addPlanner(senses, *planners_[robot]);
+  }
+}
+
+void RobotDrive::addPlanner(RobotSenses& senses, const Planner& planner) const {
+  for (Candidate& way : planner.candidates()) {
+    senses.ways.push_back({std::move(way.points), way.cost, way.isChosen, std::move(way.scores)});
+  }
+  if (watch_ != nullptr) {
+    PlannerView view = planner.view();
+    senses.localCosts = std::move(view.localCosts);
+    senses.globalCosts = std::move(view.globalCosts);
+    senses.controller = std::move(view.controller);
+    senses.lookahead = std::move(view.lookahead);
+    senses.predicted = std::move(view.predicted);
+  }
+}
+
+void RobotDrive::watch(Planner& planner) const {
+  const bool isWatched = wantsSenses_ && watch_ != nullptr;
+  planner.watch(isWatched && watch_->costs, isWatched && watch_->ways);
+}
+
+/// Goals that its planner drove through, all but the last one.
+void RobotDrive::passGoals(std::size_t robot, const ResolvedRobot& constants, WorldState& state) {
+  RobotState& now = state.robots[robot];
+  for (std::size_t n = planners_[robot]->takePassedGoals(); n > 0; --n) {
+    if (now.goal + 1 < constants.goals.size()) {
+      emitGoal(constants, now.goal, state);
+      ++now.goal;
     }
   }
 }
@@ -147,11 +184,13 @@ const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, Worl
       wanted = steered->second;
     } else if (wantsToBeAsked(*planners_[i], robot, now, state.time)) {
       observe(world, i);
+      watch(*planners_[i]);
       wanted = ask(i, robot.name);
       isAsked = true;
       if (planners_[i]->takeReplanned()) {
         state.emit(EventKind::Replan, robot.id);
       }
+      passGoals(i, robot, state);
     }
     noteTree(i, robot.id, isAsked);
     addSenses(i, isAsked);
@@ -171,8 +210,7 @@ void RobotDrive::afterMotion(const WorldModel& model, WorldState& state) {
     if ((robot.goals[now.goal] - now.pose.position).norm() > robot.goalRadius) {
       continue;
     }
-    const int goalId = robot.goalIds[now.goal];
-    state.emit(EventKind::Goal, robot.id, goalId > 0 ? std::to_string(goalId) : "");
+    emitGoal(robot, now.goal, state);
     ++now.goal;
     if (now.goal == robot.goals.size()) {
       now.arrivedAt = state.time;

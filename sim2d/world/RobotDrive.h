@@ -36,6 +36,7 @@ class RobotDrive {
   static void afterMotion(const WorldModel& model, WorldState& state);
 
   void tellSenses(bool wanted) { wantsSenses_ = wanted; }
+  void watchPlanners(std::shared_ptr<const PlannerWatch> watch) { watch_ = std::move(watch); }
   /// Of all robots in the last `command`; null unless asked for.
   std::shared_ptr<const std::vector<RobotSenses>> senses() const { return senses_; }
   /// Turns of recorded lidars in the last `command`, put in the place of what `scans` had.
@@ -58,6 +59,9 @@ class RobotDrive {
  private:
   void sense(const FrozenWorld& world);
   void addSenses(std::size_t robot, bool isAsked);
+  void addPlanner(RobotSenses& senses, const Planner& planner) const;
+  void watch(Planner& planner) const;
+  void passGoals(std::size_t robot, const ResolvedRobot& constants, WorldState& state);
   /// Into `observation_`: what the robot knows.
   void observe(const FrozenWorld& world, std::size_t robot);
   BodyTwist ask(std::size_t robot, const std::string& name);
@@ -74,6 +78,7 @@ class RobotDrive {
   std::map<std::size_t, BodyTwist> steered_;
   std::string failure_;
   bool wantsSenses_ = false;
+  std::shared_ptr<const PlannerWatch> watch_;
   std::shared_ptr<std::vector<RobotSenses>> senses_;
   Observation observation_;  // its memory is used again
 };

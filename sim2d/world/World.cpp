@@ -147,6 +147,7 @@ void RunningWorld::enter(std::size_t human) {
   state_.velocities[human] = Vec2::Zero();
   state_.omega[human] = 0.0;
   state_.active[human] = 0;
+  state_.held[human] = 0;
   state_.controls[human] = HumanControl{person.plan->goals, false, person.constants.groupId};
   motion_.enter(human);
   goals_.enter(human);
@@ -253,9 +254,22 @@ bool RunningWorld::willDoorToggle() const {
 void RunningWorld::decide() {
   intents_.reset();
   behavior_->decide(view_, intents_);
+  holdStopped();
   goals_.afterDecide(model_, state_, intents_, view_);
   std::move(intents_.events().begin(), intents_.events().end(), std::back_inserter(state_.events));
   intents_.events().clear();
+}
+
+/// Their trees go on; only the motion is another one.
+void RunningWorld::holdStopped() {
+  for (std::size_t human = 0; human < state_.held.size(); ++human) {
+    if (state_.held[human] != 0) {
+      Intent brake;
+      brake.motion = Motion::Brake;
+      brake.active = intents_.of(static_cast<int>(human)).active;
+      intents_.of(static_cast<int>(human)) = brake;
+    }
+  }
 }
 
 std::string RunningWorld::trouble(const std::vector<BodyTwist>& commands) const {

@@ -83,6 +83,9 @@ class World {
 
   /// From the next step on frames have the senses of robots and the ways of people, or no more.
   virtual void tellSenses(bool wanted) = 0;
+  /// With them, of planners, what is switched on there at each step; null: no costs, no ways of
+  /// planners that gather them for display only.
+  virtual void watchPlanners(std::shared_ptr<const PlannerWatch> watch) = 0;
 
   virtual const Frame& frame() const = 0;  // after the last step; valid until the next
   std::int64_t stepIndex() const { return frame().step; }

@@ -73,7 +73,12 @@ std::string RunningWorld::takeForPerson(const Input& input) {
     return "there is no person " + std::to_string(input.id) + " in the world";
   }
   const auto at = static_cast<std::size_t>(human);
-  if (input.kind == InputKind::Push) {
+  if (input.kind == InputKind::Entry) {
+    return setEntry(human, input.name);
+  }
+  if (input.kind == InputKind::Stop || input.kind == InputKind::Resume) {
+    state_.held[at] = input.kind == InputKind::Stop ? 1 : 0;
+  } else if (input.kind == InputKind::Push) {
     steerings_.push_back({at, input.velocity, true});
   } else if (input.kind == InputKind::Set) {
     put(at, input.pose, input.velocity);
@@ -83,6 +88,15 @@ std::string RunningWorld::takeForPerson(const Input& input) {
     motion_.forget(at);
   }
   return {};
+}
+
+/// Of "key=value".
+std::string RunningWorld::setEntry(int human, const std::string& words) {
+  const std::size_t equals = words.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    return "an entry is 'key=value', not '" + words + "'";
+  }
+  return behavior_->setEntry(human, words.substr(0, equals), words.substr(equals + 1));
 }
 
 /// `id` 0: the next free one. Numbers rise, as those of people from sources do.

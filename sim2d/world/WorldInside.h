@@ -80,6 +80,9 @@ class RunningWorld : public World {
     robots_.tellSenses(wanted);
     tellsWays_ = wanted;
   }
+  void watchPlanners(std::shared_ptr<const PlannerWatch> watch) override {
+    robots_.watchPlanners(std::move(watch));
+  }
   const Frame& frame() const override { return frame_; }
   std::optional<double> arrivedAt() const override;
   std::vector<RobotOnWay> robotsOnWay() const override;
@@ -98,6 +101,8 @@ class RunningWorld : public World {
   /// What is wrong with the input; empty: it acts.
   std::string take(Input& input);
   std::string takeForPerson(const Input& input);
+  std::string setEntry(int human, const std::string& words);
+  void holdStopped();
   std::string addCopy(Input& input);
   /// Doors and people whose time has come; the grid afterwards.
   void applyInputs(StepWatch& watch);

@@ -25,6 +25,7 @@ void WorldState::append(const Person& person) {
   heading.push_back(person.constants.start.heading);
   omega.push_back(0.0);
   active.push_back(0);
+  held.push_back(0);
   HumanControl control;
   control.goals = person.plan->goals;
   control.group = person.constants.groupId;

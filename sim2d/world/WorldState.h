@@ -99,6 +99,7 @@ struct WorldState {
   std::vector<double> heading, omega;
   std::vector<HumanControl> controls;
   std::vector<char> active;  // column `state` of the record
+  std::vector<char> held;    // stopped from outside
   std::vector<RobotState> robots;
   std::vector<char> doorOpen;
   std::vector<Event> events;  // of the current step, in no order

@@ -43,7 +43,7 @@ constexpr Operation kOperations[] = {
     {"run-nav2", "n", "run @/n/yard.yaml -q --duration 0.3 -o @/n/o", "n/o", Reader::Run},
     {"futures", "s r", "futures @/r@0.15 -q --seeds 2 --horizon 0.2 --json", "r", Reader::None},
     {"render-strip", "s r", "render @/r -q --strip 2 -o @/r/strip.svg", "r", Reader::None},
-    {"render-plot", "s r", "render @/r -q --plot minimum_distance_to_people -o @/r/plot.svg", "r",
+    {"render-plot", "s r", "render @/r -q --plot avg_robot_linear_speed -o @/r/plot.svg", "r",
      Reader::None},
     {"save", "d", "--save @/d/two_workers_agents.yaml", "d", Reader::None},
 };

@@ -5,7 +5,7 @@
 namespace outside {
 
 /// A walled yard of 5 by 4 m with a wall in it, a person, and a robot of Nav2 that sets out at
-/// once.
+/// once: yard.yaml, which names params_jazzy.yaml and tree.xml; other parameters lie beside them.
 inline void writeNav2Yard(const QString& folder) {
   constexpr int kWidth = 110, kHeight = 90;
   QByteArray pixels = "P5\n110 90\n255\n";
@@ -31,7 +31,16 @@ inline void writeNav2Yard(const QString& folder) {
             "hunavsim_desktop:\n  ros__parameters:\n    format: 1\n"
             "    map_file: yard_map.yaml\n    robots: [robot1]\n    robot1:\n"
             "      start: {x: 0.5, y: 2.0, h: 0.0}\n      goal: {x: 3.5, y: 2.0}\n"
-            "      planner: nav2\n");
+            "      planner: nav2\n      nav2_params: params_jazzy.yaml\n"
+            "      nav2_tree: tree.xml\n");
+  for (const char* file : {"params_humble.yaml", "params_jazzy.yaml", "params_main.yaml"}) {
+    writeText(folder + QLatin1Char('/') + text(file),
+              bytesOf(text(TEST_DATA_DIR "/nav2/") + text(file)));
+  }
+  writeText(folder + text("/tree.xml"),
+            bytesOf(text(SOURCE_DIR "/resources/nav2_trees/humble/"
+                                    "navigate_to_pose_w_replanning_and_recovery"
+                                    ".xml")));
 }
 
 }  // namespace outside

@@ -1,9 +1,11 @@
+#include <cmath>
 #include <csignal>
 
 #include <QDirIterator>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "app/run/RecordedRun.h"
 #include "tests/app/RunFiles.h"
 
 using outside::bytesOf;
@@ -195,6 +197,35 @@ class BrokenRunsTest : public QObject {
     QCOMPARE(outside::runProgram(runWords("1", out)).exitCode, 0);
     QCOMPARE(halfWritten(out), QStringList());
     QVERIFY(!QFile::exists(out + text("/.hunavsim-lock")));
+  }
+
+  /// What was on the disk when it was killed can be looked at, and nothing else.
+  void run_killed_canBeLookedAt() {
+    QTemporaryDir folder;
+    const QString out = folder.filePath(text("out"));
+    Group run(QStringList{program()} + runWords("20000", out));
+    const auto written = [&out] {
+      for (const QString& file : halfWritten(out)) {
+        if (file.contains(text("trajectory.csv")) && QFileInfo(file).size() > 300000) {
+          return true;
+        }
+      }
+      return false;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(written(), 60000);
+    QVERIFY(!app::readRecordedRun(out.toStdString(), sim2d::Recording::kUsualMemory,
+                                  app::CutRecords::Shown));  // it goes on
+    QVERIFY(::kill(run.pid(), SIGKILL) == 0);
+    run.wait();
+    QVERIFY(!app::readRecordedRun(out.toStdString()));
+    const auto shown = app::readRecordedRun(out.toStdString(), sim2d::Recording::kUsualMemory,
+                                            app::CutRecords::Shown);
+    QVERIFY2(shown, shown ? "" : shown.diagnostics().front().text().c_str());
+    QVERIFY(shown->cut.has_value() && shown->recording->size() > 100);
+    QCOMPARE(std::string(shown.diagnostics().back().code), std::string("trace.killed"));
+    const std::size_t last = shown->recording->size() - 1;
+    QVERIFY(std::abs(shown->cut->time - shown->recording->timeOf(last)) < 1e-9);
+    QCOMPARE(shown->recording->frame(last)->robots.size(), std::size_t{1});
   }
 
   void run_trajectoryThatCannotBeWritten_leavesTheFormerRun() {

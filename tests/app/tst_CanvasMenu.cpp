@@ -52,6 +52,21 @@ class CanvasMenuTest : public QObject {
     menu->close();
   }
 
+  /// While a run goes on it is about people; while one looks back there is none.
+  void menu_ofARun_offersHands() {
+    editor::SimulationRunner& runner = window_->workspace().runner();
+    runner.stepOnce();
+    QTRY_VERIFY_WITH_TIMEOUT(runner.newestFrame() != nullptr && runner.newestFrame()->step == 1,
+                             60000);
+    const sim2d::HumanColumns& people = runner.newestFrame()->humans;
+    QMenu* menu = menuAt(base::Vec2(people.x[0], people.y[0]));
+    QVERIFY(menu != nullptr);
+    QVERIFY(wordsOf(*menu).join(QLatin1Char(' ')).contains(QStringLiteral("Push ")));
+    QVERIFY(wordsOf(*menu).join(QLatin1Char(' ')).contains(QStringLiteral("Stop ")));
+    menu->close();
+    runner.reset();
+  }
+
   void menu_withAnotherTool_doesNotOpen() {
     editor::ToolManager& tools = window_->workspace().tools();
     tools.entries()[3].action->trigger();

@@ -86,6 +86,10 @@ constexpr Finding kFindings[] = {
      "unlink @/n/.hunavsim-new-results.sqlite-journal$"},
     {"a report without the words of an experiment that cannot be read", "report", Kind::ReadError,
      "open @/s/earlier.yaml$"},
+    {"a run without the goal radius of Nav2's file", "run-nav2", Kind::ReadError,
+     "read @/n/params_jazzy.yaml$", 1},
+    {"a run that does not list the tree of Nav2", "run-nav2", Kind::ReadError,
+     "read @/n/params_jazzy.yaml$", kFirst},
     {"the lock of a finished run stays when it cannot be removed", "batch-resumed",
      Kind::WriteError, R"(unlink @/h/runs/\d+/.hunavsim-lock$)"},
 };

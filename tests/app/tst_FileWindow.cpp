@@ -349,6 +349,39 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     QVERIFY(!options.lidar && options.candidates && options.names && !options.detections);
   }
 
+  void trailsAndLoops_areRemembered() {
+    restartRemembering();
+    for (QAction* action : window_->workspace().scrub().trailLengths()) {
+      if (action->text() == QStringLiteral("15 s")) {
+        action->trigger();
+      }
+    }
+    const QString folders[] = {at("runA"), at("runB")};
+    for (const QString& folder : folders) {
+      const outside::Finished run = outside::runProgram(
+          {QStringLiteral("run"), quiet::demoPath(), QStringLiteral("-o"), folder,
+           QStringLiteral("--duration"), QStringLiteral("3"), QStringLiteral("--quiet")});
+      QCOMPARE(run.exitCode, 0);
+    }
+    QVERIFY(window_->open(folders[0]));
+    window_->workspace().runner().setLoop(editor::SimulationRunner::Part{0.5, 1.25});
+    window_->workspace().runner().reset();  // leaving it takes nothing away
+    restartRemembering();
+    QCOMPARE(window_->workspace().scene().options().trailSeconds, 15.0);
+    for (const QAction* action : window_->workspace().scrub().trailLengths()) {
+      QCOMPARE(action->isChecked(), action->text() == QStringLiteral("15 s"));
+    }
+    QVERIFY(window_->open(folders[1]));
+    QVERIFY(!window_->workspace().runner().loop());
+    QVERIFY(window_->open(folders[0]));
+    const auto loop = window_->workspace().runner().loop();
+    QVERIFY(loop && loop->from == 0.5 && loop->to == 1.25);
+    window_->workspace().runner().setLoop({});
+    restartRemembering();
+    QVERIFY(window_->open(folders[0]));
+    QVERIFY(!window_->workspace().runner().loop());
+  }
+
  private:
   void restartRemembering(bool followsSystem = true) {
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, at("settings"));
@@ -375,4 +408,5 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
 };
 
 QTEST_MAIN(FileWindowTest)
+#include "tests/app/RunFiles.h"
 #include "tst_FileWindow.moc"

@@ -25,6 +25,8 @@ class Nav2ExtremesTest : public QObject {
   void file_ofMasses_isRefused();
   void tree_thatGoesRound_endsWithALine();
   void problem_ofTheParameterFile_namesIt();
+  void futures_ofWordsThatDoNotFit_areRefused_data();
+  void futures_ofWordsThatDoNotFit_areRefused();
 };
 
 namespace {
@@ -44,10 +46,7 @@ QByteArray paramsOf(const char* distro) {
 
 void Nav2ExtremesTest::initTestCase() {
   outside::writeNav2Yard(folder_.path());
-  for (const char* distro : {"humble", "jazzy", "main"}) {
-    outside::writeText(at(distro) + text(".yaml"), paramsOf(distro));
-  }
-  outside::writeText(at("graceful.yaml"), kControllers);
+  outside::writeText(at("params_graceful.yaml"), kControllers);
 }
 
 void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine_data() {
@@ -62,7 +61,7 @@ void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine_data() {
   row("humble", "FollowPath.acc_lim_x=.inf", "FollowPath.acc_lim_x inf: numbers here are finite");
   row("humble", "FollowPath.vx_samples=1000000000", "vx_samples 1000000000 is not");
   row("humble", "FollowPath.vtheta_samples=1000000000", "vx_samples");
-  row("humble", "FollowPath.sim_time=100.0", "sim_time");
+  row("humble", "FollowPath.sim_time=1000.0", "sim_time");
   row("humble", "FollowPath.GoalAlign.forward_point_distance=1e9", "forward_point_distance");
   row("humble", "Foot.simulation_time_step=1e-300", "Foot.time_before_collision");
   row("humble", "Foot.time_before_collision=1e9", "Foot.time_before_collision");
@@ -76,7 +75,7 @@ void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine_data() {
   row("humble", "backup.deceleration_limit=1.0", "backup.deceleration_limit: must be 0 or less");
   row("jazzy", "FollowPath.batch_size=1000000000", "batch_size 1e+09 is not 1 to 50000");
   row("jazzy", "FollowPath.time_steps=1000000000", "time_steps 1e+09 is not 2 to 200");
-  row("jazzy", "FollowPath.iteration_count=1000", "");
+  row("jazzy", "FollowPath.iteration_count=100", "");
   row("jazzy", "FollowPath.iteration_count=1000000", "iteration_count");
   row("jazzy", "local_costmap.resolution=1e-9", "resolution");
   row("jazzy", "local_costmap.width=1000000000", "width");
@@ -85,11 +84,12 @@ void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine_data() {
   row("jazzy", "local_costmap.inflation_layer.inflation_radius=1e9", "inflation_radius");
   row("jazzy", "voxel_layer.scan.raytrace_max_range=1e9", "");
   row("jazzy", "local_costmap.footprint=\"[[1e9, 1e9], [-1e9, 1e9], [0.0, -1e9]]\"",
-      "no farther than 1000 m");
+      "no farther than 1e+05 m");
   row("main", "FollowPath.simulate_ahead_time=1e9", "simulate_ahead_time 1e+09 is not");
   row("main", "FollowPath.max_angular_accel=-1.0", "");
   row("main", "FollowPath.max_allowed_time_to_collision_up_to_carrot=1e9", "");
-  row("graceful", "FollowPath.footprint_scaling_step=0.0", "");
+  row("graceful", "FollowPath.footprint_scaling_step=0.0",
+      "footprint_scaling_step 0 is not above 0");
   row("graceful", "FollowPath.footprint_scaling_step=1e-300", "");
 }
 
@@ -98,12 +98,12 @@ void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine() {
   QFETCH(QString, value);
   QFETCH(QString, told);
   const QString distro = file == text("graceful") ? text("main") : file;
-  const Ended ended =
-      outside::runForked(folder_.path(),
-                         {text("run"), text("yard.yaml"), text("-q"), text("--duration"), text("1"),
-                          text("--nav2-params"), file + text(".yaml"), text("--nav2-distro"),
-                          distro, text("--set"), text("robot1.nav2.") + value},
-                         kSeconds);
+  const Ended ended = outside::runForked(
+      folder_.path(),
+      {text("run"), text("yard.yaml"), text("-q"), text("--duration"), text("1"),
+       text("--nav2-params"), text("params_%1.yaml").arg(file), text("--nav2-distro"), distro,
+       text("--set"), text("robot1.nav2.") + value},
+      kSeconds);
   QVERIFY2(outside::signalOf(ended).isEmpty(), qPrintable(outside::signalOf(ended)));
   const int expected = told.isEmpty() ? 0 : 2;
   QVERIFY2(WEXITSTATUS(ended.status) == expected, qPrintable(ended.err));
@@ -195,6 +195,30 @@ void Nav2ExtremesTest::problem_ofTheParameterFile_namesIt() {
   const QString place = text("wrong.yaml:%1:").arg(line);
   QVERIFY2(ended.err.contains(place), qPrintable(ended.err));
   QVERIFY2(!ended.err.contains(text("yard.yaml:%1:").arg(line)), qPrintable(ended.err));
+}
+
+void Nav2ExtremesTest::futures_ofWordsThatDoNotFit_areRefused_data() {
+  QTest::addColumn<QStringList>("words");
+  QTest::addColumn<int>("code");
+  QTest::newRow("planner") << QStringList{text("--planner"), text("nope")} << 64;
+  QTest::newRow("speed") << QStringList{text("--set"), text("*.max_vel=1e308")} << 64;
+  QTest::newRow("parameter") << QStringList{text("--set"), text("robot1.nav2.FollowPath.nope=1")}
+                             << 2;
+}
+
+/// As words of `run` are.
+void Nav2ExtremesTest::futures_ofWordsThatDoNotFit_areRefused() {
+  QFETCH(QStringList, words);
+  QFETCH(int, code);
+  const Ended made = outside::runForked(
+      folder_.path(), text("run yard.yaml -q --duration 0.5 -o r --force").split(QLatin1Char(' ')),
+      kSeconds);
+  QVERIFY2(made.status == 0, qPrintable(made.err));
+  const Ended ended = outside::runForked(
+      folder_.path(), QStringList{text("futures"), text("r@0.2"), text("-q")} + words, kSeconds);
+  QVERIFY2(outside::signalOf(ended).isEmpty(), qPrintable(outside::signalOf(ended)));
+  QCOMPARE(WEXITSTATUS(ended.status), code);
+  QVERIFY2(ended.err.contains(text("error")), qPrintable(ended.err));
 }
 
 QTEST_APPLESS_MAIN(Nav2ExtremesTest)

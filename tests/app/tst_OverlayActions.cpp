@@ -49,14 +49,17 @@ class OverlayActionsTest : public QObject {
     QTest::newRow("contacts") << int(Qt::Key_C) << 5;
     QTest::newRow("thoughts") << int(Qt::Key_T) << 6;
     QTest::newRow("speech") << int(Qt::Key_B) << 7;
+    QTest::newRow("local costmap") << int(Qt::Key_M) << 8;
+    QTest::newRow("global costmap") << int(Qt::Key_K) << 9;
   }
   void keys_switchEachOverlay() {
     QFETCH(int, key);
     QFETCH(int, place);
-    bool CanvasOptions::*const options[] = {&CanvasOptions::density,  &CanvasOptions::sight,
-                                            &CanvasOptions::gaussian, &CanvasOptions::velocities,
-                                            &CanvasOptions::plans,    &CanvasOptions::contacts,
-                                            &CanvasOptions::thoughts, &CanvasOptions::speech};
+    bool CanvasOptions::*const options[] = {
+        &CanvasOptions::density,    &CanvasOptions::sight,  &CanvasOptions::gaussian,
+        &CanvasOptions::velocities, &CanvasOptions::plans,  &CanvasOptions::contacts,
+        &CanvasOptions::thoughts,   &CanvasOptions::speech, &CanvasOptions::localCosts,
+        &CanvasOptions::globalCosts};
     QVERIFY(window_->open(quiet::demoPath()));
     QAction& action = *window_->actions().ofRuns->all.at(place);
     const bool before = workspace().scene().options().*options[place];

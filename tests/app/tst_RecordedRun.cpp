@@ -79,6 +79,40 @@ class RecordedRunTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  /// The last third of the trajectory is gone, in the midst of a line.
+  void cut_trajectory_isShownWithANotice() {
+    const QTemporaryDir folder;
+    const QString path = runOfDemo(folder);
+    QVERIFY(!path.isEmpty());
+    QFile file(path + text("/trajectory.csv"));
+    const QByteArray whole = outside::bytesOf(file.fileName());
+    const int length = whole.lastIndexOf('\n', 2 * whole.size() / 3) + 9;
+    QVERIFY(file.resize(length));
+    const int lastStep = whole.left(length).trimmed().split('\n').last().split(',').first().toInt();
+    auto window = quiet::shownWindow();
+    window->open(path);
+    editor::SimulationRunner& runner = window->workspace().runner();
+    QVERIFY(window->workspace().isOfRecord());
+    QVERIFY(runner.recording() != nullptr);
+    const std::int64_t end = runner.newestFrame()->step;
+    QVERIFY2(end == lastStep - 1, qPrintable(QString::number(end)));
+    const QString words = quiet::noticeOf(*window, "cut-run").text;
+    QVERIFY2(words.contains(text("cut")) && words.contains(text("of 10.5 s")), qPrintable(words));
+    QVERIFY(window->workspace().recordedName().contains(text("(cut)")));
+    QVERIFY(!runner.canGoOnFromShown());
+    QTest::qWait(100);
+    quiet::shoot(*window, "cut_run");
+    QVERIFY(window->open(quiet::demoPath()));
+    QVERIFY(quiet::noticeOf(*window, "cut-run").text.isEmpty());
+    const outside::Finished measured = outside::runProgram(
+        {text("evaluate"), path, text("-o"), folder.filePath(text("measured"))});
+    QCOMPARE(measured.exitCode, 2);  // figures are made of whole runs alone
+    QVERIFY(QFile::remove(path + text("/manifest.json")));
+    QVERIFY(file.resize(1000));
+    window->open(path);
+    QVERIFY(window->workspace().isOfRecord());
+  }
+
   void canvas_atTwentyInstants_showsWhatTheLiveRunShowed() {
     const QTemporaryDir folder;
     const QString path = runOfDemo(folder);

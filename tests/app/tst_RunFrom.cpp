@@ -4,6 +4,11 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "app/run/Bundle.h"
+#include "app/run/OutputFolder.h"
+#include "app/run/RunOptions.h"
+#include "app/run/Simulation.h"
+#include "editor/document/QtImageLoader.h"
 #include "tests/app/RunFiles.h"
 
 using outside::bytesOf;
@@ -154,6 +159,76 @@ class RunFromTest : public QObject {
       const QJsonObject manifest = jsonOf(folder + text("/manifest.json"));
       QCOMPARE(manifest[text("seed")].toInt(), 5);  // of the people
       QCOMPARE(manifest[text("from")].toObject()[text("seed")].toInt(), text(seed).toInt());
+    }
+  }
+
+  /// As the window gives them: each kind of hand on a person, and an entry of a blackboard.
+  static sim2d::StepInputs byHand(std::int64_t step, const sim2d::TraceHeader& header) {
+    sim2d::Input input;
+    input.id = header.humans.front().id;
+    switch (step) {
+      case 10:
+        input.kind = sim2d::InputKind::Push;
+        input.velocity = {1.0 / 3.0, -0.7};
+        return {input};
+      case 20:
+        input.kind = sim2d::InputKind::Stop;
+        return {input};
+      case 30:
+        input.kind = sim2d::InputKind::Add;
+        input.id = 0;
+        input.name = header.humans.front().name;
+        input.pose = {{header.humans.size() * 0.1 - 1.0, 1.0 / 7.0}, 0.3};
+        return {input};
+      case 40:
+        input.kind = sim2d::InputKind::Resume;
+        return {input};
+      case 50:
+        input.kind = sim2d::InputKind::Entry;
+        input.name = "mood=4";
+        return {input};
+      default:
+        return {};
+    }
+  }
+
+  void hands_areRepeatedByteForByte() {
+    app::RunOptions options;
+    options.scenario = scene("two_workers/two_workers_agents.yaml").toStdString();
+    options.duration = 4.0;
+    const auto settings = app::runSettingsOf(options);
+    QVERIFY(bool(settings));
+    const app::Bundle bundle = app::readBundle(options, *settings, editor::loadMapImage);
+    app::Verdict verdict = app::check(bundle);
+    QVERIFY(verdict.ok() && verdict.world != nullptr);
+    const std::string folder = at("hands").toStdString();
+    auto output = app::OutputFolder::open(folder, false);
+    QVERIFY(bool(output));
+    const sim2d::TraceHeader header = verdict.world->header();
+    app::RunWriter writer((*output)->staging(), *verdict.world, header, verdict.metrics.selection,
+                          verdict.metrics.parameters);
+    app::Session session(sim2d::stopRuleOf(*bundle.scenario));
+    session.steer([&header](const sim2d::Frame& frame) { return byHand(frame.step, header); });
+    app::FinishedRun made = app::simulate(session, *verdict.world, verdict.scenarioMetrics, writer,
+                                          [](const sim2d::Frame&) { return false; });
+    QVERIFY(app::writeRunFolder(**output, made, writer, bundle,
+                                {"hunavsim", "run", options.scenario, "--duration", "4"})
+                .empty());
+    output = std::unique_ptr<app::OutputFolder>();
+    QStringList kinds;
+    for (const auto& row : outside::readCsv(at("hands/inputs.csv"))) {
+      kinds << row.at(text("input"));
+    }
+    QVERIFY2(kinds.size() >= 4, qPrintable(kinds.join(QLatin1Char(' '))));
+    for (const char* kind : {"push", "stop", "add", "resume"}) {
+      QVERIFY2(kinds.contains(text(kind)), kind);
+    }
+    for (const char* time : {"0", "2.5", "4"}) {
+      run({text("--from"), at("hands@") + text(time), text("-o"), at("handsAgain")});
+      for (const char* file : {"trajectory.csv", "events.csv", "trees.csv", "inputs.csv",
+                               "trace.json", "metrics.csv"}) {
+        QCOMPARE(bytesOf(at("handsAgain/") + text(file)), bytesOf(at("hands/") + text(file)));
+      }
     }
   }
 

@@ -9,6 +9,7 @@
 
 #include "Hands.h"
 #include "RunFiles.h"
+#include "editor/canvas/FrameLayer.h"
 #include "editor/document/EditCommands.h"
 #include "editor/look/HouseStyle.h"
 #include "editor/panels/ForkDialog.h"
@@ -98,12 +99,12 @@ class RunsAndFuturesTest : public QObject {
     QVERIFY(runs().comparison().partings().startsWith(text("B parts at 0:03.")));
     quiet::shoot(*window_, "runs_light");
     QTest::mouseClick(&runs().besideButton(), Qt::LeftButton);
-    QVERIFY(runs().sideView() != nullptr && runs().sideView()->isVisible());
+    QVERIFY(runs().beside() != nullptr && runs().beside()->isVisible());
     QVERIFY(runs().ghosts().ghosts().empty());
     QTest::qWait(300);
     quiet::shoot(*window_, "runs_beside");
     QTest::mouseClick(&runs().besideButton(), Qt::LeftButton);
-    QVERIFY(runs().sideView() == nullptr);
+    QVERIFY(runs().beside() == nullptr);
     tick(0);
     QTRY_VERIFY(runs().ghosts().ghosts().empty());
     QTRY_VERIFY(runs().comparison().partings().isEmpty());
@@ -114,6 +115,38 @@ class RunsAndFuturesTest : public QObject {
     QTest::qWait(300);
     quiet::shoot(*window_, "runs_dark");
     window_->setTheme(editor::Theme::light());
+  }
+
+  void twoRuns_standBesideTheMap() {
+    runDemo(4.0);
+    window_->docks().show({text("runs")});
+    forkAt(2.0, "dwa");
+    runToTheEnd();
+    forkAt(3.0, nullptr);
+    runToTheEnd();
+    QCOMPARE(runs().list().topLevelItemCount(), 3);
+    clickTimeline(2.5);
+    for (const int index : {0, 1}) {
+      if (row(index).checkState(0) != Qt::Checked) {
+        tick(index);
+      }
+    }
+    QTRY_COMPARE(runs().ghosts().ghosts().size(), std::size_t{2});
+    QTest::mouseClick(&runs().besideButton(), Qt::LeftButton);
+    QVERIFY(runs().beside() != nullptr);
+    const auto& views = runs().beside()->views();
+    QCOMPARE(views.size(), std::size_t{2});
+    for (const auto& view : views) {
+      QTRY_VERIFY(view->isVisible() && view->height() > 60 && view->width() >= 240);
+      QVERIFY(view->scene().isRunMode());
+      QVERIFY(std::abs(view->scene().frameLayer().frame()->time - 2.5) < 0.11);
+    }
+    QVERIFY(views[0]->geometry().bottom() <= views[1]->geometry().top());
+    QVERIFY(!views[0]->geometry().intersects(views[1]->geometry()));
+    QTest::qWait(200);
+    quiet::shoot(*window_, "runs_beside_two");
+    tick(0);  // one of them is not wanted any more
+    QTRY_COMPARE(runs().beside()->views().size(), std::size_t{1});
   }
 
   void branches_switchedByDoubleClick_areBothThere() {

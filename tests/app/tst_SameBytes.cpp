@@ -44,7 +44,7 @@ Files SameBytesTest::made(const QProcessEnvironment& environment, const QStringL
                                   "run --from @run@2 -q --seed 5 -o @on",
                                   "run @n/yard.yaml -q --duration 1 -o @nav2",
                                   "render @run -q --strip 2 -o @strip.svg",
-                                  "render @run -q --plot minimum_distance_to_people -o @plot.svg"};
+                                  "render @run -q --plot avg_robot_linear_speed -o @plot.svg"};
   for (const char* command : commands) {
     QString line = text(command);
     line.replace(text(" @"), QLatin1Char(' ') + prefix).replace(QLatin1Char('#'), jobs);

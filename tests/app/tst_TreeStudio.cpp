@@ -268,10 +268,31 @@ class TreeStudioTest : public QObject {
     QMouseEvent move(QEvent::MouseMove, away, canvas().mapToGlobal(away), Qt::NoButton,
                      Qt::LeftButton, {});
     QCoreApplication::sendEvent(&canvas(), &move);
-    QVERIFY(canvas().shown().dragged >= 0);
+    QCOMPARE(canvas().shown().dragged.size(), std::size_t{1});
     QTest::keyClick(&canvas(), Qt::Key_Escape);
     QTest::mouseRelease(&canvas(), Qt::LeftButton, {}, away);
     QCOMPARE(rootChildren(), expected);
+  }
+
+  void notices_areSeenWhileTheTreeIsLarge() {
+    open("Chloe");
+    window_->notices().warn(QStringLiteral("test"), QStringLiteral("Look here"));
+    QVERIFY(window_->notices().isVisible());
+    const QRect notice(window_->notices().mapTo(window_.get(), QPoint()),
+                       window_->notices().size());
+    QTRY_VERIFY(window_->notices().height() > 20);
+    QVERIFY(window_->rect().intersects(notice));
+    window_->docks().treeLarge()->setChecked(false);
+    QTRY_VERIFY(window_->workspace().view().isVisible());
+    QVERIFY(window_->notices().isVisible());
+    QVERIFY(!studio().isAncestorOf(&window_->notices()));
+    editor::pushTreeText(document(), person("Chloe"),
+                         "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Juggle/>"
+                         "</BehaviorTree></root>",
+                         QStringLiteral("Tree"));
+    window_->docks().treeLarge()->setChecked(true);
+    QTRY_VERIFY2(studio().problem().contains(QStringLiteral("Juggle")),
+                 qPrintable(studio().problem()));
   }
 
   void ground_dragged_movesThePicture() {

@@ -25,6 +25,7 @@ class TreesPlayTest : public QObject {
   void play_badTree_isBadInput();
   void play_faultyTree_keepsTheTicksAndFails();
   void play_probabilityChoice_dependsOnTheSeed();
+  void play_navigatorTree_ticksItsLeaves();
 };
 
 namespace {
@@ -257,6 +258,31 @@ void TreesPlayTest::play_probabilityChoice_dependsOnTheSeed() {
   QVERIFY(first.contains(utf8("a:S -> SUCCESS")) && first.contains(utf8("b:S -> SUCCESS")));
   QCOMPARE(drawn("1"), first);
   QVERIFY(drawn("2") != first);
+}
+
+/// A robot's tree: the planner answers twice, the controller never ends, and is halted by a wish to
+/// plan anew (a rate of 1 Hz, ticks of 0.1 s: in the first and the eleventh).
+void TreesPlayTest::play_navigatorTree_ticksItsLeaves() {
+  QTemporaryDir folder;
+  const QString tree = folder.filePath(QStringLiteral("nav.xml"));
+  const QString script = folder.filePath(QStringLiteral("s.yaml"));
+  outside::writeText(tree,
+                     "<root BTCPP_format='4' main_tree_to_execute='T'><BehaviorTree ID='T'>"
+                     "<PipelineSequence><RateController hz='1.0'>"
+                     "<ComputePathToPose goal='{goal}' path='{path}' planner_id='GridBased'/>"
+                     "</RateController><FollowPath path='{path}' controller_id='FollowPath'/>"
+                     "</PipelineSequence></BehaviorTree></root>\n");
+  outside::writeText(script, "FollowPath: [RUNNING]\n");
+  const Finished found = outside::runProgram(
+      {QStringLiteral("trees"), QStringLiteral("--play"), tree, QStringLiteral("--script"), script,
+       QStringLiteral("--dt"), QStringLiteral("0.1"), QStringLiteral("--ticks"),
+       QStringLiteral("12"), QStringLiteral("--json")});
+  QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+  QVERIFY2(!found.err.contains(QStringLiteral("unknown")), qPrintable(found.err));
+  const int plans = found.out.count(QStringLiteral("ComputePathToPose"));
+  const int follows = found.out.count(QStringLiteral("FollowPath"));
+  QVERIFY2(plans >= 1 && plans <= 2, qPrintable(found.out));
+  QVERIFY2(follows >= 12, qPrintable(found.out));
 }
 
 QTEST_GUILESS_MAIN(TreesPlayTest)

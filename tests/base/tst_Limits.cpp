@@ -105,7 +105,7 @@ void LimitsTest::page_figures_areThoseOfTheCode_data() {
           << QString::fromStdString(place[2]);
     }
   }
-  QVERIFY2(rows >= 28, "rows of the table are no longer found");
+  QVERIFY2(rows >= 36, "rows of the table are no longer found");
 }
 
 void LimitsTest::page_figures_areThoseOfTheCode() {

@@ -70,6 +70,9 @@ void WebSocketFramesTest::frames_ofTheServer_areThoseOfTheRfc() {
   QCOMPARE(live::frameHead(Opcode::Binary, 65535), bytesOf("82 7e ff ff"));
   QCOMPARE(live::closeFrame(CloseCode::Normal, "ok"), bytesOf("88 04 03 e8 6f 6b"));
   QCOMPARE(live::closeFrame(CloseCode::Normal, std::string(500, 'x')).size(), std::size_t{127});
+  // 123 bytes are left for the reason: 41 characters of 3 fit, the 42nd would be cut
+  const std::string euros = QString(60, QChar(0x20AC)).toStdString();
+  QCOMPARE(live::closeFrame(CloseCode::Normal, "x" + euros).size(), std::size_t{4 + 1 + 120});
 }
 
 /// The same, masked; the second in two fragments.

@@ -273,6 +273,32 @@ class HumanTreeBehaviorTest : public QObject {
     QVERIFY(has("dt", "0.1"));
   }
 
+  /// The entry `mood` chooses what is said; a number stays a number, words become words.
+  void setEntry_actsInTheNextTick() {
+    Run run;
+    run.add(7, {1});
+    run.file("agent7",
+             "<Sequence><RunOnce><Script code='mood := 1'/></RunOnce><Fallback><Sequence>"
+             "<ScriptCondition code='mood &gt; 3'/>"
+             "<SaySomething agent_id='{id}' message='well'/></Sequence>"
+             "<AlwaysSuccess/></Fallback></Sequence>");
+    QVERIFY2(run.start(), run.diagnostics.empty() ? "" : run.diagnostics.front().text().c_str());
+    run.step();
+    run.step();
+    QVERIFY(!run.hasEvent(EventKind::Say, "well"));
+    QCOMPARE(run.behavior->setEntry(0, "mood", "3.5"), std::string());
+    const auto lines = run.behavior->blackboard(0);
+    QVERIFY(std::find(lines.begin(), lines.end(),
+                      std::make_pair(std::string("mood"), std::string("3.5"))) != lines.end());
+    run.step();
+    QVERIFY(run.hasEvent(EventKind::Say, "well"));
+    QVERIFY(!run.behavior->setEntry(0, "mood", "happy").empty());  // it is a number for ever
+    QVERIFY(!run.behavior->setEntry(0, "nothing", "1").empty());
+    QVERIFY(!run.behavior->setEntry(0, "id", "9").empty());
+    QVERIFY(!run.behavior->setEntry(0, "dt", "1.0").empty());
+    QVERIFY(!run.behavior->setEntry(5, "mood", "1").empty());
+  }
+
   void personOfASource_runsTheTreeOfItsModel() {
     Run run;
     sim2d::Human& pattern = run.add(1, {1});

@@ -90,6 +90,79 @@ class TreeXmlRewriteTest : public QObject {
              with(kText, "/>   <!--", "/>\n            <StopMovement agent_id=\"{id}\"/>   <!--"));
   }
 
+  /// A tree with things said within and before its nodes.
+  static constexpr const char* kCommented =
+      "<root BTCPP_format=\"4\">\n"
+      "  <BehaviorTree ID=\"Main\">\n"
+      "    <Fallback>\n"
+      "      <!-- first this -->\n"
+      "      <Sequence name='A'>\n"
+      "        <!-- inside\n"
+      "             in two lines -->\n"
+      "        <GoTo   goal_id='1' agent_id='{id}'/> <!-- behind -->\n"
+      "      </Sequence>\n"
+      "      <Sequence name='B'>\n"
+      "        <AlwaysSuccess/>\n"
+      "      </Sequence>\n"
+      "    </Fallback>\n"
+      "  </BehaviorTree>\n"
+      "</root>\n";
+
+  void node_toAnotherParent_takesItsCommentsAlong() {
+    bt::TreeFile file = fileOf(kCommented);
+    bt::NodeSpec& root = rootOf(file);
+    const bt::NodeSpec moved = root.children[0];
+    root.children.erase(root.children.begin());
+    root.children[0].children.push_back(moved);
+    QCOMPARE(QString::fromStdString(rewritten(file, kCommented)),
+             QStringLiteral("<root BTCPP_format=\"4\">\n"
+                            "  <BehaviorTree ID=\"Main\">\n"
+                            "    <Fallback>\n"
+                            "      <Sequence name='B'>\n"
+                            "        <AlwaysSuccess/>\n"
+                            "        <!-- first this -->\n"
+                            "        <Sequence name='A'>\n"
+                            "          <!-- inside\n"
+                            "               in two lines -->\n"
+                            "          <GoTo   goal_id='1' agent_id='{id}'/> <!-- behind -->\n"
+                            "        </Sequence>\n"
+                            "      </Sequence>\n"
+                            "    </Fallback>\n"
+                            "  </BehaviorTree>\n"
+                            "</root>\n"));
+  }
+
+  void node_wrappedUnwrappedOrExtracted_keepsWhatIsSaidInIt() {
+    const auto hasAll = [](const std::string& text) {
+      const auto has = [&text](const char* words) { return text.find(words) != text.npos; };
+      return has("<!-- inside") && has("in two lines -->") && has("<!-- behind -->") &&
+             has("<GoTo   goal_id='1'");
+    };
+    bt::TreeFile wrapped = fileOf(kCommented);
+    bt::NodeSpec around;
+    around.id = "Inverter";
+    around.children = {rootOf(wrapped).children[0]};
+    rootOf(wrapped).children[0] = around;
+    QVERIFY(hasAll(rewritten(wrapped, kCommented)));
+    bt::TreeFile unwrapped = fileOf(kCommented);
+    const bt::NodeSpec inner = rootOf(unwrapped).children[0].children[0];
+    rootOf(unwrapped).children[0] = inner;
+    const std::string alone = rewritten(unwrapped, kCommented);
+    QVERIFY(alone.find("<!-- inside") != alone.npos);
+    bt::TreeFile extracted = fileOf(kCommented);
+    bt::TreeSpec tree;
+    tree.id = "Part";
+    tree.root = rootOf(extracted).children[0];
+    bt::NodeSpec& place = rootOf(extracted).children[0];
+    place = {};
+    place.id = "SubTree";
+    place.subTree = "Part";
+    place.autoRemap = true;
+    extracted.mainTree = "Main";
+    extracted.trees.push_back(tree);
+    QVERIFY(hasAll(rewritten(extracted, kCommented)));
+  }
+
   void node_removed_takesWhatStandsBeforeIt() {
     bt::TreeFile file = fileOf(kText);
     rootOf(file).children.erase(rootOf(file).children.begin());

@@ -190,15 +190,17 @@ class SensesOnMapTest : public QObject, private CanvasTester {
     sim2d::RobotSenses senses = withScan();
     showSenses(senses);
     shot(&CanvasOptions::lidar, true);
-    const auto box = [this] {
-      return editor::senseLegendBox(
-          {scene_, QRectF(view_.viewport()->rect()), view_.viewportTransform(), 50.0, 0});
-    };
-    QVERIFY(box().isEmpty());
+    const int alone = view_.viewport()->width();
+    const auto parts = [this] { return editor::legendOf(scene_, 50.0); };
+    QVERIFY(parts().empty());
     document_.setSelection({{base::EntityKind::Robot, 21}});
-    QVERIFY(!box().isEmpty());
+    shot(&CanvasOptions::lidar, true);
+    QCOMPARE(parts().size(), std::size_t{1});
+    QCOMPARE(parts().front().title, QStringLiteral("Robot"));
+    QTRY_COMPARE(view_.viewport()->width(), alone - editor::LegendStrip::kWidth);  // beside the map
     shot(&CanvasOptions::lidar, false);
-    QVERIFY(box().isEmpty());
+    QVERIFY(parts().empty());
+    QTRY_COMPARE(view_.viewport()->width(), alone);
   }
 
   void legend_withDetections_standsBesideTheMap() {
@@ -207,9 +209,6 @@ class SensesOnMapTest : public QObject, private CanvasTester {
     showSenses(senses);
     shot(&CanvasOptions::detections, true);
     document_.setSelection({{base::EntityKind::Robot, 21}});
-    QVERIFY(editor::senseLegendBox(
-                {scene_, QRectF(view_.viewport()->rect()), view_.viewportTransform(), 50.0, 0})
-                .isEmpty());
     const std::vector<editor::LegendPart> parts = editor::legendOf(scene_, 50.0);
     QCOMPARE(parts.size(), std::size_t{1});
     QCOMPARE(parts.front().title, QStringLiteral("Robot"));

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include <nlohmann/json.hpp>
+
 #include <QtTest>
 
 #include "app/run/Futures.h"
@@ -270,6 +272,42 @@ class FuturesTest : public QObject {
     other.state = "60,3,1,human,0,0\n";
     QVERIFY(answered(other).empty());
     QVERIFY(!app::questionOf("no question"));
+    QVERIFY(!app::questionOf(std::string(1000000, '\x81')));  // a list of one list of one …
+  }
+
+  void question_withOneWrongValue_isRefused_data() {
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QString>("value");
+    const auto row = [](const char* path, const char* value) {
+      QTest::addRow("%s %s", path, value) << QString::fromUtf8(path) << QString::fromUtf8(value);
+    };
+    row("/map/width", "3");
+    row("/map/height", "-2");
+    row("/map/resolution", "0.0");
+    row("/compat", "\"Q-99999\"");
+    row("/at", "-1");
+    row("/options/count", "1000000000");
+    row("/options/jobs", "0");
+    row("/options/gap", "0.0");
+    row("/options/horizon", "1e300");
+    row("/options/spread", "-1.0");
+    row("/stages", "3");
+    row("/trees", "[3]");
+  }
+  void question_withOneWrongValue_isRefused() {
+    QFETCH(QString, path);
+    QFETCH(QString, value);
+    app::FuturesQuestion question;
+    question.bundle = crossing();
+    question.bundle.map = std::make_shared<const sim2d::OccupancyGrid>(
+        2, 2, 0.5, base::Pose2(), std::vector<std::int8_t>(4, 0));
+    const std::string bytes = app::questionBytes(question);
+    QVERIFY(bool(app::questionOf(bytes)));
+    nlohmann::json json = nlohmann::json::from_cbor(bytes);
+    json[nlohmann::json::json_pointer(path.toStdString())] =
+        nlohmann::json::parse(value.toStdString());
+    const std::vector<std::uint8_t> other = nlohmann::json::to_cbor(json);
+    QVERIFY(!app::questionOf({other.begin(), other.end()}));
   }
 
   void futures_stopped_endAtOnce() {

@@ -15,8 +15,9 @@ class InputsTest : public QObject {
 void InputsTest::rows_ofEachKind_readBackEqual() {
   std::string text = inputsHead();
   RecordedInputs written;
-  for (const InputKind kind : {InputKind::Robot, InputKind::Open, InputKind::Close, InputKind::Move,
-                               InputKind::Add, InputKind::Set, InputKind::Push}) {
+  for (const InputKind kind :
+       {InputKind::Robot, InputKind::Open, InputKind::Close, InputKind::Move, InputKind::Add,
+        InputKind::Set, InputKind::Push, InputKind::Stop, InputKind::Resume, InputKind::Entry}) {
     Input input;
     input.kind = kind;
     input.id = -1 + static_cast<int>(kind);
@@ -31,6 +32,9 @@ void InputsTest::rows_ofEachKind_readBackEqual() {
   const base::Result<RecordedInputs> read = parseInputs(text, "inputs.csv");
   QVERIFY(read);
   QVERIFY(*read == written);
+  for (const char* word : {"stop", "resume", "entry"}) {
+    QVERIFY(text.find(std::string(",") + word + ",") != std::string::npos);
+  }
 }
 
 void InputsTest::parse_brokenRows_areToldWithPlace_data() {

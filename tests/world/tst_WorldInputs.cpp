@@ -16,6 +16,9 @@ class WorldInputsTest : public QObject {
   void step_personAdded_isACopyWithAnIdOfItsOwn();
   void step_personSet_movesAsTold();
   void step_personPushed_leavesTheWay();
+  void step_personPushed_slowsDownByItself();
+  void step_personStopped_staysUntilResumed();
+  void step_entryWithoutTrees_isRefused();
   void step_impossibleInputs_areRefusedAndNotRecorded();
   void step_recordedInputs_giveTheSameBytes();
 };
@@ -147,6 +150,57 @@ void WorldInputsTest::step_personPushed_leavesTheWay() {
   QCOMPARE(positionOf(pushed->frame(), 0), positionOf(other->frame(), 0));
 }
 
+/// Who stands alone, with a relaxation time tau of 0.5 s: a push of v carries them v * tau further,
+/// as after one step of dt each velocity is 1 - dt / tau of the one before.
+void WorldInputsTest::step_personPushed_slowsDownByItself() {
+  Scenario scenario;
+  addPerson(scenario, 3, {0.0, 0.0}, {});
+  const std::unique_ptr<World> world = make(scenario);
+  Input stop = inputOf(InputKind::Stop, 3);  // brakes by the model instead of standing fixed
+  QVERIFY(world->step({stop}));
+  Input push = inputOf(InputKind::Push, 3);
+  push.velocity = {2.0, 0.0};
+  const double before = positionOf(world->frame(), 0).x();
+  QVERIFY(world->step({push}));
+  QVERIFY(std::fabs(world->frame().humans.vx[0] - 2.0) < 1e-9);
+  double velocity = 2.0;
+  for (int k = 0; k < 20; ++k) {
+    QVERIFY(world->step());
+    velocity *= 1.0 - world->dt() / 0.5;
+    QVERIFY2(std::fabs(world->frame().humans.vx[0] - velocity) < 1e-9,
+             std::to_string(world->frame().humans.vx[0]).c_str());
+  }
+  advance(*world, 200);
+  QVERIFY(std::fabs(positionOf(world->frame(), 0).x() - before - 2.0 * 0.5) < 1e-6);
+}
+
+void WorldInputsTest::step_personStopped_staysUntilResumed() {
+  const std::unique_ptr<World> world = make(twoRooms());
+  advance(*world, 20);
+  QVERIFY(std::hypot(world->frame().humans.vx[1], world->frame().humans.vy[1]) > 0.3);
+  QVERIFY(world->step({inputOf(InputKind::Stop, 7)}));
+  advance(*world, 100);
+  const Vec2 there = positionOf(world->frame(), 1);
+  QVERIFY(std::hypot(world->frame().humans.vx[1], world->frame().humans.vy[1]) < 1e-3);
+  advance(*world, 40);
+  QVERIFY((positionOf(world->frame(), 1) - there).norm() < 1e-3);
+  QVERIFY(world->step({inputOf(InputKind::Resume, 7)}));
+  const auto reached = ofKind(advance(*world, 200), EventKind::Goal);
+  QVERIFY(std::any_of(reached.begin(), reached.end(),
+                      [](const Recorded& recorded) { return recorded.event.id == 7; }));
+}
+
+void WorldInputsTest::step_entryWithoutTrees_isRefused() {
+  const std::unique_ptr<World> world = make(twoRooms());
+  Input entry = naming(InputKind::Entry, "speed=2");
+  entry.id = 7;
+  Input noValue = naming(InputKind::Entry, "speed");
+  noValue.id = 7;
+  QVERIFY(world->step({entry, noValue}));
+  QCOMPARE(world->refused().size(), std::size_t{2});
+  QVERIFY(world->frame().inputs.empty());
+}
+
 void WorldInputsTest::step_impossibleInputs_areRefusedAndNotRecorded() {
   const std::unique_ptr<World> world = make(twoRooms());
   Input nowhere = placing(InputKind::Move, 4, {std::nan(""), 0.0});
@@ -179,6 +233,8 @@ void WorldInputsTest::step_recordedInputs_giveTheSameBytes() {
   drive.omega = -0.9;
   script[1] = {add};
   script[10] = {push, drive, naming(InputKind::Open, "door1")};
+  script[30] = {inputOf(InputKind::Stop, 7)};
+  script[50] = {inputOf(InputKind::Resume, 7)};
   script[60] = {placing(InputKind::Move, 8, {2.0, 1.0 / 7.0}), naming(InputKind::Close, "door1")};
   script[90] = {placing(InputKind::Set, 4, {-1.0, -2.0})};
   const auto record = [](const std::map<std::int64_t, StepInputs>& inputs, std::string& rows) {
@@ -200,7 +256,7 @@ void WorldInputsTest::step_recordedInputs_giveTheSameBytes() {
   const std::string first = record(script, rows);
   const base::Result<RecordedInputs> read = parseInputs(rows, "inputs.csv");
   QVERIFY(read);
-  QCOMPARE(read->size(), std::size_t{7});
+  QCOMPARE(read->size(), std::size_t{9});
   std::map<std::int64_t, StepInputs> replayed;
   for (const auto& [step, input] : *read) {
     replayed[step].push_back(input);

@@ -67,6 +67,12 @@ RunControl::RunControl(app::Session& session, Facts facts, double speed,
   }
 }
 
+RunControl::~RunControl() {
+  if (!robots_.empty()) {
+    session_.steer({});
+  }
+}
+
 void RunControl::pause(bool isPaused) {
   isPaused_ = isPaused;
   session_.setPaused(isPaused);

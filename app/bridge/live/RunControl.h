@@ -33,6 +33,11 @@ class RunControl {
 
   /// `speed`: simulated seconds per second, infinite: as fast as it goes.
   RunControl(app::Session& session, Facts facts, double speed, const std::vector<Driven>& robots);
+  ~RunControl();
+  RunControl(const RunControl&) = delete;
+  RunControl& operator=(const RunControl&) = delete;
+  RunControl(RunControl&&) = delete;
+  RunControl& operator=(RunControl&&) = delete;
 
   std::vector<Service> services();      // /hunavsim/pause, /hunavsim/step
   std::vector<Parameter> parameters();  // /hunavsim.paused, /hunavsim.real_time_factor and facts

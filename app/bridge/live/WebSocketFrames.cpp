@@ -106,8 +106,11 @@ std::string wholeFrame(Opcode opcode, std::string_view payload) {
 std::string closeFrame(CloseCode code, std::string_view reason) {
   const auto number = static_cast<unsigned>(code);
   std::string payload{static_cast<char>(number >> 8U), static_cast<char>(number & 0xFFU)};
-  payload.append(reason.substr(0, kLongestControl - payload.size()));
-  return wholeFrame(Opcode::Close, payload);
+  reason = reason.substr(0, kLongestControl - payload.size());
+  while (!isUtf8(reason)) {  // a character was cut
+    reason.remove_suffix(1);
+  }
+  return wholeFrame(Opcode::Close, payload.append(reason));
 }
 
 /// Of the head, as far as it is known.

@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/bridge/bag/Bag.h"
+#include "app/bridge/bag/BagTrace.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/MapImages.h"
@@ -35,7 +37,8 @@ struct EvaluateOptions {
   std::string unit, timeUnit;
   bool degrees = false;
   std::optional<double> framesPerSecond, step, radius;
-  std::string robot;  // of a run: its robot; of a file: the id of who is the robot
+  std::string topics;  // of a bag
+  std::string robot;   // of a run: its robot; of a file: the id of who is the robot
   std::optional<std::string> robotGoal;
   bool force = false;  // files of others in the output folder may be replaced
 };
@@ -44,7 +47,29 @@ namespace fs = std::filesystem;
 
 bool isRunFolder(const std::string& source) {
   std::error_code ignored;
-  return fs::is_directory(source, ignored);
+  return fs::is_directory(source, ignored) && !bridge::isBag(source);
+}
+
+/// Words that only mean something for bags, or nothing for them.
+base::Diagnostics bagWords(const EvaluateOptions& options, bridge::BagUse& use) {
+  base::Diagnostics wrong;
+  if (!options.topics.empty() && !bridge::isBag(options.source)) {
+    wrong.push_back(base::error("option.only-bags", {"--topics"}));
+  }
+  const std::pair<const char*, bool> given[] = {
+      {"--format", !options.format.empty()},          {"--columns", !options.columns.empty()},
+      {"--fps", options.framesPerSecond.has_value()}, {"--unit", !options.unit.empty()},
+      {"--time-unit", !options.timeUnit.empty()},     {"--degrees", options.degrees},
+      {"--radius", options.radius.has_value()}};
+  for (const auto& [word, isGiven] : given) {
+    if (isGiven && bridge::isBag(options.source)) {
+      wrong.push_back(base::error("option.not-for-bags", {word}));
+    }
+  }
+  const base::Result<bridge::BagUse> read = bridge::parseBagUse(options.topics);
+  base::append(wrong, read.diagnostics());
+  use = read ? *read : use;
+  return wrong;
 }
 
 /// Words that only mean something for files of other programs.
@@ -122,9 +147,13 @@ base::Diagnostics readForeignWords(const EvaluateOptions& options, sim2d::Foreig
 
 base::Result<sim2d::Trace> readSource(const std::string& source,
                                       const sim2d::ForeignOptions& reading,
-                                      const sim2d::TrackOptions& tracks) {
+                                      const sim2d::TrackOptions& tracks,
+                                      const bridge::BagUse& use = {}) {
   if (isRunFolder(source)) {
     return readRun(source);
+  }
+  if (bridge::isBag(source)) {
+    return bridge::readBagTrace(source, use, tracks);
   }
   const base::Result<sim2d::TrackFile> file = sim2d::readForeign(source, reading);
   if (!file) {
@@ -247,6 +276,9 @@ std::vector<std::string> inputsOf(const EvaluateOptions& options) {
       for (const char* name : kWay) {
         inputs.push_back((fs::path(read) / name).string());
       }
+    } else if (bridge::isBag(read)) {
+      const std::vector<std::string> files = bridge::filesOfBag(read);
+      inputs.insert(inputs.end(), files.begin(), files.end());
     } else if (std::error_code ignored; read == "-" || fs::is_regular_file(read, ignored)) {
       inputs.push_back(read);
     }
@@ -366,8 +398,10 @@ int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
   sim2d::ForeignOptions reading;
   sim2d::TrackOptions tracks;
   base::append(wrong, readForeignWords(options, reading, tracks));
+  bridge::BagUse use;
+  base::append(wrong, bagWords(options, use));
   requireFine(wrong, ExitWrongCommandLine);
-  base::Result<sim2d::Trace> trace = readSource(options.source, reading, tracks);
+  base::Result<sim2d::Trace> trace = readSource(options.source, reading, tracks, use);
   base::Diagnostics problems = trace.diagnostics();
   MetricsSetup setup;
   if (trace) {
@@ -417,16 +451,19 @@ void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
       "Of a run: name or number of the only robot to measure; else the id or word of "
       "the person who is the robot");
   command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
+  command.add_option("--topics", options.topics,
+                     "Of a bag (MCAP, rosbag2): people=NAME,robot=NAME,map=NAME");
 }
 
 }  // namespace
 
 void addEvaluate(CommandRegistry& commands) {
   const auto [command, options] =
-      commands.add("evaluate", "Metrics of a recorded run or of a file", evaluateCommand);
+      commands.add("evaluate", "Metrics of a recorded run, of a file or of a bag", evaluateCommand);
   command
       .add_option("source", options.source,
-                  "Folder of a run, or a trajectory file (-: standard input)")
+                  "Folder of a run, a trajectory file (-: standard input), or a bag: an "
+                  "MCAP file, a .db3, a folder of rosbag2")
       ->required();
   addOutputFolder(command, options.output, "Folder for the results").required();
   command.add_option("--map", options.map, "Map instead of the recorded; none = open plane");

@@ -1,9 +1,9 @@
 #include "app/run/Futures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <thread>
@@ -55,7 +55,16 @@ base::Diagnostics checkFuturesWords(const FuturesWords& words) {
 /// The window asks: a line per future as it comes.
 int answerQuestion() {
   catchInterrupts();
-  const std::string bytes{std::istreambuf_iterator<char>(std::cin), {}};
+  constexpr std::size_t kMostBytes = std::size_t{1} << 30U;  // of a question
+  std::string bytes;
+  std::array<char, 65536> part;
+  while (bytes.size() <= kMostBytes &&
+         (std::cin.read(part.data(), part.size()), std::cin.gcount()) > 0) {
+    bytes.append(part.data(), static_cast<std::size_t>(std::cin.gcount()));
+  }
+  if (bytes.size() > kMostBytes) {
+    bytes.clear();  // no question is so long
+  }
   const base::Result<FuturesQuestion> question = questionOf(bytes);
   requireFine(question.diagnostics());
   const auto tell = [](const Future& future) {

@@ -15,6 +15,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/ProgramRegistries.h"
 #include "bt/human/HumanNodes.h"
+#include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/JsonText.h"
@@ -159,9 +160,25 @@ Json portJson(const bt::PortSpec& port) {
           {"description", port.help}};
 }
 
-std::vector<Entry> nodeEntries(const bt::NodeCatalogue& catalogue) {
+/// Of people's trees, then those that only navigator trees of robots may have.
+std::vector<std::pair<bt::NodeManifest, const char*>> allNodes() {
+  const bt::NodeLibrary people = bt::humanNodes();
+  const bt::NodeLibrary robots = bt::robotNodes();
+  std::vector<std::pair<bt::NodeManifest, const char*>> all;
+  for (const bt::NodeManifest& node : people.catalogue().all()) {
+    all.emplace_back(node, robots.catalogue().find(node.id) == nullptr ? "people" : "both");
+  }
+  for (const bt::NodeManifest& node : robots.catalogue().all()) {
+    if (people.catalogue().find(node.id) == nullptr) {
+      all.emplace_back(node, "robots");
+    }
+  }
+  return all;
+}
+
+std::vector<Entry> nodeEntries() {
   std::vector<Entry> entries;
-  for (const bt::NodeManifest& node : catalogue.all()) {
+  for (const auto& [node, whose] : allNodes()) {
     std::vector<std::string> names;
     Json ports = Json::array();
     for (const bt::PortSpec& port : node.ports) {
@@ -169,8 +186,9 @@ std::vector<Entry> nodeEntries(const bt::NodeCatalogue& catalogue) {
       ports.push_back(portJson(port));
     }
     entries.push_back({node.id,
-                       {bt::nodeKindName(node.kind), base::join(names, ", ")},
+                       {whose, bt::nodeKindName(node.kind), base::join(names, ", ")},
                        {{"kind", bt::nodeKindName(node.kind)},
+                        {"for", whose},
                         {"category", node.category},
                         {"origin", bt::nodeOriginName(node.origin)},
                         {"description", node.description},
@@ -226,7 +244,7 @@ std::vector<Entry> scenarioEntries() {
 
 /// What can be listed, by its name on the command line.
 std::map<std::string, std::function<std::vector<Entry>()>> lists() {
-  return {{"nodes", [] { return nodeEntries(bt::humanNodes().catalogue()); }},
+  return {{"nodes", nodeEntries},
           {"metrics", metricEntries},
           {"keys", keyEntries},
           {"models", [] { return registeredEntries(programRegistries().models); }},
@@ -287,7 +305,11 @@ int listCommand(const ListOptions& options, const Invocation& given) {
       printError("--format xml is for nodes alone (text and json are for all)");
       return ExitWrongCommandLine;
     }
-    print(bt::writeModel(bt::humanNodes().catalogue()));
+    bt::NodeCatalogue all;
+    for (const auto& each : allNodes()) {
+      all.add(each.first);
+    }
+    print(bt::writeModel(all));
     return ExitFine;
   }
   if (options.format == "markdown") {

@@ -11,6 +11,7 @@
 
 #include <QImage>
 
+#include "app/bridge/bag/RunBag.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
 #include "app/cli/MetricPlot.h"
@@ -20,10 +21,12 @@
 #include "app/cli/RunStrip.h"
 #include "app/report/Page.h"
 #include "app/run/MetricsSetup.h"
+#include "app/run/RecordedRun.h"
 #include "app/run/RunFolder.h"
 #include "editor/look/Images.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/trace/Scans.h"
 #include "sim2d/trace/Trace.h"
 
 namespace app {
@@ -52,7 +55,7 @@ struct RenderOptions {
   std::string plot;                 // keys of metrics
 };
 
-enum class Kind { Picture, Vectors, Film, Page };
+enum class Kind { Picture, Vectors, Film, Page, Bag };
 
 constexpr double kPixelsPerMm = 96.0 / 25.4;
 constexpr double kVectorWidth = 170.0;     // [mm] of two columns
@@ -71,6 +74,9 @@ std::optional<Kind> pictureKindOf(const std::string& ending) {
   if (ending == ".html") {
     return Kind::Page;
   }
+  if (ending == ".mcap") {
+    return Kind::Bag;
+  }
   return Movie::isName(ending) ? std::optional(Kind::Film) : std::nullopt;
 }
 
@@ -88,12 +94,13 @@ base::Diagnostics wrongOptions(const RenderOptions& options, Kind kind) {
     }
   };
   tell(options.at.has_value(), isPicture, "--at");
-  tell(options.width.has_value(), kind != Kind::Page, "--width");
+  const bool isDrawn = isPicture || kind == Kind::Film;
+  tell(options.width.has_value(), isDrawn, "--width");
   tell(options.fps.has_value(), kind == Kind::Film, "--fps");
   tell(options.speed.has_value(), kind == Kind::Film, "--speed");
   const bool isPlot = !options.plot.empty();
-  tell(!options.overlays.empty(), kind != Kind::Page && !isPlot, "--overlay");
-  tell(options.timeMarks.has_value(), kind != Kind::Page && !isPlot, "--time-marks");
+  tell(!options.overlays.empty(), isDrawn && !isPlot, "--overlay");
+  tell(options.timeMarks.has_value(), isDrawn && !isPlot, "--time-marks");
   tell(!options.strip.empty(), isPicture && !isPlot && !options.at, "--strip");
   tell(isPlot, isPicture, "--plot");
   const auto tellNumber = [&](const std::optional<double>& number, const char* option) {
@@ -249,6 +256,24 @@ bool makeFilm(const RenderOptions& options, const sim2d::Trace& trace, RunPictur
   return true;
 }
 
+base::Diagnostics writeBag(const std::string& path, const std::string& run) {
+  const base::Result<RecordedRun> recorded = readRecordedRun(run);
+  if (!recorded) {
+    return recorded.diagnostics();
+  }
+  const std::string file = (fs::path(run) / "scans.csv").string();
+  std::error_code none;  // mostly nobody records a lidar
+  if (!fs::exists(file, none)) {
+    return bridge::writeRunBag(path, *recorded->recording);
+  }
+  const base::Result<std::string> text = base::readTextFile(file, base::kMostRecord);
+  if (!text) {
+    return text.diagnostics();
+  }
+  const auto scans = sim2d::parseScans(*text, file);
+  return scans ? bridge::writeRunBag(path, *recorded->recording, *scans) : scans.diagnostics();
+}
+
 int renderCommand(const RenderOptions& options, const Invocation& given) {
   const std::optional<Kind> kind = pictureKindOf(endingOf(options));
   if (!kind) {
@@ -256,6 +281,13 @@ int renderCommand(const RenderOptions& options, const Invocation& given) {
     return ExitWrongCommandLine;
   }
   requireFine(wrongOptions(options, *kind), ExitWrongCommandLine);
+  if (*kind == Kind::Bag) {
+    requireFine(writeBag(options.output, options.run));
+    if (!given.quiet) {
+      printLine(options.output);
+    }
+    return ExitFine;
+  }
   const base::Result<sim2d::Trace> trace = readRun(options.run);
   requireFine(trace.diagnostics());
   if (*kind == Kind::Page) {
@@ -289,8 +321,8 @@ void addRender(CommandRegistry& commands) {
   command.add_option("run", options.run, "Folder of the run")->required();
   command
       .add_option("-o,--output", options.output,
-                  "Picture (.png, .svg, .pdf), film (.gif; .mp4 and .webm with ffmpeg), or a page "
-                  "that plays the run (.html)")
+                  "Picture (.png, .svg, .pdf), film (.gif; .mp4 and .webm with ffmpeg), a page "
+                  "that plays the run (.html), or a bag for ROS 2 and Foxglove (.mcap)")
       ->required();
   command.add_option("--at", options.at, "The run up to this time alone [s]");
   command

@@ -5,8 +5,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/bridge/bag/RunBagFolder.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "app/cli/LiveWords.h"
 #include "app/cli/MapImages.h"
 #include "app/cli/RunOnRos2.h"
 #include "app/cli/RunWords.h"
@@ -28,10 +30,11 @@ std::string oneDecimal(double value) {
   return base::formatDecimals(std::round(value * 10.0) / 10.0, 1);
 }
 
-/// Who else sees each state; null: not there.
+/// Who sees each state of a run; null: not there.
 struct Watchers {
   RunAgain* again = nullptr;
   RunOnRos2* ros2 = nullptr;
+  live::LiveRun* live = nullptr;
 };
 
 FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::World& world,
@@ -42,11 +45,14 @@ FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::Wo
     if (progress.isDue()) {
       progress.show(oneDecimal(frame.time) + " / " + oneDecimal(end) + " s simulated");
     }
-    if (watchers.again != nullptr) {
-      watchers.again->look(frame, world, session);
-    }
     if (watchers.ros2 != nullptr) {
       watchers.ros2->tell(frame);
+    }
+    if (watchers.live != nullptr) {
+      watchers.live->show(frame);
+    }
+    if (watchers.again != nullptr) {
+      watchers.again->look(frame, world, session);
     }
     return wasInterrupted();
   });
@@ -189,7 +195,11 @@ std::unique_ptr<OutputFolder> openOutput(const RunOptions& options, Verdict& ver
     return nullptr;
   }
   const std::vector<std::string> robots = metrics::robotNames(verdict.world->header().robots);
-  const base::Diagnostics lost = (*opened)->inTheWay(runFileNames(robots, options.totals));
+  std::vector<std::string> names = runFileNames(robots, options.totals);
+  if (!options.record.empty()) {
+    names.insert(names.end(), std::begin(bridge::kBagFiles), std::end(bridge::kBagFiles));
+  }
+  const base::Diagnostics lost = (*opened)->inTheWay(names);
   base::append(verdict.problems, lost);
   return lost.empty() ? *std::move(opened) : nullptr;
 }
@@ -217,6 +227,9 @@ Prepared prepareAgain(const RunOptions& options) {
 Prepared prepare(const RunOptions& options) {
   const base::Result<RunSettings> settings = runSettingsOf(options);
   base::Diagnostics wrong = checkFromWords(options);
+  if (!options.record.empty() && (options.output.empty() || options.totals)) {
+    wrong.push_back(base::error(options.totals ? "option.record-totals" : "option.record-folder"));
+  }
   base::append(wrong, settings.diagnostics());
   requireFine(wrong, ExitWrongCommandLine);
   if (!options.from.empty()) {
@@ -242,6 +255,16 @@ struct RunCommandOptions : RunOptions {
   RunOnRos2Words onRos2;
 };
 
+/// Null: none is asked for. Robots then tell what they see.
+std::unique_ptr<bridge::RunBagFolder> bagOf(const RunOptions& options, const Bundle& bundle,
+                                            sim2d::World& world, const OutputFolder* output) {
+  if (options.record.empty()) {
+    return nullptr;
+  }
+  world.tellSenses(true);
+  return std::make_unique<bridge::RunBagFolder>(output->staging(), *bundle.scenario, world);
+}
+
 int runCommand(const RunCommandOptions& options, const Invocation& given) {
   Prepared prepared = prepare(options);
   const Bundle& bundle = prepared.bundle;
@@ -260,14 +283,21 @@ int runCommand(const RunCommandOptions& options, const Invocation& given) {
   RunWriter writer(hasFiles ? output->staging() : std::string(), world,
                    prepared.again ? prepared.again->header() : world.header(),
                    verdict.metrics.selection, verdict.metrics.parameters);
+  const std::unique_ptr<bridge::RunBagFolder> bag = bagOf(options, bundle, world, output.get());
+  writer.setCompanion(bag.get());
   Session session(sim2d::stopRuleOf(*bundle.scenario));
   if (options.counterfactual) {
     session.keepHistory(bundle.scenario->desktop.recordEvery.value_or(1));
   }
   const std::unique_ptr<RunOnRos2> ros2 =
       RunOnRos2::open(options.onRos2, *bundle.scenario, world, session);
+  const std::unique_ptr<live::LiveRun> live =
+      openLive(options, bundle, verdict.metrics, session, world);
   FinishedRun run = simulateShown(session, verdict.scenarioMetrics, world, writer,
-                                  {prepared.again.get(), ros2.get()}, given);
+                                  {prepared.again.get(), ros2.get(), live.get()}, given);
+  if (live) {
+    live->finish(world.frame(), "the run is over: " + run.result.reason);
+  }
   run.totalsOnly = options.totals;
   if (prepared.again) {
     requireFine(prepared.again->trouble(run.result));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -43,6 +44,8 @@ struct FilterMask {
   double base = 0.0, multiplier = 1.0;
   bool isPercentage = true;  // of a speed: percent of the full one, else [m/s]
 };
+
+using FilterMasks = std::map<std::string, FilterMask>;  // by the names of filters
 
 /// What Nav2 sends to controllers: 0 = none.
 struct SpeedLimit {

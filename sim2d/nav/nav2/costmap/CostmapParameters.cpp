@@ -197,6 +197,8 @@ const std::vector<Nav2Key<KeepoutFilterParameters>>& keepoutFilterKeys() {
        "Whether a robot in a keep-out zone may drive out of it.", kSinceJazzy},
       {"lethal_override_cost", &P::lethalOverrideCost, "", "Cost of the zone while it does.",
        kSinceJazzy},
+      {"mask_file", &P::maskFile, "",
+       "The mask, a map's YAML beside this file. A key of this program: Nav2 has topics."},
   };
   return kKeys;
 }
@@ -205,6 +207,13 @@ const std::vector<Nav2Key<SpeedFilterParameters>>& speedFilterKeys() {
   using P = SpeedFilterParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"enabled", &P::enabled, "", "Whether the filter takes part."},
+      {"mask_file", &P::maskFile, "",
+       "The mask, a map's YAML beside this file. A key of this program: Nav2 has topics."},
+      {"mask_base", &P::maskBase, "",
+       "Limit where the mask is 0 to 100: base + multiplier * value. A key of this program."},
+      {"mask_multiplier", &P::maskMultiplier, "", "See mask_base. A key of this program."},
+      {"mask_is_percentage", &P::maskIsPercentage, "",
+       "Whether the limit is in percent of the full speed, else m/s. A key of this program."},
   };
   return kKeys;
 }
@@ -236,8 +245,8 @@ const std::vector<IdleKey>& idleLayerKeys() {
       {"unknown_threshold", "no voxels here: it counts as 15"},
       {"publish_voxel_map", "for displays of ROS"},
       {"num_threads", "costs do not depend on it"},
-      {"filter_info_topic", "masks are given by name"},
-      {"mask_topic", "masks are given by name"},
+      {"filter_info_topic", "no topics here: mask_file names the mask"},
+      {"mask_topic", "no topics here: mask_file names the mask"},
       {"speed_limit_topic", "the costmap tells its limit"},
   };
   return kKeys;

@@ -85,10 +85,14 @@ struct KeepoutFilterParameters {
   bool enabled = true;
   bool overrideLethalCost = false;
   int lethalOverrideCost = 252;
+  std::string maskFile;  // ours: the YAML of a map, relative to the file; empty: no mask
 };
 
 struct SpeedFilterParameters {
   bool enabled = true;
+  std::string maskFile;                         // ours, as above
+  double maskBase = 0.0, maskMultiplier = 1.0;  // ours: limit = base + multiplier * value
+  bool maskIsPercentage = true;                 // ours: of the full speed, else [m/s]
 };
 
 using LayerParameters =

@@ -14,7 +14,7 @@ namespace sim2d::nav2 {
 namespace {
 
 constexpr std::size_t kMostCorners = 1000;
-constexpr double kFarthestCorner = 1000.0;  // [m]
+constexpr double kFarthestCorner = 100000.0;  // [m]
 
 /// Reads "[[x, y], …]" as Nav2 does: commas may be missing or too many.
 class PolygonText {

@@ -17,9 +17,9 @@ namespace sim2d::nav2 {
 /// What a costmap has to know of its robot and place.
 struct CostmapSetup {
   CostmapSettings settings;
-  OccupancyGrid map;                        // of static layers; empty: they say nothing
-  double lidarHeight = 0.2;                 // over the floor [m]
-  std::map<std::string, FilterMask> masks;  // by the names of filters; none: it does nothing
+  OccupancyGrid map;         // of static layers; empty: they say nothing
+  double lidarHeight = 0.2;  // over the floor [m]
+  FilterMasks masks;         // none of a filter: it does nothing
   Distro distro = Distro::Humble;
 };
 

@@ -10,6 +10,8 @@ const std::vector<Nav2Key<BtNavigatorParameters>>& btNavigatorKeys() {
   static const std::vector<Nav2Key<P>> kKeys = {
       {"default_nav_to_pose_bt_xml", &P::defaultNavToPoseBtXml, "",
        "File of the navigator's tree; Nav2's own when it is empty"},
+      {"default_nav_through_poses_bt_xml", &P::defaultNavThroughPosesBtXml, "",
+       "File of the tree for several goals; Nav2's own when it is empty"},
       {"goal_reached_tol", &P::goalReachedTol, "m", "Distance within which GoalReached says yes"},
       {"goal_blackboard_id", &P::goalBlackboardId, "", "Entry of the blackboard with the goal"},
       {"goals_blackboard_id", &P::goalsBlackboardId, "", "Entry of the blackboard with the goals"}};
@@ -18,7 +20,6 @@ const std::vector<Nav2Key<BtNavigatorParameters>>& btNavigatorKeys() {
 
 const std::vector<IdleKey>& idleBtNavigatorKeys() {
   static const std::vector<IdleKey> kKeys = {
-      {"default_nav_through_poses_bt_xml", "goals are driven to one by one here"},
       {"bt_loop_duration", "the tree is ticked once per step"},
       {"default_server_timeout", "servers answer at once here"},
       {"default_cancel_timeout", "servers answer at once here"},
@@ -27,7 +28,7 @@ const std::vector<IdleKey>& idleBtNavigatorKeys() {
       {"filter_duration", "speeds are smoothed over 0.3 s"},
       {"navigators", "the navigator to a pose drives"},
       {"navigate_to_pose.", "the navigator to a pose drives"},
-      {"navigate_through_poses.", "goals are driven to one by one here"},
+      {"navigate_through_poses.", "robots with several goals are driven by it"},
       {"navigate_through_pose.", "goals are driven to one by one here"},
       {"plugin_lib_names", "all nodes of Nav2 are there"},
       {"path_blackboard_id", "trees name their paths themselves"},
@@ -67,12 +68,13 @@ const char* idleNode(const std::string& node) {
        {"lifecycle_manager_localization", "everything runs from the start"},
        {"robot_state_publisher", "no frames here"},
        {"loopback_simulator", "this is the simulator"},
-       {"keepout_filter_mask_server", "no masks here"},
-       {"speed_filter_mask_server", "no masks here"},
-       {"filter_mask_server", "no masks here"},
-       {"costmap_filter_info_server", "no masks here"},
-       {"keepout_costmap_filter_info_server", "no masks here"},
-       {"speed_costmap_filter_info_server", "no masks here"},
+       {"keepout_filter_mask_server", "no topics here: mask_file of a filter names its mask"},
+       {"speed_filter_mask_server", "no topics here: mask_file of a filter names its mask"},
+       {"filter_mask_server", "no topics here: mask_file of a filter names its mask"},
+       {"costmap_filter_info_server", "no topics here: mask_file of a filter names its mask"},
+       {"keepout_costmap_filter_info_server",
+        "no topics here: mask_file of a filter names its mask"},
+       {"speed_costmap_filter_info_server", "no topics here: mask_file of a filter names its mask"},
        {"bt_navigator_rclcpp_node", "a node of the machinery"},
        {"bt_navigator_navigate_to_pose_rclcpp_node", "a node of the machinery"},
        {"bt_navigator_navigate_through_poses_rclcpp_node", "a node of the machinery"},

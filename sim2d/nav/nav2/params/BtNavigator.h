@@ -9,8 +9,9 @@ namespace sim2d::nav2 {
 
 /// Keys of bt_navigator that count here.
 struct BtNavigatorParameters {
-  std::string defaultNavToPoseBtXml;  // path of the tree; empty: Nav2's own
-  double goalReachedTol = 0.25;       // [m], of the node GoalReached
+  std::string defaultNavToPoseBtXml;        // path of the tree; empty: Nav2's own
+  std::string defaultNavThroughPosesBtXml;  // idem, of robots with several goals
+  double goalReachedTol = 0.25;             // [m], of the node GoalReached
   std::string goalBlackboardId = "goal", goalsBlackboardId = "goals";
 };
 const std::vector<Nav2Key<BtNavigatorParameters>>& btNavigatorKeys();

@@ -106,6 +106,10 @@ Nav2Block NodeReader::read(const std::string& prefix, const Nav2Keys& keys) {
     const bool isHere = isIn(row.distros, distro_);
     if (isHere) {
       known_.push_back(name);
+      const std::string fallback = valueText(row.fallback);
+      notes_.known.push_back({pathOf(name), parameters_.node,
+                              given != nullptr ? valueText(*given->value) : fallback, fallback,
+                              nav2TypeName(row.fallback), row.unit, row.meaning, given != nullptr});
     }
     if (given == nullptr) {
       if (isHere) {

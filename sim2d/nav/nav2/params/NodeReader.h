@@ -37,8 +37,19 @@ struct KeyNote {
 struct DefaultNote {
   std::string path, value;
 };
+/// A key that has an effect here, in the file or not.
+struct KnownKey {
+  std::string path;      // "controller_server.FollowPath.max_vel_x"
+  std::string node;      // "controller_server"
+  std::string value;     // that counts
+  std::string fallback;  // of Nav2's code
+  std::string type;      // "double" …, as ROS 2 says it
+  std::string unit, meaning;
+  bool isGiven = false;
+};
 struct ReadingNotes {
   std::vector<KeyNote> keys;
+  std::vector<KnownKey> known;
   std::vector<DefaultNote> defaults;
   base::Diagnostics problems;
 };

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/bridge/bag/Bag.h"
+#include "app/bridge/bag/BagChoice.h"
+#include "app/bridge/bag/FrameTree.h"
+#include "app/bridge/messages/HunavMessages.h"
+#include "app/bridge/messages/NavigationMessages.h"
+#include "sim2d/trace/Trace.h"
+
+namespace bridge {
+
+/// The shortest decimal number that this float is: 0.05 of 0.0500000007.
+double asWritten(float value);
+
+/// A body at an instant. Map frame.
+struct BagSample {
+  std::int64_t time = 0;  // [ns]
+  base::Pose2 pose;
+  std::optional<double> heading;  // none: not told
+  std::optional<base::Vec2> velocity;
+  std::optional<double> omega;
+  int group = -1;
+  std::uint8_t state = 0;
+  std::optional<base::Vec2> goal;  // the current one
+};
+
+/// A person or robot of a bag.
+struct BagBody {
+  int id = 0;
+  std::string name;
+  std::optional<hunav_msgs::Agent> told;  // the first message about it
+  std::vector<BagSample> samples;         // in the order of the bag
+};
+
+/// Reads the messages of a choice.
+class BagBodies {
+ public:
+  BagBodies(Bag& bag, BagChoice choice, std::string path);
+
+  /// All problems; warnings: what could not be read, topics of which nothing could.
+  base::Diagnostics read();
+
+  const std::map<int, BagBody>& people() const { return people_; }
+  const std::map<int, BagBody>& robots() const { return robots_; }
+  const std::optional<sim2d::OccupancyGrid>& map() const { return map_; }
+
+ private:
+  struct Losses {
+    std::size_t read = 0, lost = 0;
+    std::string first;  // why
+  };
+
+  void take(std::size_t channel, std::int64_t time, std::string_view bytes);
+  template <class M>
+  std::optional<M> decoded(std::size_t channel, std::string_view bytes);
+  void takeAgents(std::size_t channel, std::string_view bytes, std::int64_t time);
+  void takePeople(std::size_t channel, std::string_view bytes);
+  void takeRobot(std::size_t channel, std::int64_t time, std::string_view bytes);
+  void takeAgent(const hunav_msgs::Agent& agent, std::int64_t time, std::map<int, BagBody>& to);
+  void takeOdometry(const nav_msgs::Odometry& odometry);
+  void takePose(const std_msgs::Header& header, const geometry_msgs::Pose& pose);
+  void takeTransforms(std::size_t channel, std::string_view bytes);
+  void takeMap(std::size_t channel, std::string_view bytes);
+  base::Pose2 toMap(const std::string& frame);
+  BagBody& robot();
+  void pairRobots();
+  base::Diagnostics losses() const;
+
+  Bag& bag_;
+  BagChoice choice_;
+  std::string path_;
+  FrameTree frames_;
+  std::map<int, BagBody> people_, robots_;
+  std::optional<sim2d::OccupancyGrid> map_;
+  std::map<std::size_t, Losses> losses_;                       // by channel
+  std::map<std::string, std::size_t> strange_;                 // frames without a way to the map's
+  std::map<std::string, int> named_;                           // ids of people who have names alone
+  std::vector<std::pair<std::int64_t, std::int64_t>> stamps_;  // recorded, stamp of people [ns]
+};
+
+}  // namespace bridge

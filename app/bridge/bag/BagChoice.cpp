@@ -1,0 +1,142 @@
+#include "app/bridge/bag/BagChoice.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "app/bridge/messages/GeometryMessages.h"
+#include "app/bridge/messages/HunavMessages.h"
+#include "app/bridge/messages/NavigationMessages.h"
+#include "sim2d/base/Text.h"
+
+namespace bridge {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// What tells of whom, the best first.
+const Names kPeopleTypes = {hunav_msgs::Agents::kType, people_msgs::People::kType};
+const Names kRobotTypes = {
+    hunav_msgs::Agent::kType, nav_msgs::Odometry::kType, geometry_msgs::PoseStamped::kType,
+    geometry_msgs::PoseWithCovarianceStamped::kType, tf2_msgs::TFMessage::kType};
+const Names kMapTypes = {nav_msgs::OccupancyGrid::kType};
+// Topics of these types that are not what one looks for.
+const Names kNotChosen = {"/goal_pose", "/initialpose", "/goal", "/global_costmap/costmap",
+                          "/local_costmap/costmap"};
+
+class Chooser {
+ public:
+  Chooser(const std::vector<BagChannel>& channels, const std::string& path,
+          base::Diagnostics& problems)
+      : channels_(channels), path_(path), problems_(problems) {}
+
+  /// The topic of that name, of one of these types; without a name the first of the best type.
+  std::optional<std::size_t> choose(const std::string& name, const Names& types) {
+    return name.empty() ? firstOf(types) : named(name, types);
+  }
+
+  std::vector<std::size_t> allOf(const char* type) const {
+    std::vector<std::size_t> all;
+    for (std::size_t k = 0; k < channels_.size(); ++k) {
+      if (channels_[k].type == type) {
+        all.push_back(k);
+      }
+    }
+    return all;
+  }
+
+ private:
+  std::optional<std::size_t> firstOf(const Names& types) const {
+    for (const std::string& type : types) {
+      for (std::size_t k = 0; k < channels_.size(); ++k) {
+        const Names& no = kNotChosen;
+        const bool isUsual = std::find(no.begin(), no.end(), channels_[k].topic) == no.end();
+        if (channels_[k].type == type && isUsual) {
+          return k;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<std::size_t> named(const std::string& name, const Names& types) {
+    Names topics;
+    for (std::size_t k = 0; k < channels_.size(); ++k) {
+      const BagChannel& channel = channels_[k];
+      topics.push_back(channel.topic);
+      if (channel.topic != name && channel.topic != "/" + name) {
+        continue;
+      }
+      if (std::find(types.begin(), types.end(), channel.type) == types.end()) {
+        problems_.push_back(base::error(
+            "bag.wrong-type", {channel.topic, channel.type, base::join(types, " or ")}, path_));
+      }
+      return k;
+    }
+    problems_.push_back(base::error(
+        "bag.no-topic", {name, base::nearestName(name, topics), base::join(topics, ", ")}, path_));
+    return std::nullopt;
+  }
+
+  const std::vector<BagChannel>& channels_;
+  const std::string& path_;
+  base::Diagnostics& problems_;
+};
+
+}  // namespace
+
+base::Result<BagUse> parseBagUse(const std::string& text) {
+  BagUse use;
+  base::Diagnostics wrong;
+  const std::vector<std::string> words =
+      text.empty() ? std::vector<std::string>() : base::split(text, ',');
+  for (const std::string& word : words) {
+    const std::size_t middle = word.find('=');
+    const std::string key = word.substr(0, middle);
+    const std::string name = middle == std::string::npos ? "" : word.substr(middle + 1);
+    std::string* const to = key == "people"  ? &use.people
+                            : key == "robot" ? &use.robot
+                            : key == "map"   ? &use.map
+                                             : nullptr;
+    if (to == nullptr || name.empty()) {
+      wrong.push_back(base::error("bag.topic-use", {word}));
+    } else {
+      *to = name;
+    }
+  }
+  return wrong.empty() ? base::Result<BagUse>(use) : base::Result<BagUse>(wrong);
+}
+
+BagChoice ownTopics(const std::vector<BagChannel>& channels) {
+  BagChoice choice;
+  for (std::size_t k = 0; k < channels.size(); ++k) {
+    if (channels[k].topic == "/human_states" && channels[k].type == hunav_msgs::Agents::kType) {
+      choice.people = k;
+    } else if (channels[k].type == hunav_msgs::Agent::kType) {
+      choice.robots.push_back(k);
+    }
+  }
+  return choice;
+}
+
+BagChoice chooseTopics(const std::vector<BagChannel>& channels, const BagUse& use,
+                       const std::string& path, base::Diagnostics& problems) {
+  Chooser chooser(channels, path, problems);
+  BagChoice choice;
+  choice.people = chooser.choose(use.people, kPeopleTypes);
+  const std::optional<std::size_t> robot = chooser.choose(use.robot, kRobotTypes);
+  choice.map = chooser.choose(use.map, kMapTypes);
+  choice.transforms = chooser.allOf(tf2_msgs::TFMessage::kType);
+  choice.isRobotByTf = robot && channels[*robot].type == tf2_msgs::TFMessage::kType;
+  if (robot && !choice.isRobotByTf) {
+    choice.robots = {*robot};
+  }
+  if (!choice.people && !robot && !base::hasErrors(problems)) {
+    Names known = kPeopleTypes;
+    known.insert(known.end(), kRobotTypes.begin(), kRobotTypes.end());
+    problems.push_back(base::error("bag.no-people-or-robot", {base::join(known, ", ")}, path));
+  }
+  return choice;
+}
+
+}  // namespace bridge

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "app/bridge/bag/Bag.h"
+#include "app/bridge/bag/BagTrace.h"
+
+namespace bridge {
+
+/// Places of the channels that a record is made of.
+struct BagChoice {
+  std::optional<std::size_t> people, map;
+  std::vector<std::size_t> robots;      // several of them in bags of ours alone
+  std::vector<std::size_t> transforms;  // tf and tf_static
+  bool isRobotByTf = false;             // the robot is among the transforms
+};
+
+/// Those of a bag of ours; none of people: it is not as we write it.
+BagChoice ownTopics(const std::vector<BagChannel>& channels);
+
+/// By the words of the user, else by types and usual names. Problems: a topic that is not there, of
+/// a type that does not tell that, nobody at all.
+BagChoice chooseTopics(const std::vector<BagChannel>& channels, const BagUse& use,
+                       const std::string& path, base::Diagnostics& problems);
+
+}  // namespace bridge

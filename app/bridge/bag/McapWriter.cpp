@@ -1,0 +1,229 @@
+#include "app/bridge/bag/McapWriter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/bridge/bag/Compression.h"
+#include "app/bridge/bag/Crc32.h"
+#include "app/run/DataPaths.h"
+
+namespace bridge {
+namespace {
+
+/// How many of the list are in the file: those with messages.
+template <class List>
+std::size_t introduced(const List& list) {
+  return static_cast<std::size_t>(
+      std::count_if(list.begin(), list.end(), [](const auto& each) { return each.isIntroduced; }));
+}
+
+}  // namespace
+
+void McapWriter::Span::add(std::int64_t time, bool isFirst) {
+  begin = isFirst ? time : std::min(begin, time);
+  end = isFirst ? time : std::max(end, time);
+}
+
+McapWriter::McapWriter(const std::string& path) : file_(path) {
+  append(std::string(kMcapMagic));
+  append(
+      McapRecord(McapOp::Header).text("ros2").text("hunavsim " + app::programVersion()).finish());
+}
+
+void McapWriter::append(const std::string& record) {
+  file_.append(record);
+  position_ += record.size();
+  dataSum_ = crc32(record, dataSum_);
+}
+
+std::uint16_t McapWriter::addChannel(McapChannel channel) {
+  Channel made;
+  const auto known = std::find_if(schemas_.begin(), schemas_.end(), [&](const Schema& schema) {
+    return schema.type == channel.type;
+  });
+  made.schema = static_cast<std::uint16_t>(known - schemas_.begin() + 1);
+  if (known == schemas_.end()) {
+    schemas_.push_back({channel.type, channel.definition, false});
+  }
+  made.told = std::move(channel);
+  channels_.push_back(std::move(made));
+  return static_cast<std::uint16_t>(channels_.size() - 1);
+}
+
+std::string McapWriter::schemaRecord(std::uint16_t id) const {
+  const Schema& schema = schemas_[id - 1U];
+  return McapRecord(McapOp::Schema)
+      .number(id)
+      .text(schema.type)
+      .text("ros2msg")
+      .bytes(schema.definition)
+      .finish();
+}
+
+std::string McapWriter::channelRecord(std::uint16_t id) const {
+  const Channel& channel = channels_[id];
+  return McapRecord(McapOp::Channel)
+      .number(id)
+      .number(channel.schema)
+      .text(channel.told.topic)
+      .text("cdr")
+      .entries(channel.told.metadata)
+      .finish();
+}
+
+/// Before its first message, in the chunk of that.
+void McapWriter::introduce(Channel& channel, std::uint16_t id) {
+  Schema& schema = schemas_[channel.schema - 1U];
+  if (!schema.isIntroduced) {
+    chunk_ += schemaRecord(channel.schema);
+    schema.isIntroduced = true;
+  }
+  chunk_ += channelRecord(id);
+  channel.isIntroduced = true;
+}
+
+void McapWriter::write(std::uint16_t channel, std::int64_t time, std::string_view message) {
+  Channel& to = channels_[channel];
+  if (!to.isIntroduced) {
+    introduce(to, channel);
+  }
+  chunkSpan_.add(time, index_.empty());
+  index_[channel].emplace_back(time, chunk_.size());
+  chunk_ += McapRecord(McapOp::Message)
+                .number(channel)
+                .number(to.messages++)
+                .number(time)
+                .number(time)
+                .raw(message)
+                .finish();
+  Span all{totals_.begin, totals_.end};
+  all.add(time, totals_.messages == 0);
+  totals_.begin = all.begin;
+  totals_.end = all.end;
+  ++totals_.messages;
+  ++totals_.perChannel[channel];
+  if (chunk_.size() >= kChunk) {
+    endChunk();
+  }
+}
+
+/// One per channel; where each begins.
+std::map<std::uint16_t, std::uint64_t> McapWriter::writeMessageIndexes() {
+  std::map<std::uint16_t, std::uint64_t> places;
+  for (const auto& [channel, messages] : index_) {
+    places[channel] = position_;
+    constexpr std::size_t kEntry = 2 * sizeof(std::uint64_t);
+    McapRecord record(McapOp::MessageIndex);
+    record.number(channel).number(static_cast<std::uint32_t>(messages.size() * kEntry));
+    for (const auto& [time, offset] : messages) {
+      record.number(time).number(offset);
+    }
+    append(record.finish());
+  }
+  return places;
+}
+
+void McapWriter::endChunk() {
+  if (chunk_.empty()) {
+    return;
+  }
+  const std::uint64_t begin = position_;
+  const std::string packed = zstdPacked(chunk_);
+  append(McapRecord(McapOp::Chunk)
+             .number(chunkSpan_.begin)
+             .number(chunkSpan_.end)
+             .number(static_cast<std::uint64_t>(chunk_.size()))
+             .number(crc32(chunk_))
+             .text("zstd")
+             .bytes64(packed)
+             .finish());
+  const std::uint64_t end = position_;
+  const std::map<std::uint16_t, std::uint64_t> indexes = writeMessageIndexes();
+  chunkIndexes_.push_back(McapRecord(McapOp::ChunkIndex)
+                              .number(chunkSpan_.begin)
+                              .number(chunkSpan_.end)
+                              .number(begin)
+                              .number(end - begin)
+                              .counts(indexes)
+                              .number(position_ - end)
+                              .text("zstd")
+                              .number(static_cast<std::uint64_t>(packed.size()))
+                              .number(static_cast<std::uint64_t>(chunk_.size()))
+                              .finish());
+  chunk_.clear();
+  index_.clear();
+}
+
+void McapWriter::addMetadata(const std::string& name, const McapEntries& entries) {
+  endChunk();
+  const std::uint64_t begin = position_;
+  append(McapRecord(McapOp::Metadata).text(name).entries(entries).finish());
+  metadataIndexes_.push_back(McapRecord(McapOp::MetadataIndex)
+                                 .number(begin)
+                                 .number(position_ - begin)
+                                 .text(name)
+                                 .finish());
+}
+
+std::string McapWriter::statisticsRecord() const {
+  return McapRecord(McapOp::Statistics)
+      .number(totals_.messages)
+      .number(static_cast<std::uint16_t>(introduced(schemas_)))
+      .number(static_cast<std::uint32_t>(introduced(channels_)))
+      .number(std::uint32_t{0})  // attachments
+      .number(static_cast<std::uint32_t>(metadataIndexes_.size()))
+      .number(static_cast<std::uint32_t>(chunkIndexes_.size()))
+      .number(totals_.begin)
+      .number(totals_.end)
+      .counts(totals_.perChannel)
+      .finish();
+}
+
+void McapWriter::writeSummary() {
+  std::vector<std::string> schemas, channels;
+  for (std::size_t k = 0; k < schemas_.size(); ++k) {
+    if (schemas_[k].isIntroduced) {
+      schemas.push_back(schemaRecord(static_cast<std::uint16_t>(k + 1)));
+    }
+  }
+  for (std::size_t k = 0; k < channels_.size(); ++k) {
+    if (channels_[k].isIntroduced) {
+      channels.push_back(channelRecord(static_cast<std::uint16_t>(k)));
+    }
+  }
+  std::string summary, offsets;
+  const auto add = [&](McapOp op, const std::vector<std::string>& records) {
+    const std::uint64_t begin = summary.size();
+    for (const std::string& record : records) {
+      summary += record;
+    }
+    if (!records.empty()) {
+      offsets += McapRecord(McapOp::SummaryOffset)
+                     .number(static_cast<std::uint8_t>(op))
+                     .number(position_ + begin)
+                     .number(summary.size() - begin)
+                     .finish();
+    }
+  };
+  add(McapOp::Schema, schemas);
+  add(McapOp::Channel, channels);
+  add(McapOp::Statistics, {statisticsRecord()});
+  add(McapOp::ChunkIndex, chunkIndexes_);
+  add(McapOp::MetadataIndex, metadataIndexes_);
+  const std::uint64_t begin = position_;
+  McapRecord footer(McapOp::Footer);
+  footer.number(begin).number(begin + summary.size());
+  const std::string soFar =
+      McapRecord(footer).number(std::uint32_t{0}).finish().substr(0, kRecordHead + 16);
+  const std::uint32_t sum = crc32(soFar, crc32(offsets, crc32(summary)));
+  append(summary + offsets + footer.number(sum).finish() + std::string(kMcapMagic));
+}
+
+base::Diagnostics McapWriter::finish() {
+  endChunk();
+  append(McapRecord(McapOp::DataEnd).number(dataSum_).finish());
+  writeSummary();
+  return file_.finish();
+}
+
+}  // namespace bridge

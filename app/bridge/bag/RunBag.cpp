@@ -1,0 +1,106 @@
+#include "app/bridge/bag/RunBag.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/bridge/messages/TypeTable.h"
+#include "app/bridge/topics/RunMessages.h"
+
+namespace bridge {
+namespace {
+
+RunTopicsOptions withoutClock(RunTopicsOptions options) {
+  options.clock = false;
+  return options;
+}
+
+}  // namespace
+
+RunBag::RunBag(const std::string& path, const sim2d::TraceHeader& header, RunTopicsOptions options,
+               HeaderSource newest)
+    : topics_(header, withoutClock(std::move(options))),
+      writer_(path),
+      newest_(std::move(newest)),
+      recordEvery_(header.recordEvery),
+      dt_(header.dt),
+      events_(sim2d::headLine(sim2d::kEventColumns)) {
+  for (const sim2d::TraceHuman& human : header.humans) {
+    known_.insert(human.id);
+  }
+  for (const Topic& topic : topics_.topics()) {
+    const KnownType* const type = findType(topic.type);
+    channels_.push_back(writer_.addChannel(
+        {topic.name,
+         std::string(topic.type),
+         type->definition,
+         {{"offered_qos_profiles", offeredQos(topic)}, {"topic_type_hash", ""}}}));
+  }
+}
+
+/// Somebody came from a source.
+void RunBag::meet(const sim2d::Frame& frame) {
+  const std::vector<int>& ids = frame.humans.id;
+  if (!newest_ ||
+      std::all_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) > 0; })) {
+    return;
+  }
+  sim2d::TraceHeader header = newest_();
+  for (const sim2d::TraceHuman& human : header.humans) {
+    known_.insert(human.id);
+  }
+  topics_.setHeader(std::move(header));
+}
+
+void RunBag::addEvent(std::int64_t step, const sim2d::Event& event) {
+  sim2d::appendEventRow(events_, step, dt_, event);
+}
+
+void RunBag::append(const sim2d::Frame& frame) {
+  for (const sim2d::Event& event : frame.events) {
+    addEvent(frame.step, event);
+  }
+  if (frame.step % recordEvery_ != 0) {
+    return;
+  }
+  meet(frame);
+  const std::int64_t time = nanosecondsOf(frame.time);
+  topics_.tell(frame, [&](std::size_t topic, const std::string& bytes) {
+    writer_.write(channels_[topic], time, bytes);
+  });
+}
+
+base::Diagnostics RunBag::finish(const sim2d::TraceHeader& header) {
+  writer_.addMetadata(kRunMetadata,
+                      {{"trace.json", sim2d::traceJson(header)}, {"events.csv", events_}});
+  return writer_.finish();
+}
+
+std::string RunBag::metadata(const std::string& name) const {
+  const McapWriter::Totals& totals = writer_.totals();
+  std::vector<BagTopic> topics;
+  for (std::size_t k = 0; k < channels_.size(); ++k) {
+    const auto count = totals.perChannel.find(channels_[k]);
+    topics.push_back({topics_.topics()[k], count == totals.perChannel.end() ? 0 : count->second});
+  }
+  return bagMetadata(name, topics, {totals.begin, totals.end, totals.messages});
+}
+
+base::Diagnostics writeRunBag(const std::string& path, const sim2d::Recording& recording,
+                              const std::vector<sim2d::RecordedScan>& scans) {
+  const sim2d::TraceHeader header = *recording.header();
+  RunBag bag(path, header, {}, {});
+  for (std::size_t k = 0; k < recording.events().size(); ++k) {
+    bag.addEvent(recording.events()[k].first, recording.events()[k].second);
+  }
+  auto scan = scans.begin();
+  for (std::size_t k = recording.first(); k < recording.size() && !bag.hasFailed(); ++k) {
+    sim2d::Frame frame = *recording.frame(k);
+    for (; scan != scans.end() && scan->step < frame.step; ++scan) {  // of the state before
+      frame.scans.push_back(*scan);
+    }
+    bag.append(frame);
+  }
+  return bag.finish(header);
+}
+
+}  // namespace bridge

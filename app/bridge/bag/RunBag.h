@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/bridge/bag/BagTopics.h"
+#include "app/bridge/bag/McapWriter.h"
+#include "app/bridge/topics/RunTopics.h"
+#include "sim2d/trace/Recording.h"
+
+namespace bridge {
+
+/// Name of the metadata record in which our bags keep what messages have no place for: keys
+/// "trace.json" and "events.csv", the texts of the files of those names.
+constexpr const char* kRunMetadata = "hunavsim";
+
+/// Takes a run while it goes on and writes the states that are recorded, all that `RunTopics` tells
+/// but /clock, into one MCAP file, beside its place until finish().
+class RunBag : public sim2d::FrameSink {
+ public:
+  /// The newest header; asked when somebody is met who is not in the one before.
+  using HeaderSource = std::function<sim2d::TraceHeader()>;
+
+  RunBag(const std::string& path, const sim2d::TraceHeader& header, RunTopicsOptions options,
+         HeaderSource newest);
+  void append(const sim2d::Frame& frame) override;  // with its events
+  void addEvent(std::int64_t step, const sim2d::Event& event);
+
+  /// A file could not be written: there is no use in going on.
+  bool hasFailed() const { return writer_.hasFailed(); }
+  /// `header`: of the whole run. Empty = the file is in its place.
+  base::Diagnostics finish(const sim2d::TraceHeader& header);
+
+  /// metadata.yaml of a folder that holds the file under that name.
+  std::string metadata(const std::string& name) const;
+
+ private:
+  void meet(const sim2d::Frame& frame);
+
+  RunTopics topics_;
+  McapWriter writer_;
+  std::vector<std::uint16_t> channels_;  // by topic
+  HeaderSource newest_;
+  std::set<int> known_;  // people of the header
+  int recordEvery_;
+  double dt_;
+  std::string events_;  // rows of events.csv
+};
+
+/// The same of a run that is over. `scans`: of its lidars, in the order of their steps.
+base::Diagnostics writeRunBag(const std::string& path, const sim2d::Recording& recording,
+                              const std::vector<sim2d::RecordedScan>& scans = {});
+
+}  // namespace bridge

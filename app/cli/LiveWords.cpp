@@ -1,0 +1,101 @@
+#include "app/cli/LiveWords.h"
+
+#include <filesystem>
+#include <limits>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/CommandRegistry.h"
+#include "app/cli/Console.h"
+#include "sim2d/base/Text.h"
+
+namespace app {
+
+namespace {
+
+constexpr const char* kAtMost = "max";
+constexpr int kMostPort = 65535;
+
+std::string wrongSpeed(const std::string& word) {
+  const std::optional<double> speed = base::parseDouble(word);
+  const bool isFine =
+      word == kAtMost || (speed && *speed >= live::kSlowest && *speed <= live::kFastest);
+  return isFine ? std::string()
+                : "'" + word + "' is neither a number from " + base::formatDouble(live::kSlowest) +
+                      " to " + base::formatDouble(live::kFastest) + " nor max";
+}
+
+std::string wrongPort(const std::string& word) {
+  const std::optional<long long> port = base::parseInt(word);
+  return port && *port >= 0 && *port <= kMostPort ? std::string()
+                                                  : "'" + word + "' is no port (0 to 65535)";
+}
+
+bool isOfThisMachine(const std::string& address) {
+  return address.rfind("127.", 0) == 0 || address == "::1";
+}
+
+std::string urlOf(const std::string& address, std::uint16_t port) {
+  const bool isVersion6 = address.find(':') != std::string::npos;
+  return "ws://" + (isVersion6 ? "[" + address + "]" : address) + ":" + std::to_string(port);
+}
+
+/// As fast as it goes, unless somebody watches.
+double speedOf(const RunOptions& options) {
+  if (options.speed.empty()) {
+    return options.live.port ? 1.0 : std::numeric_limits<double>::infinity();
+  }
+  return options.speed == kAtMost ? std::numeric_limits<double>::infinity()
+                                  : base::parseDouble(options.speed).value_or(1.0);
+}
+
+}  // namespace
+
+void addLiveWords(CLI::App& command, RunOptions& options) {
+  command
+      .add_option("--speed", options.speed,
+                  "Simulated seconds per second, or max; 1 with --foxglove, else max")
+      ->check(wrongSpeed);
+  CLI::Option* const port =
+      command
+          .add_option("--foxglove", options.live.port,
+                      "Port where Foxglove and PlotJuggler can watch the run; 0 = a free one")
+          ->check(wrongPort);
+  command
+      .add_option("--foxglove-address", options.live.address,
+                  "Where it listens; other machines reach this one only if told so")
+      ->needs(port);
+  command
+      .add_option("--foxglove-origin", options.live.origins,
+                  "Origin of a web page that may connect too (https://…)")
+      ->allow_extra_args(false)
+      ->needs(port);
+}
+
+std::unique_ptr<live::LiveRun> openLive(const RunOptions& options, const Bundle& bundle,
+                                        const MetricsSetup& metrics, Session& session,
+                                        sim2d::World& world) {
+  live::LiveRunSettings settings;
+  settings.speed = speedOf(options);
+  session.setSpeed(settings.speed);
+  if (!options.live.port) {
+    return nullptr;
+  }
+  settings.address = options.live.address;
+  settings.port = static_cast<std::uint16_t>(*options.live.port);
+  settings.origins = options.live.origins;
+  settings.canDrive = options.from.empty();  // what is repeated is not to be disturbed
+  settings.wantsStop = [] { return wasInterrupted(); };
+  settings.warn = [](const base::Diagnostic& warning) { printDiagnostics({warning}); };
+  auto opened = live::LiveRun::open(settings, session, world, *bundle.scenario,
+                                    std::filesystem::path(bundle.path).stem().string(), metrics);
+  requireFine(opened.diagnostics());
+  if (!isOfThisMachine(settings.address)) {
+    printDiagnostics({base::warning("live.not-local", {settings.address})});
+  }
+  printError("live view at " + urlOf(settings.address, (*opened)->port()) +
+             " (Foxglove: Open connection, Foxglove WebSocket)");
+  return *std::move(opened);
+}
+
+}  // namespace app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/bridge/live/LiveRun.h"
+#include "app/run/Bundle.h"
+#include "app/run/RunOptions.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): as the library is called
+class App;
+}  // namespace CLI
+
+namespace app {
+
+/// --speed, --foxglove and what belongs to it.
+void addLiveWords(CLI::App& command, RunOptions& options);
+
+/// Paces the session as the options say and, if they ask for it, opens the live view; null
+/// otherwise. What it says goes to standard error. Ends the command when the port is not to be had.
+std::unique_ptr<live::LiveRun> openLive(const RunOptions& options, const Bundle& bundle,
+                                        const MetricsSetup& metrics, Session& session,
+                                        sim2d::World& world);
+
+}  // namespace app

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/bridge/bag/RunBagFolder.h"
+#include "app/run/RunFolder.h"
+#include "app/run/Session.h"
+#include "metrics/Report.h"
+
+/// Runs the café for some seconds into a folder, with a bag beside the other files.
+inline base::Diagnostics runCafeInto(const std::string& folder, double seconds) {
+  app::RunOptions options;
+  options.scenario = SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml";
+  options.duration = seconds;
+  const app::Bundle bundle = app::readBundle(options, app::RunSettings{}, sim2d::ImageLoader());
+  app::Verdict verdict = app::check(bundle);
+  if (!verdict.world) {
+    return verdict.problems;
+  }
+  base::Result<std::unique_ptr<app::OutputFolder>> output = app::OutputFolder::open(folder, false);
+  if (!output) {
+    return output.diagnostics();
+  }
+  metrics::Selection selection = verdict.metrics.selection;
+  selection.everyRobot = true;
+  app::RunWriter writer((*output)->staging(), *verdict.world, verdict.world->header(), selection,
+                        verdict.metrics.parameters);
+  verdict.world->tellSenses(true);
+  bridge::RunBagFolder bag((*output)->staging(), *bundle.scenario, *verdict.world);
+  writer.setCompanion(&bag);
+  app::Session session(sim2d::stopRuleOf(*bundle.scenario));
+  sim2d::RunResult result = session.run(*verdict.world, &writer);
+  sim2d::TraceHeader header = verdict.world->header();
+  app::noteMetricsFile(verdict.scenarioMetrics, header);
+  const app::FinishedRun run{
+      std::move(header), std::move(result), {}, writer.evaluation(), {}, false, {}, {}};
+  return app::errorsOf(app::writeRunFolder(**output, run, writer, bundle, {"hunavsim"}));
+}
