@@ -15,6 +15,7 @@
 #include <QString>
 
 #include "app/cli/Console.h"
+#include "app/cli/MemoryReserve.h"
 #include "app/run/DataPaths.h"
 #include "app/run/Reason.h"
 #include "sim2d/base/Text.h"

@@ -134,8 +134,21 @@ struct ChildPair {
   int before = -1, now = -1;  // -1 = there is none
 };
 
-/// Which child became which: equal ones in their order, then those between them that have the same
-/// name. In the order of `now`, with those that are gone left out.
+/// The first of before[from, to) with the ID and name of `now`, else with its ID, else `to`.
+std::size_t placeOfLike(const std::vector<NodeSpec>& before, std::size_t from, std::size_t to,
+                        const NodeSpec& now) {
+  std::size_t like = to;
+  for (std::size_t k = from; k < to; ++k) {
+    if (before[k].id == now.id && before[k].name == now.name) {
+      return k;
+    }
+    like = like == to && before[k].id == now.id ? k : like;
+  }
+  return like;
+}
+
+/// Which child became which: equal ones in their order, then those between them that are alike. In
+/// the order of `now`, with those that are gone left out.
 std::vector<ChildPair> pairsOf(const std::vector<NodeSpec>& before,
                                const std::vector<NodeSpec>& now) {
   const std::size_t rows = before.size(), columns = now.size();
@@ -150,10 +163,7 @@ std::vector<ChildPair> pairsOf(const std::vector<NodeSpec>& before,
   std::size_t i = 0, k = 0;
   const auto between = [&](std::size_t toRow, std::size_t toColumn) {
     for (; k < toColumn; ++k) {
-      std::size_t same = i;
-      while (same < toRow && before[same].id != now[k].id) {
-        ++same;
-      }
+      const std::size_t same = placeOfLike(before, i, toRow, now[k]);
       const bool isFound = same < toRow;
       pairs.push_back({isFound ? static_cast<int>(same) : -1, static_cast<int>(k)});
       i = isFound ? same + 1 : i;

@@ -17,6 +17,7 @@
 #include "editor/panels/ScenarioPanel.h"
 #include "sim2d/base/Text.h"
 #include "tests/app/QuietWindow.h"
+#include "tests/app/RunFiles.h"
 
 using app::MainWindow;
 
@@ -408,5 +409,4 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
 };
 
 QTEST_MAIN(FileWindowTest)
-#include "tests/app/RunFiles.h"
 #include "tst_FileWindow.moc"

@@ -178,7 +178,7 @@ class RunFromTest : public QObject {
         input.kind = sim2d::InputKind::Add;
         input.id = 0;
         input.name = header.humans.front().name;
-        input.pose = {{header.humans.size() * 0.1 - 1.0, 1.0 / 7.0}, 0.3};
+        input.pose = {{static_cast<double>(header.humans.size()) * 0.1 - 1.0, 1.0 / 7.0}, 0.3};
         return {input};
       case 40:
         input.kind = sim2d::InputKind::Resume;

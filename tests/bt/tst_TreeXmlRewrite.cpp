@@ -6,6 +6,28 @@
 #include "sim2d/base/Text.h"
 #include "tests/support/Interop.h"
 
+namespace {
+
+/// A tree with things said within and before its nodes.
+constexpr const char* kCommented =
+    "<root BTCPP_format=\"4\">\n"
+    "  <BehaviorTree ID=\"Main\">\n"
+    "    <Fallback>\n"
+    "      <!-- first this -->\n"
+    "      <Sequence name='A'>\n"
+    "        <!-- inside\n"
+    "             in two lines -->\n"
+    "        <GoTo   goal_id='1' agent_id='{id}'/> <!-- behind -->\n"
+    "      </Sequence>\n"
+    "      <Sequence name='B'>\n"
+    "        <AlwaysSuccess/>\n"
+    "      </Sequence>\n"
+    "    </Fallback>\n"
+    "  </BehaviorTree>\n"
+    "</root>\n";
+
+}  // namespace
+
 /// Edits of a tree in the text that it was read from.
 class TreeXmlRewriteTest : public QObject {
   Q_OBJECT
@@ -89,24 +111,6 @@ class TreeXmlRewriteTest : public QObject {
     QCOMPARE(rewritten(file),
              with(kText, "/>   <!--", "/>\n            <StopMovement agent_id=\"{id}\"/>   <!--"));
   }
-
-  /// A tree with things said within and before its nodes.
-  static constexpr const char* kCommented =
-      "<root BTCPP_format=\"4\">\n"
-      "  <BehaviorTree ID=\"Main\">\n"
-      "    <Fallback>\n"
-      "      <!-- first this -->\n"
-      "      <Sequence name='A'>\n"
-      "        <!-- inside\n"
-      "             in two lines -->\n"
-      "        <GoTo   goal_id='1' agent_id='{id}'/> <!-- behind -->\n"
-      "      </Sequence>\n"
-      "      <Sequence name='B'>\n"
-      "        <AlwaysSuccess/>\n"
-      "      </Sequence>\n"
-      "    </Fallback>\n"
-      "  </BehaviorTree>\n"
-      "</root>\n";
 
   void node_toAnotherParent_takesItsCommentsAlong() {
     bt::TreeFile file = fileOf(kCommented);
