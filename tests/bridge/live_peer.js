@@ -59,6 +59,7 @@ function clockAfter(count) {
 }
 
 async function play() {
+  await clockAfter(0);
   report.paused = await call("/hunavsim/pause", { data: true });
   await new Promise((resolve) => setTimeout(resolve, 200));  // what was under way
   const before = report.clocks.length;

@@ -112,7 +112,8 @@ void LiveRun::show(const sim2d::Frame& frame) {
   meet(frame);
   metrics_.add(frame, [this] { return world_.header(); });
   const Clock::time_point now = Clock::now();
-  if (!shown_ || now - *shown_ >= kBetweenFrames) {
+  // of single steps each is shown
+  if (!shown_ || control_.isPaused() || now - *shown_ >= kBetweenFrames) {
     publish(frame, now);
   }
 }

@@ -42,6 +42,7 @@ class RunControl {
   std::vector<Service> services();      // /hunavsim/pause, /hunavsim/step
   std::vector<Parameter> parameters();  // /hunavsim.paused, /hunavsim.real_time_factor and facts
   std::vector<Inlet> inlets();
+  bool isPaused() const { return isPaused_; }
 
  private:
   std::string setPaused(const ParameterValue& value);
