@@ -54,7 +54,7 @@ double speedOf(const RunOptions& options) {
 void addLiveWords(CLI::App& command, RunOptions& options) {
   command
       .add_option("--speed", options.speed,
-                  "Simulated seconds per second, or max; 1 with --foxglove, else max")
+                  "Simulated seconds per second, or max; 1 with --foxglove or --ros2, else max")
       ->check(wrongSpeed);
   CLI::Option* const port =
       command
@@ -73,18 +73,20 @@ void addLiveWords(CLI::App& command, RunOptions& options) {
 }
 
 std::unique_ptr<live::LiveRun> openLive(const RunOptions& options, const Bundle& bundle,
-                                        const MetricsSetup& metrics, Session& session,
-                                        sim2d::World& world) {
+                                        const MetricsSetup& metrics, bool canDrive,
+                                        Session& session, sim2d::World& world) {
   live::LiveRunSettings settings;
   settings.speed = speedOf(options);
-  session.setSpeed(settings.speed);
+  if (!options.speed.empty() || options.live.port) {  // else it stays as it is
+    session.setSpeed(settings.speed);
+  }
   if (!options.live.port) {
     return nullptr;
   }
   settings.address = options.live.address;
   settings.port = static_cast<std::uint16_t>(*options.live.port);
   settings.origins = options.live.origins;
-  settings.canDrive = options.from.empty();  // what is repeated is not to be disturbed
+  settings.canDrive = canDrive && options.from.empty();  // what is repeated is not to be disturbed
   settings.wantsStop = [] { return wasInterrupted(); };
   settings.warn = [](const base::Diagnostic& warning) { printDiagnostics({warning}); };
   auto opened = live::LiveRun::open(settings, session, world, *bundle.scenario,

@@ -17,9 +17,10 @@ namespace app {
 void addLiveWords(CLI::App& command, RunOptions& options);
 
 /// Paces the session as the options say and, if they ask for it, opens the live view; null
-/// otherwise. What it says goes to standard error. Ends the command when the port is not to be had.
+/// otherwise. `canDrive`: nobody else gives inputs, so who watches may. What it says goes to
+/// standard error. Ends the command when the port is not to be had.
 std::unique_ptr<live::LiveRun> openLive(const RunOptions& options, const Bundle& bundle,
-                                        const MetricsSetup& metrics, Session& session,
-                                        sim2d::World& world);
+                                        const MetricsSetup& metrics, bool canDrive,
+                                        Session& session, sim2d::World& world);
 
 }  // namespace app

@@ -65,6 +65,16 @@ std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
   return changed != nullptr ? changed : scenario;
 }
 
+namespace {
+
+/// The tree that drives: that of a route where there are several goals.
+const std::string& treeOf(const sim2d::Robot& robot, const bt::Nav2Loaded& loaded) {
+  const bool isRoute = robot.goal.goals.size() > 1 && !loaded.throughFile.empty();
+  return isRoute ? loaded.throughFile : loaded.treeFile;
+}
+
+}  // namespace
+
 base::Diagnostics unlistedNav2Trees(const sim2d::Scenario& scenario,
                                     const std::string& scenarioPath,
                                     const std::vector<std::string>& inputs) {
@@ -77,8 +87,9 @@ base::Diagnostics unlistedNav2Trees(const sim2d::Scenario& scenario,
       return;
     }
     const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
-    if (isListed(loaded.paramsFile) && !loaded.treeFile.empty() && !isListed(loaded.treeFile)) {
-      unlisted.push_back(base::error("nav2.read-late", {loaded.treeFile}, loaded.paramsFile));
+    const std::string& tree = treeOf(robot, loaded);
+    if (isListed(loaded.paramsFile) && !tree.empty() && !isListed(tree)) {
+      unlisted.push_back(base::error("nav2.read-late", {tree}, loaded.paramsFile));
     }
   });
   return unlisted;
@@ -92,9 +103,7 @@ std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
       return;
     }
     const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
-    const bool isRoute = robot.goal.goals.size() > 1 && !loaded.throughFile.empty();
-    for (const std::string& file :
-         {loaded.paramsFile, isRoute ? loaded.throughFile : loaded.treeFile}) {
+    for (const std::string& file : {loaded.paramsFile, treeOf(robot, loaded)}) {
       if (!file.empty()) {
         files.push_back(file);
       }

@@ -90,7 +90,7 @@ std::string nav2ValueProblem(const sim2d::Robot& robot, const std::string& scena
     const base::Diagnostics& old = found == &after.problems ? before.problems : before.wrongValues;
     for (const base::Diagnostic& problem : *found) {
       const bool isNew = std::none_of(old.begin(), old.end(), [&](const base::Diagnostic& each) {
-        return each.code == problem.code && each.message == problem.message;
+        return each.code == problem.code && each.values == problem.values;
       });
       if (problem.severity == base::Severity::Error && isNew) {
         return problem.message;

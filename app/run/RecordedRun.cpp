@@ -1,6 +1,7 @@
 #include "app/run/RecordedRun.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
@@ -216,6 +217,11 @@ std::string restOfKilled(const std::string& folder) {
   return {};
 }
 
+/// A time as people read it [s]: steps are summed up, so 4.8 may be 4.8000000000000007.
+std::string shown(double time) {
+  return base::formatDouble(std::round(time * 1000.0) / 1000.0);
+}
+
 base::Result<RecordedRun> readKilled(const std::string& folder, const std::string& rest,
                                      std::size_t mostInMemory) {
   const auto lock = FolderLock::take(folder);
@@ -235,7 +241,7 @@ base::Result<RecordedRun> readKilled(const std::string& folder, const std::strin
   run.recording = *recording;
   cut.note("trajectory.csv");
   cut.time = run.recording->timeOf(run.recording->size() - 1);
-  return {std::move(run), {base::warning("trace.killed", {cut.time}, folder)}};
+  return {std::move(run), {base::warning("trace.killed", {shown(cut.time)}, folder)}};
 }
 
 /// Problems with parts that are known to be cut are told once, by the cut.
@@ -276,8 +282,8 @@ base::Result<RecordedRun> readRecordedRun(const std::string& folder, std::size_t
   base::append(problems, recording ? troubleWithParts(folder, cut) : base::Diagnostics());
   RecordedRun run;
   if (cut.isCut()) {
-    const std::string end = cut.end ? base::formatDouble(*cut.end) : std::string();
-    problems.push_back(base::warning("trace.cut", {cut.time, end}, folder));
+    const std::string end = cut.end ? shown(*cut.end) : std::string();
+    problems.push_back(base::warning("trace.cut", {shown(cut.time), end}, folder));
     run.cut = cut;
   }
   run.scenario = findScenario(folder, problems);

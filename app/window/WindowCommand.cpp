@@ -349,6 +349,9 @@ int windowCommand(const Invocation& given, const RunOptions& run, const WindowOp
     application.whenBroken({});  // the window goes first
     return code;
   }
+  if (const std::optional<base::Diagnostic>& cut = window.files().cutOfRun()) {
+    printDiagnostics({*cut});
+  }
   requireFine(takeScreenshot(window, options), ExitBadInput, base::Severity::Warning);
   return ExitFine;
 }

@@ -95,7 +95,7 @@ bool TreeState::setFromText(const std::string& key, const std::string& text) {
   const std::optional<PortType> now =
       entry.type == PortType::Any ? typeOf(entry.value) : std::nullopt;
   const std::optional<Value> asBefore = now ? convertTo(value, *now) : std::nullopt;
-  return store(entry, asBefore.value_or(value));
+  return (!now || asBefore) && store(entry, asBefore.value_or(value));
 }
 
 std::vector<std::pair<std::string, std::string>> TreeState::entries() const {

@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QHeaderView>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 #include "editor/look/Fields.h"
@@ -95,11 +96,9 @@ Nav2Form::Nav2Form(QWidget* parent)
   onlyChanged_->setCheckable(true);
   reset_ = linkButton(tr("Reset"), tr("Take the value of the file again (Delete)"), this,
                       [this] { resetRow(); });
-  auto* deleteKey = new QAction(this);
-  deleteKey->setShortcut(Qt::Key_Delete);
-  deleteKey->setShortcutContext(Qt::WidgetShortcut);
-  tree_->addAction(deleteKey);
-  connect(deleteKey, &QAction::triggered, this, &Nav2Form::resetRow);
+  const auto* deleteKey =
+      new QShortcut(QKeySequence::Delete, tree_, nullptr, nullptr, Qt::WidgetShortcut);
+  connect(deleteKey, &QShortcut::activated, this, &Nav2Form::resetRow);
   styleList(*tree_, tr("Parameters of Nav2"));
   tree_->setColumnCount(2);
   tree_->setHeaderHidden(true);

@@ -533,7 +533,6 @@ constexpr ProblemText kTexts[] = {
      "this build does not speak to ROS 2 (install libfastrtps-dev and libfastcdr-dev and build "
      "anew)"},
     {"ros2.bad-domain", "ROS_DOMAIN_ID is '{found}', a domain is 0 to 232"},
-    {"ros2.bad-namespace", "'{found}' is no namespace of ROS 2 (such as /lab)"},
     {"ros2.no-participant", "DDS cannot take part in domain {domain}"},
     {"ros2.endpoint-refused", "DDS refuses an endpoint for {name}"},
     {"ros2.other-type", "{name} has the type {found} here already, not {wanted}"},

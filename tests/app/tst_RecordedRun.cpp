@@ -209,8 +209,12 @@ class RecordedRunTest : public QObject {
     const QByteArray trajectory = outside::bytesOf(path + text("/trajectory.csv"));
     outside::writeText(path + text("/trajectory.csv"), trajectory.left(trajectory.size() / 2));
     const outside::Finished cut = outside::runProgram(words);
-    QCOMPARE(cut.exitCode, 2);
-    QVERIFY2(cut.err.contains(text("(cut?)")), qPrintable(cut.err));
+    QCOMPARE(cut.exitCode, 0);  // what is whole is shown, and told that there was more
+    QVERIFY2(cut.err.contains(text("this is no finished run")), qPrintable(cut.err));
+    outside::writeText(path + text("/trace.json"), "{");
+    const outside::Finished broken = outside::runProgram(words);
+    QCOMPARE(broken.exitCode, 2);
+    QVERIFY2(broken.err.contains(text("trace.json")), qPrintable(broken.err));
     QCOMPARE(outside::runProgram({path}).exitCode, 2);  // without a picture as well
     const outside::Finished none = outside::runProgram({folder.path()});
     QCOMPARE(none.exitCode, 2);

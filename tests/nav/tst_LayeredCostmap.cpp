@@ -765,7 +765,8 @@ void LayeredCostmapTest::keys_defaults_areThoseOfNav2sCode() {
            std::string("enabled true; footprint_clearing_enabled false; "
                        "restore_cleared_footprint true; "));
   QCOMPARE(textOf(keepoutFilterKeys(), KeepoutFilterParameters()),
-           std::string("enabled true; override_lethal_cost false; lethal_override_cost 252; "));
+           std::string("enabled true; override_lethal_cost false; lethal_override_cost 252; "
+                       "mask_file ''; "));  // the last is ours
 }
 
 void LayeredCostmapTest::twoCostmaps_shareNothing() {

@@ -292,7 +292,7 @@ int runCommand(const RunCommandOptions& options, const Invocation& given) {
   const std::unique_ptr<RunOnRos2> ros2 =
       RunOnRos2::open(options.onRos2, *bundle.scenario, world, session);
   const std::unique_ptr<live::LiveRun> live =
-      openLive(options, bundle, verdict.metrics, session, world);
+      openLive(options, bundle, verdict.metrics, ros2 == nullptr, session, world);
   FinishedRun run = simulateShown(session, verdict.scenarioMetrics, world, writer,
                                   {prepared.again.get(), ros2.get(), live.get()}, given);
   if (live) {
