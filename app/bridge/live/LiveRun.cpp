@@ -112,16 +112,24 @@ void LiveRun::show(const sim2d::Frame& frame) {
   meet(frame);
   metrics_.add(frame, [this] { return world_.header(); });
   const Clock::time_point now = Clock::now();
-  // of single steps each is shown
-  if (!shown_ || control_.isPaused() || now - *shown_ >= kBetweenFrames) {
+  if (!shown_ || !isFasterThanScreens() || now - *shown_ >= kBetweenFrames) {
     publish(frame, now);
   }
 }
 
+/// Else each state is shown: single steps, and those that come late and in a hurry.
+bool LiveRun::isFasterThanScreens() const {
+  const std::chrono::duration<double> each(world_.dt() / control_.speed());
+  return !control_.isPaused() && each < kBetweenFrames;
+}
+
+/// With the metrics as they are in the end.
 void LiveRun::finish(const sim2d::Frame& frame, const std::string& reason) {
+  const bool isNew = frame.step > newest_;
+  measured_.reset();
+  shown_.reset();
   show(frame);
-  if (told_ < newest_) {
-    measured_.reset();
+  if (!isNew) {
     publish(frame, Clock::now());
   }
   server_->stop(reason);
@@ -161,7 +169,6 @@ void LiveRun::publish(const sim2d::Frame& frame, Clock::time_point now) {
   }
   server_->publish(static_cast<std::uint64_t>(bridge::nanosecondsOf(frame.time)), messages);
   shown_ = now;
-  told_ = frame.step;
 }
 
 }  // namespace live

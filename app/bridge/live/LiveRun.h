@@ -48,7 +48,8 @@ class LiveRun {
   std::uint16_t port() const { return server_->port(); }
   /// Each state once, in order. Of those that come faster than a screen shows, some are left out.
   void show(const sim2d::Frame& frame);
-  /// The last state, if it was not shown; clients are told why there are no more.
+  /// The last state, also if it was shown, with the metrics in the end; clients are told why there
+  /// are no more.
   void finish(const sim2d::Frame& frame, const std::string& reason);
 
  private:
@@ -60,6 +61,7 @@ class LiveRun {
   void meet(const sim2d::Frame& frame);
   void publish(const sim2d::Frame& frame, Clock::time_point now);
   bool wantsMetrics() const;
+  bool isFasterThanScreens() const;
 
   app::Session& session_;
   sim2d::World& world_;
@@ -68,7 +70,7 @@ class LiveRun {
   RunControl control_;
   std::vector<int> present_;  // people whose data the topics have
   std::optional<Clock::time_point> shown_, measured_;
-  std::int64_t newest_ = -1, told_ = -1;    // steps
+  std::int64_t newest_ = -1;                // step
   std::set<std::string> warned_;            // origins; of the server's thread
   std::unique_ptr<FoxgloveServer> server_;  // goes first: its thread uses all else
 };

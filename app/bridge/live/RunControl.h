@@ -43,6 +43,7 @@ class RunControl {
   std::vector<Parameter> parameters();  // /hunavsim.paused, /hunavsim.real_time_factor and facts
   std::vector<Inlet> inlets();
   bool isPaused() const { return isPaused_; }
+  double speed() const { return speed_; }
 
  private:
   std::string setPaused(const ParameterValue& value);
