@@ -42,8 +42,7 @@ class TreeGroupsTest : public QObject {
 
  private Q_SLOTS:
   void inner_areLeftOut() {
-    QVERIFY(editor::withoutInner(at({{2}, {0, 1}, {0}, {2, 0}, {1, 0}})) ==
-            at({{0}, {1, 0}, {2}}));
+    QVERIFY(editor::withoutInner(at({{2}, {0, 1}, {0}, {2, 0}, {1, 0}})) == at({{0}, {1, 0}, {2}}));
     QVERIFY(editor::withoutInner(at({{0, 1}, {}})) == at({{}}));
     QVERIFY(editor::areSiblings(at({{0}, {2}})));
     QVERIFY(!editor::areSiblings(at({{0}, {2, 0}})));
@@ -94,8 +93,7 @@ class TreeGroupsTest : public QObject {
       paths.push_back(pathOf(each));
     }
     bt::TreeFile file = plain();
-    const MaybePlaces moved =
-        editor::moveNodes(file, at(paths), {"Main", pathOf(parent)}, index);
+    const MaybePlaces moved = editor::moveNodes(file, at(paths), {"Main", pathOf(parent)}, index);
     QCOMPARE(moved.has_value(), !result.isEmpty());
     if (moved) {
       QCOMPARE(shortOf(file), result);
