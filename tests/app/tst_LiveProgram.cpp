@@ -7,6 +7,7 @@
 
 #include "tests/app/RunFiles.h"
 #include "tests/bridge/LiveClient.h"
+#include "tests/support/Peers.h"
 
 using client::LiveClient;
 using outside::bytesOf;
@@ -149,9 +150,9 @@ void LiveProgramTest::run_foxglovesOwnClient_readsAll_data() {
 void LiveProgramTest::run_foxglovesOwnClient_readsAll() {
   QFETCH(const QString, protocol);
   QFETCH(const QString, how);
-  const QString peers = qEnvironmentVariable("HUNAV_LIVE_PEERS");
-  if (peers.isEmpty()) {
-    QSKIP("HUNAV_LIVE_PEERS names no folder with Foxglove's client (tests/README.md)");
+  const QString peers = peersFolder();
+  if (!hasPeer(QStringLiteral("@foxglove/ws-protocol"))) {
+    QSKIP("no client of Foxglove here (tests/support/Peers.h)");
   }
   const QString out = path("peer");
   Running run(cafe(out, 8.0) + QStringList{text("--foxglove"), text("0")});

@@ -13,6 +13,7 @@
 #include "app/bridge/live/LiveRun.h"
 #include "app/run/Bundle.h"
 #include "tests/bridge/LiveClient.h"
+#include "tests/support/Peers.h"
 #include "tests/support/TraceHash.h"
 
 using client::LiveClient;
@@ -191,9 +192,9 @@ void LiveRunTest::run_foxglovesOwnClient_readsAll_data() {
 void LiveRunTest::run_foxglovesOwnClient_readsAll() {
   QFETCH(const QString, protocol);
   QFETCH(const QString, how);
-  const QString peers = qEnvironmentVariable("HUNAV_LIVE_PEERS");
-  if (peers.isEmpty()) {
-    QSKIP("HUNAV_LIVE_PEERS names no folder with Foxglove's client (tests/README.md)");
+  const QString peers = peersFolder();
+  if (!hasPeer(QStringLiteral("@foxglove/ws-protocol"))) {
+    QSKIP("no client of Foxglove here (tests/support/Peers.h)");
   }
   Scene scene;
   const int port = scene.watch(1.0);

@@ -8,7 +8,7 @@
 /// Folder whose node_modules hold programs of others that read what we write:
 ///   npm i --ignore-scripts @foxglove/rosmsg2-serialization@3.1.0 @foxglove/rosmsg@5.0.5
 ///     @foxglove/rosmsg-msgs-common@3.2.3 @mcap/core@2.2.2 @mcap/nodejs@1.0.2
-///     fzstd@0.1.1
+///     fzstd@0.1.1 @foxglove/ws-protocol@0.8.0 ws
 /// HUNAV_PEERS, else ../peers beside the clone.
 inline QString peersFolder() {
   const QByteArray given = qgetenv("HUNAV_PEERS");
