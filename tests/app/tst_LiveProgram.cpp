@@ -56,22 +56,6 @@ struct Running {
   }
 };
 
-/// The answer of a service, called with JSON.
-QJsonObject call(LiveClient& client, int service, const std::string& request) {
-  std::string bytes(1, '\x02');
-  for (const int number : {service, 1, 4}) {
-    bytes += std::string{static_cast<char>(number), 0, 0, 0};
-  }
-  client.binary(bytes + "json" + request);
-  const std::string answer = client.awaitBinary(3);
-  return QJsonDocument::fromJson(QByteArray::fromStdString(answer).mid(17)).object();
-}
-
-void pause(LiveClient& client, bool isPaused) {
-  const QJsonObject answer = call(client, 1, isPaused ? R"({"data":true})" : R"({"data":false})");
-  QVERIFY(answer.value(QLatin1String("success")).toBool());
-}
-
 void speedUp(LiveClient& client) {
   client.text(R"({"op":"setParameters","id":"f","parameters":[)"
               R"({"name":"/hunavsim.real_time_factor","value":100}]})");
@@ -119,13 +103,13 @@ void LiveProgramTest::run_watched_filesAreTheSame() {
   QVERIFY2(run.port > 0, run.said);
   LiveClient client(run.port);
   QVERIFY(client.open());
-  pause(client, true);
+  QVERIFY(client::pause(client, true));
   client.text(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":1},)"
               R"({"id":4,"channelId":4},{"id":11,"channelId":11},{"id":20,"channelId":20}]})");
   for (int i = 0; i < 5; ++i) {
     QVERIFY(call(client, 2, "{}").value(QLatin1String("success")).toBool());
   }
-  pause(client, false);
+  QVERIFY(client::pause(client, false));
   speedUp(client);
   QCOMPARE(client.awaitClose(), 1001);
   const Finished watched = run.finish();
@@ -225,7 +209,7 @@ void LiveProgramTest::run_paused_ctrlCEndsIt() {
   QVERIFY2(run.port > 0, run.said);
   LiveClient client(run.port);
   QVERIFY(client.open());
-  pause(client, true);
+  QVERIFY(client::pause(client, true));
   ::kill(static_cast<pid_t>(run.process.processId()), SIGINT);
   QCOMPARE(client.awaitClose(), 1001);
   const Finished finished = run.finish();
@@ -321,7 +305,7 @@ void LiveProgramTest::run_teleop_isDrivenAndRecorded() {
   QVERIFY2(run.port > 0, run.said);
   LiveClient client(run.port);
   QVERIFY(client.open());
-  pause(client, true);
+  QVERIFY(client::pause(client, true));
   client.text(R"({"op":"advertise","channels":[{"id":5,"topic":"/cmd_vel","encoding":"json",)"
               R"("schemaName":"geometry_msgs/msg/Twist"}]})");
   const std::string head = std::string("\x01\x05\0\0\0", 5);
@@ -333,7 +317,7 @@ void LiveProgramTest::run_teleop_isDrivenAndRecorded() {
   client.binary(head + R"({"linear":{"x":"fast"}})");
   QCOMPARE(client.await("status").value(QLatin1String("message")).toString(),
            text("/cmd_vel: this is no geometry_msgs/msg/Twist of finite numbers"));
-  pause(client, false);
+  QVERIFY(client::pause(client, false));
   speedUp(client);
   QCOMPARE(run.finish().exitCode, 0);
   const QList<QByteArray> lines = bytesOf(path("driven/inputs.csv")).trimmed().split('\n');

@@ -163,4 +163,22 @@ class LiveClient {
   std::string in_;
 };
 
+/// The answer of a service of a live view, called with JSON.
+inline QJsonObject call(LiveClient& client, int service, const std::string& request) {
+  std::string bytes(1, '\x02');
+  for (const int number : {service, 1, 4}) {
+    bytes += std::string{static_cast<char>(number), 0, 0, 0};
+  }
+  client.binary(bytes + "json" + request);
+  const std::string answer = client.awaitBinary(3);
+  return QJsonDocument::fromJson(QByteArray::fromStdString(answer).mid(17)).object();
+}
+
+/// Whether the run did so.
+inline bool pause(LiveClient& client, bool isPaused) {
+  return call(client, 1, isPaused ? R"({"data":true})" : R"({"data":false})")
+      .value(QLatin1String("success"))
+      .toBool();
+}
+
 }  // namespace client

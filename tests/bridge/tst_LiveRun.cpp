@@ -90,23 +90,6 @@ class Scene {
   std::thread thread_;
 };
 
-/// The answer of a service, called with JSON.
-QJsonObject call(LiveClient& client, int service, const std::string& request) {
-  std::string bytes(1, '\x02');
-  for (const int number : {service, 1, 4}) {
-    bytes += std::string{static_cast<char>(number), 0, 0, 0};
-  }
-  client.binary(bytes + "json" + request);
-  const std::string answer = client.awaitBinary(3);
-  return QJsonDocument::fromJson(QByteArray::fromStdString(answer).mid(17)).object();
-}
-
-bool pause(LiveClient& client, bool isPaused) {
-  return call(client, 1, isPaused ? R"({"data":true})" : R"({"data":false})")
-      .value(QLatin1String("success"))
-      .toBool();
-}
-
 void speedUp(LiveClient& client) {
   client.text(R"({"op":"setParameters","id":"f","parameters":[)"
               R"({"name":"/hunavsim.real_time_factor","value":100}]})");
@@ -137,7 +120,7 @@ void LiveRunTest::run_watched_isTheSame() {
   QVERIFY(port > 0);
   LiveClient client(port);
   QVERIFY(client.open());
-  QVERIFY(pause(client, true));
+  QVERIFY(client::pause(client, true));
   scene.start();
   QString wanted;
   for (int channel = 1; channel <= 60; ++channel) {  // those that are not there are complained of
@@ -150,7 +133,7 @@ void LiveRunTest::run_watched_isTheSame() {
   for (int i = 0; i < 5; ++i) {
     QVERIFY(call(client, 2, "{}").value(QLatin1String("success")).toBool());
   }
-  QVERIFY(pause(client, false));
+  QVERIFY(client::pause(client, false));
   speedUp(client);
   QCOMPARE(client.awaitClose(), 1001);
   QCOMPARE(scene.finish().reason, std::string("duration"));
@@ -174,7 +157,7 @@ void LiveRunTest::run_pausedThenInterrupted_ends() {
   Scene scene;
   LiveClient client(scene.watch(1.0));
   QVERIFY(client.open());
-  QVERIFY(pause(client, true));
+  QVERIFY(client::pause(client, true));
   scene.start();
   scene.interrupt();
   QVERIFY(scene.finish().status == sim2d::RunStatus::Interrupted);
