@@ -260,7 +260,7 @@ std::vector<LegendPart> legendOf(const MapScene& scene, double pixelsPerMetre) {
   }
   std::vector<LegendRow> senses = senseRows(scene);
   if (senses.empty() && on.lidar && isLidarChosen(scene)) {
-    senses.push_back(noteRow(QObject::tr("laser: newest moment only")));
+    senses.push_back(noteRow(QObject::tr("laser: newest only")));
   }
   if (!senses.empty()) {
     parts.push_back({QObject::tr("Robot"), std::move(senses)});
