@@ -248,6 +248,7 @@ int doneBy(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
 }  // namespace
 
 int runProgram(int argc, char** argv, void (*addWindow)(CommandRegistry&)) {
+  setMemoryAside();
   qInstallMessageHandler(withoutLibraryWords);
   qSetGlobalQHashSeed(0);  // else Qt puts the fonts of a PDF into another order each time
   keepAliveWhenFilesAreFull();

@@ -2,13 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
+#include <new>
 #include <utility>
 
 #include <box2d/b2_distance.h>
 #include <box2d/box2d.h>
 
 #include "sim2d/world/StepBuffers.h"
+
+/// Takes the place of the function in Box2D's library, which hands out nullptr where memory ends
+/// and Box2D does not look. All of it is still freed by the library's b2Free_Default(): std::free.
+void* b2Alloc_Default(int32 size) {
+  if (void* memory = std::malloc(static_cast<std::size_t>(size)); memory != nullptr) {
+    return memory;
+  }
+  throw std::bad_alloc();
+}
 
 namespace sim2d {
 namespace {

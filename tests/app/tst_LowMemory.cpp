@@ -10,8 +10,8 @@ using outside::text;
 
 namespace {
 
-constexpr int kStepKiB = 2048;
-constexpr int kSteps = 30;  // from where the program starts at all
+constexpr int kStepKiB = 1024;
+constexpr int kSteps = 48;  // from where the program starts at all
 
 /// With so much address space and no more.
 Finished runWithin(int kib, const QStringList& words) {
