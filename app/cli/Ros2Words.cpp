@@ -33,6 +33,14 @@ base::Result<int> domainOf(const Ros2Words& words) {
 
 }  // namespace
 
+CLI::Validator namespaceName() {
+  return {[](const std::string& text) {
+            return bridge::isNamespace(text) ? std::string()
+                                             : "'" + text + "' is no namespace (such as /lab)";
+          },
+          ""};
+}
+
 void addRos2Options(CLI::App& command, Ros2Words& words, const std::string& help) {
   command.add_flag("--ros2", words.ros2, help);
   command.add_option("--domain", words.domain, "ROS_DOMAIN_ID; else the variable, or 0")

@@ -8,6 +8,7 @@
 
 namespace CLI {  // NOLINT(readability-identifier-naming): as the library is called
 class App;
+class Validator;
 }  // namespace CLI
 
 namespace app {
@@ -19,6 +20,9 @@ struct Ros2Words {
   std::optional<std::string> rmw, distro;
   bool network = false;
 };
+
+/// For check() of an option: "/" or "/lab".
+CLI::Validator namespaceName();
 
 void addRos2Options(CLI::App& command, Ros2Words& words, const std::string& help);
 

@@ -532,6 +532,10 @@ constexpr ProblemText kTexts[] = {
     {"ros2.not-built",
      "this build does not speak to ROS 2 (install libfastrtps-dev and libfastcdr-dev and build "
      "anew)"},
+    {"ros2.hears", "records {topic} ({type})"},
+    {"ros2.bad-tag",
+     "cannot begin '{found}': recordings are begun by services with --by-services, and a tag is of "
+     "letters, digits, _ and -"},
     {"ros2.bad-domain", "ROS_DOMAIN_ID is '{found}', a domain is 0 to 232"},
     {"ros2.no-participant", "DDS cannot take part in domain {domain}"},
     {"ros2.endpoint-refused", "DDS refuses an endpoint for {name}"},

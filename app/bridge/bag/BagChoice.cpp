@@ -24,6 +24,15 @@ const Names kMapTypes = {nav_msgs::OccupancyGrid::kType};
 const Names kNotChosen = {"/goal_pose", "/initialpose", "/goal", "/global_costmap/costmap",
                           "/local_costmap/costmap"};
 
+bool isAmong(const std::string& word, const Names& words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// `name`: as the user wrote it, with or without its first slash.
+bool isNamed(const std::string& topic, const std::string& name) {
+  return !name.empty() && (topic == name || topic == "/" + name);
+}
+
 class Chooser {
  public:
   Chooser(const std::vector<BagChannel>& channels, const std::string& path,
@@ -49,9 +58,7 @@ class Chooser {
   std::optional<std::size_t> firstOf(const Names& types) const {
     for (const std::string& type : types) {
       for (std::size_t k = 0; k < channels_.size(); ++k) {
-        const Names& no = kNotChosen;
-        const bool isUsual = std::find(no.begin(), no.end(), channels_[k].topic) == no.end();
-        if (channels_[k].type == type && isUsual) {
+        if (channels_[k].type == type && !isAmong(channels_[k].topic, kNotChosen)) {
           return k;
         }
       }
@@ -64,10 +71,10 @@ class Chooser {
     for (std::size_t k = 0; k < channels_.size(); ++k) {
       const BagChannel& channel = channels_[k];
       topics.push_back(channel.topic);
-      if (channel.topic != name && channel.topic != "/" + name) {
+      if (!isNamed(channel.topic, name)) {
         continue;
       }
-      if (std::find(types.begin(), types.end(), channel.type) == types.end()) {
+      if (!isAmong(channel.type, types)) {
         problems_.push_back(base::error(
             "bag.wrong-type", {channel.topic, channel.type, base::join(types, " or ")}, path_));
       }
@@ -117,6 +124,15 @@ BagChoice ownTopics(const std::vector<BagChannel>& channels) {
     }
   }
   return choice;
+}
+
+bool isOfUse(const BagChannel& channel, const BagUse& use) {
+  const bool tells = isAmong(channel.type, kPeopleTypes) || isAmong(channel.type, kRobotTypes) ||
+                     isAmong(channel.type, kMapTypes);
+  const std::string& topic = channel.topic;
+  const bool isAsked =
+      isNamed(topic, use.people) || isNamed(topic, use.robot) || isNamed(topic, use.map);
+  return tells && (isAsked || !isAmong(topic, kNotChosen));
 }
 
 BagChoice chooseTopics(const std::vector<BagChannel>& channels, const BagUse& use,

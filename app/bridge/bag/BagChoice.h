@@ -20,6 +20,10 @@ struct BagChoice {
 /// Those of a bag of ours; none of people: it is not as we write it.
 BagChoice ownTopics(const std::vector<BagChannel>& channels);
 
+/// A topic that could be chosen: named, or of a type that tells something and not known for telling
+/// something else (/goal_pose, costmaps).
+bool isOfUse(const BagChannel& channel, const BagUse& use);
+
 /// By the words of the user, else by types and usual names. Problems: a topic that is not there, of
 /// a type that does not tell that, nobody at all.
 BagChoice chooseTopics(const std::vector<BagChannel>& channels, const BagUse& use,

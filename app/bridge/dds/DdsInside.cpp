@@ -124,7 +124,8 @@ std::shared_ptr<DdsEntities> DdsEntities::create(const DomainSettings& settings)
   std::shared_ptr<DdsEntities> made(new DdsEntities);
   made->settings = settings;
   made->participant_ = efd::DomainParticipantFactory::get_instance()->create_participant(
-      static_cast<efd::DomainId_t>(settings.domain), participantQos(settings));
+      static_cast<efd::DomainId_t>(settings.domain), participantQos(settings), &made->others,
+      efd::StatusMask::none());
   if (made->participant_ == nullptr) {
     return nullptr;
   }

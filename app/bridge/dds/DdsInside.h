@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "app/bridge/dds/Graph.h"
+#include "app/bridge/dds/OthersTopics.h"
 #include "app/bridge/dds/Participant.h"
 
 /// What the endpoints of a participant share; private to this folder.
@@ -92,6 +93,7 @@ class DdsEntities {
   std::string typeOf(const std::string& topic) const;
 
   DomainSettings settings;
+  OthersTopics others;
   Bell bell;
   std::vector<Source*> sources;
   std::vector<NodeEndpoints> nodes;

@@ -81,6 +81,7 @@ class DdsParticipant : public Participant {
                                                Answer answer) override;
   base::Result<std::unique_ptr<Client>> client(int node, const std::string& service,
                                                const std::string& type) override;
+  std::vector<OthersTopic> topicsOfOthers() override { return dds_->others.topics(); }
   void announce() override;
   bool spin(Milliseconds atMost) override;
 

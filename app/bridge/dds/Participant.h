@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/bridge/dds/Domain.h"
 #include "sim2d/base/Result.h"
@@ -48,6 +49,12 @@ class Client {
   virtual std::optional<std::pair<std::int64_t, Bytes>> receive() = 0;
 };
 
+/// A topic that others publish, with what their first publisher offers.
+struct OthersTopic {
+  std::string name, type;  // "/odom", "nav_msgs/msg/Odometry"
+  bool reliable = false, transientLocal = false;
+};
+
 struct ServiceRequest {
   Bytes bytes;
   Rmw writtenFor = Rmw::FastRtps;  // as far as it can be told
@@ -81,6 +88,9 @@ class Participant {
                                                        Answer answer) = 0;
   virtual base::Result<std::unique_ptr<Client>> client(int node, const std::string& service,
                                                        const std::string& type) = 0;
+
+  /// Those that have been met so far, in that order, 10 000 at most.
+  virtual std::vector<OthersTopic> topicsOfOthers() = 0;
 
   /// Tells the graph of ROS 2 the nodes and their endpoints: after the last one was made.
   virtual void announce() = 0;

@@ -20,6 +20,10 @@ std::string ddsTopic(const std::string& topic) {
   return "rt" + topic;
 }
 
+std::string rosTopic(const std::string& ddsTopic) {
+  return ddsTopic.rfind("rt/", 0) == 0 ? ddsTopic.substr(2) : std::string();
+}
+
 std::string ddsRequestTopic(const std::string& service) {
   return "rq" + service + "Request";
 }

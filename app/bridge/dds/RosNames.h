@@ -13,6 +13,8 @@ std::string resolvedName(const std::string& name, const std::string& space,
 
 /// "/a/b" -> "rt/a/b".
 std::string ddsTopic(const std::string& topic);
+/// "/a/b" of "rt/a/b"; empty: it is no topic of ROS 2.
+std::string rosTopic(const std::string& ddsTopic);
 std::string ddsRequestTopic(const std::string& service);  // "rq/sRequest"
 std::string ddsReplyTopic(const std::string& service);    // "rr/sReply"
 /// Of "pkg/srv/Name": "pkg::srv::dds_::Name_Request_", "pkg::srv::dds_::Name_Response_".

@@ -62,6 +62,13 @@ class Node {
     subscriptions_.push_back(taken(participant_.subscription(node_, topic, M::kType, qos, read)));
   }
 
+  /// Messages of a type that this node does not look into. False: DDS refuses (told).
+  bool subscribeBytes(const OthersTopic& topic, const Qos& qos, Participant::Handler handler) {
+    subscriptions_.push_back(
+        taken(participant_.subscription(node_, topic.name, topic.type, qos, std::move(handler))));
+    return subscriptions_.back() != nullptr;
+  }
+
   /// A request that cannot be read is answered by an empty response: some clients wait for ever.
   template <class S>
   void serve(const std::string& service, const Qos& qos,

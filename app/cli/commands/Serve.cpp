@@ -97,10 +97,7 @@ void addServe(CommandRegistry& commands) {
   addRos2Options(command, options.ros2, "Offer the services of HuNavSim's nodes in ROS 2");
   command.get_option("--ros2")->required();
   command.add_option("--namespace", options.space, "Namespace of the nodes, such as /lab")
-      ->check([](const std::string& text) {
-        return bridge::isNamespace(text) ? std::string()
-                                         : "'" + text + "' is no namespace (such as /lab)";
-      });
+      ->check(namespaceName());
   command
       .add_option("--also", options.also,
                   "loader: the scenario as hunav_loader tells it; generator: get_agents as the "

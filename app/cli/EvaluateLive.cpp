@@ -1,0 +1,198 @@
+#include "app/cli/EvaluateLive.h"
+
+#ifdef HUNAV_ROS2
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "app/bridge/nodes/Recorder.h"
+#include "app/cli/Console.h"
+#include "app/cli/EvaluateResults.h"
+#include "app/cli/EvaluateSource.h"
+#include "app/run/Reason.h"
+#include "sim2d/base/Text.h"
+
+namespace app {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kLookEvery(100);  // for Ctrl-C
+constexpr std::size_t kLongestTag = 100;
+
+/// Letters, digits, _ - and dots inside: what comes by the wire names no other place.
+bool isFolderName(const std::string& tag) {
+  const auto isFine = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.';
+  };
+  return !tag.empty() && tag.size() <= kLongestTag && tag.front() != '.' &&
+         std::all_of(tag.begin(), tag.end(), isFine);
+}
+
+class LiveEvaluation {
+ public:
+  LiveEvaluation(const EvaluateOptions& options, const Invocation& given)
+      : options_(options), given_(given) {}
+
+  int run();
+
+ private:
+  std::unique_ptr<bridge::Recorder> listen();
+  /// Errors: the folder cannot be used.
+  base::Diagnostics begin(const EvaluateOptions& recording);
+  bool beginAsAsked(const bridge::RecordingAsked& asked);
+  void end();
+  void measure();
+  void keepRecording();
+  bool isTimeOver() const;
+  void say(const std::string& line) const {
+    if (!given_.quiet && !given_.json) {
+      printError(line);
+    }
+  }
+
+  const EvaluateOptions& options_;
+  const Invocation& given_;
+  std::unique_ptr<bridge::Recorder> recorder_;
+  // of the recording
+  EvaluateOptions recording_;
+  std::unique_ptr<OutputFolder> output_;
+  Clock::time_point begun_;
+  int code_ = ExitFine;
+  bool isOver_ = false;
+};
+
+std::unique_ptr<bridge::Recorder> LiveEvaluation::listen() {
+  const base::Result<bridge::DomainSettings> domain = domainSettingsOf(options_.ros2);
+  requireFine(domain.diagnostics());
+  EvaluateWords words;
+  requireFine(readWords(options_, words), ExitWrongCommandLine);
+  bridge::Recorder::Services services;
+  services.start = [this](const bridge::RecordingAsked& asked) { return beginAsAsked(asked); };
+  services.stop = [this] { end(); };
+  auto made = bridge::Recorder::create(
+      {*domain, options_.space, words.use}, services, [this](const base::Diagnostic& said) {
+        printDiagnostics({said}, given_.quiet ? base::Severity::Warning : base::Severity::Info);
+      });
+  requireFine(made.diagnostics());
+  say("listening in domain " + std::to_string(domain->domain) +
+      (domain->localhostOnly ? " on this machine" : " on the network") +
+      (options_.byServices ? "; hunav_start_recording begins, Ctrl-C ends it"
+                           : "; Ctrl-C ends the recording and measures it"));
+  return *std::move(made);
+}
+
+base::Diagnostics LiveEvaluation::begin(const EvaluateOptions& recording) {
+  base::Diagnostics problems;
+  recording_ = recording;
+  output_ = openEvaluation(recording_, {}, problems);
+  if (output_ != nullptr) {
+    recording_.source = (fs::path(output_->staging()) / kRecording).string();
+    recorder_->begin(recording_.source);
+    begun_ = Clock::now();
+  }
+  return problems;
+}
+
+bool LiveEvaluation::beginAsAsked(const bridge::RecordingAsked& asked) {
+  EvaluateOptions recording = options_;
+  recording.tag = asked.tag;
+  recording.runId = asked.runId;
+  if (asked.goal) {
+    recording.robotGoal =
+        base::formatDouble(asked.goal->x()) + " " + base::formatDouble(asked.goal->y());
+  }
+  if (!options_.byServices || !isFolderName(asked.tag)) {
+    printDiagnostics({base::error("ros2.bad-tag", {asked.tag})});
+    return false;
+  }
+  const std::string name = asked.tag + "_" + std::to_string(asked.runId);
+  recording.output = (fs::path(options_.output) / name).string();
+  recording.layoutFolder = options_.output;
+  const base::Diagnostics problems = begin(recording);
+  printDiagnostics(problems);
+  say("recording " + name);
+  return !base::hasErrors(problems);
+}
+
+/// Within the service that stops it, or by Ctrl-C: what is wrong ends this recording, no more.
+void LiveEvaluation::end() {
+  say(std::to_string(recorder_->messages()) + " messages recorded");
+  base::Diagnostics problems = recorder_->end();
+  isOver_ = !options_.byServices;
+  try {
+    requireFine(output_->atTheirPlaces(problems), ExitRunFailed);
+    evaluateRecording(recording_, *output_, given_);
+    say("results in " + recording_.output);
+  } catch (const CommandEnd& ended) {
+    code_ = ended.code;
+    keepRecording();
+  } catch (const std::exception& problem) {
+    code_ = ExitRunFailed;
+    printError("error: " + reasonOf(problem));
+    keepRecording();
+  }
+  output_.reset();
+}
+
+void LiveEvaluation::keepRecording() {
+  base::Diagnostics problems;
+  const std::string manifest = manifestOf(recording_, given_, problems);
+  base::append(problems, output_->commit(manifest, OutputFolder::Earlier::Removed));
+  if (printDiagnostics(problems)) {
+    say("the recording is kept: " + (fs::path(recording_.output) / kRecording).string());
+  }
+}
+
+bool LiveEvaluation::isTimeOver() const {
+  return recorder_->isRecording() && options_.duration &&
+         std::chrono::duration<double>(Clock::now() - begun_).count() >= *options_.duration;
+}
+
+int LiveEvaluation::run() {
+  recorder_ = listen();
+  catchInterrupts();
+  if (!options_.byServices) {
+    requireFine(begin(options_));
+  }
+  Progress progress(given_.quiet);
+  while (!isOver_ && !wasInterrupted()) {
+    recorder_->spin(kLookEvery);
+    if (recorder_->isRecording() && progress.isDue()) {
+      progress.show(std::to_string(recorder_->messages()) + " messages");
+    }
+    if (isTimeOver() || recorder_->hasFailed()) {
+      end();
+    }
+  }
+  if (recorder_->isRecording()) {
+    end();
+  }
+  return code_;
+}
+
+}  // namespace
+
+int evaluateLive(const EvaluateOptions& options, const Invocation& given) {
+  return LiveEvaluation(options, given).run();
+}
+
+}  // namespace app
+
+#else
+
+namespace app {
+
+int evaluateLive(const EvaluateOptions& options, const Invocation& /*given*/) {
+  requireFine(domainSettingsOf(options.ros2).diagnostics());
+  return ExitBadInput;  // told before
+}
+
+}  // namespace app
+
+#endif

@@ -1,0 +1,177 @@
+#include "app/cli/EvaluateResults.h"
+
+#include <filesystem>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "app/bridge/bag/Bag.h"
+#include "app/run/DataPaths.h"
+#include "app/run/ListedFiles.h"
+#include "metrics/ReportFiles.h"
+#include "sim2d/base/JsonText.h"
+
+namespace app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kWay[] = {"trajectory.csv", "events.csv", "trace.json"};
+
+/// All that may be written.
+std::vector<std::string> namesOfResults(const EvaluateOptions& options,
+                                        const sim2d::TraceHeader& header) {
+  std::vector<std::string> names = {"metrics.json", "steps.csv"};
+  if (options.layout != "hunav2") {  // else rows are added to the table of this name
+    names.emplace_back("metrics.csv");
+  }
+  const std::vector<std::string> robots = metrics::robotNames(header.robots);
+  for (std::size_t k = 1; k < robots.size(); ++k) {
+    names.push_back(metrics::robotFile("metrics", robots[k]));
+    names.push_back(metrics::robotFile("steps", robots[k]));
+  }
+  if (options.ros2.ros2) {
+    names.emplace_back(kRecording);
+  }
+  if (!isRunFolder(options.source)) {
+    names.insert(names.end(), std::begin(kWay), std::end(kWay));
+  }
+  return names;
+}
+
+/// Into the folder of the run itself, whose other files stay.
+bool isIntoSource(const EvaluateOptions& options) {
+  std::error_code ignored;
+  return isRunFolder(options.source) && fs::equivalent(options.source, options.output, ignored);
+}
+
+/// The files that were read, but for that of the map's image.
+std::vector<std::string> inputsOf(const EvaluateOptions& options) {
+  std::vector<std::string> inputs;
+  const std::string source = options.ros2.ros2 ? std::string() : options.source;  // else an output
+  for (const std::string& read :
+       {source, options.reference, options.map, options.metrics.metrics}) {
+    if (isRunFolder(read)) {
+      for (const char* name : kWay) {
+        inputs.push_back((fs::path(read) / name).string());
+      }
+    } else if (bridge::isBag(read)) {
+      const std::vector<std::string> files = bridge::filesOfBag(read);
+      inputs.insert(inputs.end(), files.begin(), files.end());
+    } else if (std::error_code ignored; read == "-" || fs::is_regular_file(read, ignored)) {
+      inputs.push_back(read);
+    }
+  }
+  return inputs;
+}
+
+/// Results of a run or a batch that `evaluate` would take away.
+base::Diagnostics otherRun(const EvaluateOptions& options) {
+  const std::string manifest = (fs::path(options.output) / "manifest.json").string();
+  std::error_code ignored;  // what is not there is not lost
+  if (!fs::exists(manifest, ignored) || isIntoSource(options) || options.force) {
+    return {};
+  }
+  const base::Result<std::string> text = base::readTextFile(manifest);
+  const auto json = nlohmann::json::parse(text ? *text : "", nullptr, false);
+  return json.is_object() && json.value("kind", nlohmann::json()) == "evaluation"
+             ? base::Diagnostics()
+             : base::Diagnostics{base::error("file.other-run", {}, options.output)};
+}
+
+/// Files that are read and would be replaced by results of the same name.
+base::Diagnostics lostInputs(const EvaluateOptions& options,
+                             const std::vector<std::string>& written) {
+  base::Diagnostics problems;
+  for (const std::string& read :
+       {options.source, options.reference, options.map, options.metrics.metrics}) {
+    for (const std::string& name : written) {
+      std::error_code ignored;  // what is not there is not lost
+      const fs::path place = fs::path(options.output) / name;
+      if (fs::is_regular_file(read, ignored) && fs::equivalent(read, place, ignored)) {
+        problems.push_back(base::error("file.is-read", {}, read));
+      }
+    }
+  }
+  return problems;
+}
+
+}  // namespace
+
+std::unique_ptr<OutputFolder> openEvaluation(const EvaluateOptions& options,
+                                             const sim2d::TraceHeader& header,
+                                             base::Diagnostics& problems) {
+  std::vector<std::string> names = namesOfResults(options, header);
+  if (options.layout == "hunav1") {
+    names.emplace_back("metrics.yaml");
+  }
+  base::Diagnostics lost = otherRun(options);
+  base::append(lost, lostInputs(options, names));
+  if (base::hasErrors(lost)) {
+    base::append(problems, lost);
+    return nullptr;
+  }
+  base::Result<std::unique_ptr<OutputFolder>> opened =
+      OutputFolder::open(options.output, options.force);
+  base::append(problems, opened.diagnostics());
+  if (!opened) {
+    return nullptr;
+  }
+  lost = (*opened)->inTheWay(namesOfResults(options, header));
+  base::append(problems, lost);
+  return lost.empty() ? *std::move(opened) : nullptr;
+}
+
+std::string manifestOf(const EvaluateOptions& options, const Invocation& given,
+                       base::Diagnostics& warnings) {
+  const nlohmann::ordered_json json = {
+      {"program", {{"version", programVersion()}, {"commit", programCommit()}}},
+      {"kind", "evaluation"},
+      {"command_line", given.words()},
+      {"source", options.ros2.ros2 ? kRecording : options.source},
+      {"inputs", inputHashes<nlohmann::ordered_json>(inputsOf(options), warnings)}};
+  return base::jsonText(json);
+}
+
+base::Diagnostics writeEvaluation(const EvaluateOptions& options, const sim2d::Trace& trace,
+                                  const metrics::Evaluation& evaluation, OutputFolder& output,
+                                  const Invocation& given) {
+  base::Diagnostics problems;
+  const auto write = [&](const std::string& name, const std::string& content) {
+    base::append(problems, output.write(name, content));
+  };
+  const bool isSecond = options.layout == "hunav2";
+  write("metrics.json", metrics::toJson(evaluation));
+  if (!isSecond) {
+    write("metrics.csv", metrics::metricsCsv(evaluation));
+  }
+  write("steps.csv", metrics::stepsCsv(evaluation));
+  for (const metrics::Evaluation& other : evaluation.others) {
+    write(metrics::robotFile("metrics", other.robot), metrics::metricsCsv(other));
+    write(metrics::robotFile("steps", other.robot), metrics::stepsCsv(other));
+  }
+  if (!isRunFolder(options.source)) {  // as a run, so that it can be drawn and measured again
+    write("trajectory.csv", sim2d::trajectoryCsv(trace));
+    write("events.csv", sim2d::eventsCsv(trace));
+    write("trace.json", sim2d::traceJson(trace.header));
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  output.drop(namesOfResults(options, trace.header));
+  const std::string manifest = manifestOf(options, given, problems);
+  base::append(problems,
+               output.commit(manifest, isIntoSource(options) ? OutputFolder::Earlier::Kept
+                                                             : OutputFolder::Earlier::Removed));
+  if (!options.layout.empty() && !base::hasErrors(problems)) {
+    const fs::path folder = options.layoutFolder.empty() ? options.output : options.layoutFolder;
+    const auto files =
+        metrics::writeEvaluatorFiles(evaluation, (folder / "metrics").string(),
+                                     isSecond ? metrics::Layout::Hunav2 : metrics::Layout::Hunav1);
+    base::append(problems, files.diagnostics());
+  }
+  return problems;
+}
+
+}  // namespace app
