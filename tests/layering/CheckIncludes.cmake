@@ -23,7 +23,7 @@ set(allowed_app_bridge_topics "${core};app/bridge/messages")
 set(allowed_app_bridge_bag "${core};app/bridge/messages;app/bridge/topics")
 set(allowed_app_bridge_dds "sim2d/base;app/bridge/messages")
 set(allowed_app_bridge_agents "${core};app/bridge/messages")
-set(allowed_app_bridge_nodes "${core};app/bridge/messages;app/bridge/dds;app/bridge/agents;app/bridge/topics")
+set(allowed_app_bridge_nodes "${core};app/bridge/messages;app/bridge/dds;app/bridge/agents;app/bridge/topics;app/bridge/bag")
 set(allowed_app_bridge_live "${core};app/bridge/messages;app/bridge/topics")
 list(APPEND core app/bridge/messages app/bridge/topics app/bridge/bag app/bridge/dds app/bridge/agents
      app/bridge/nodes app/bridge/live)  # all that knows no Qt

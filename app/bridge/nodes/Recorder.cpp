@@ -9,7 +9,6 @@
 
 #include "app/bridge/agents/LoaderAnswers.h"
 #include "app/bridge/bag/BagChoice.h"
-#include "app/bridge/bag/BagTopics.h"
 #include "app/bridge/bag/McapWriter.h"
 #include "app/bridge/messages/BasicMessages.h"
 #include "app/bridge/messages/HunavServices.h"
