@@ -13,8 +13,11 @@ namespace app {
 void addRunOnRos2Options(CLI::App& command, RunOnRos2Words& words) {
   addRos2Options(command, words.ros2,
                  "Tell the run on topics of ROS 2 in real time; /cmd_vel drives the first robot");
+  command.add_flag(
+      "--ros2-send-goals", words.sendsGoals,
+      "With --ros2: the goals of the first robot go to Nav2 (action navigate_to_pose)");
   command.add_flag("--lockstep", words.lockstep,
-                   "With --ros2: each step waits for the next /cmd_vel, 0.2 s at most");
+                   "With --ros2: each step waits for the /cmd_vel that follows on it, 2 s at most");
   command.add_flag("--stamped", words.stamped,
                    "With --ros2: /cmd_vel is TwistStamped, as from Kilted on");
 }
@@ -41,9 +44,10 @@ std::unique_ptr<RunOnRos2> RunOnRos2::open(const RunOnRos2Words& words,
   }
   const base::Result<bridge::DomainSettings> domain = domainSettingsOf(words.ros2);
   requireFine(domain.diagnostics());
-  base::Result<std::unique_ptr<bridge::RunNode>> node = bridge::RunNode::create(
-      world.header(), bridge::lidarsOf(scenario), {*domain, words.stamped, words.lockstep},
-      [](const base::Diagnostic& said) { printDiagnostics({said}); });
+  base::Result<std::unique_ptr<bridge::RunNode>> node =
+      bridge::RunNode::create(world.header(), bridge::lidarsOf(scenario),
+                              {*domain, words.stamped, words.lockstep, words.sendsGoals},
+                              [](const base::Diagnostic& said) { printDiagnostics({said}); });
   requireFine(node.diagnostics());
   world.tellSenses(true);
   session.setSpeed(1.0);

@@ -11,7 +11,7 @@ namespace app {
 /// Options of `run` that count with --ros2.
 struct RunOnRos2Words {
   Ros2Words ros2;
-  bool lockstep = false, stamped = false;
+  bool lockstep = false, stamped = false, sendsGoals = false;
 };
 void addRunOnRos2Options(CLI::App& command, RunOnRos2Words& words);
 

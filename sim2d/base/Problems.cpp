@@ -536,6 +536,11 @@ constexpr ProblemText kTexts[] = {
     {"ros2.bad-tag",
      "cannot begin '{found}': recordings are begun by services with --by-services, and a tag is of "
      "letters, digits, _ and -"},
+    {"ros2.goal-refused", "Nav2 does not take the goal"},
+    {"ros2.goal-failed", "Nav2 did not reach the goal: {reason}"},
+    {"ros2.lockstep-late",
+     "no /cmd_vel came within {wait} s of a step: the run went on without one and may come out "
+     "otherwise next time"},
     {"ros2.bad-domain", "ROS_DOMAIN_ID is '{found}', a domain is 0 to 232"},
     {"ros2.no-participant", "DDS cannot take part in domain {domain}"},
     {"ros2.endpoint-refused", "DDS refuses an endpoint for {name}"},

@@ -52,6 +52,7 @@ void RunBag::meet(const sim2d::Frame& frame) {
 }
 
 void RunBag::addEvent(std::int64_t step, const sim2d::Event& event) {
+  topics_.note(event);
   sim2d::appendEventRow(events_, step, dt_, event);
 }
 
@@ -89,16 +90,21 @@ base::Diagnostics writeRunBag(const std::string& path, const sim2d::Recording& r
                               const std::vector<sim2d::RecordedScan>& scans) {
   const sim2d::TraceHeader header = *recording.header();
   RunBag bag(path, header, {}, {});
-  for (std::size_t k = 0; k < recording.events().size(); ++k) {
-    bag.addEvent(recording.events()[k].first, recording.events()[k].second);
-  }
+  std::size_t event = 0;
   auto scan = scans.begin();
   for (std::size_t k = recording.first(); k < recording.size() && !bag.hasFailed(); ++k) {
     sim2d::Frame frame = *recording.frame(k);
     for (; scan != scans.end() && scan->step < frame.step; ++scan) {  // of the state before
       frame.scans.push_back(*scan);
     }
+    for (; event < recording.events().size() && recording.events()[event].first <= frame.step;
+         ++event) {
+      bag.addEvent(recording.events()[event].first, recording.events()[event].second);
+    }
     bag.append(frame);
+  }
+  for (; event < recording.events().size(); ++event) {
+    bag.addEvent(recording.events()[event].first, recording.events()[event].second);
   }
   return bag.finish(header);
 }

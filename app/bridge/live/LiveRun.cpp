@@ -110,6 +110,9 @@ void LiveRun::show(const sim2d::Frame& frame) {
   }
   newest_ = frame.step;
   meet(frame);
+  for (const sim2d::Event& event : frame.events) {
+    topics_.note(event);
+  }
   metrics_.add(frame, [this] { return world_.header(); });
   const Clock::time_point now = Clock::now();
   if (!shown_ || !isFasterThanScreens() || now - *shown_ >= kBetweenFrames) {

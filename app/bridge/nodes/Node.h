@@ -49,8 +49,10 @@ class Node {
     return TopicOf<M>(taken(participant_.publisher(node_, topic, M::kType, qos)));
   }
 
+  /// Null: DDS refuses (told).
   template <class M>
-  void subscribe(const std::string& topic, const Qos& qos, std::function<void(const M&)> handler) {
+  const Subscription* subscribe(const std::string& topic, const Qos& qos,
+                                std::function<void(const M&)> handler) {
     const auto read = [this, topic, handler = std::move(handler)](const Bytes& bytes) {
       const base::Result<M> message = decode<M>(bytes);
       if (message) {
@@ -60,6 +62,7 @@ class Node {
       }
     };
     subscriptions_.push_back(taken(participant_.subscription(node_, topic, M::kType, qos, read)));
+    return subscriptions_.back().get();
   }
 
   /// Messages of a type that this node does not look into. False: DDS refuses (told).

@@ -7,13 +7,17 @@
 #include <vector>
 
 #include "app/bridge/messages/GeometryMessages.h"
+#include "app/bridge/nodes/GoalSender.h"
+#include "app/bridge/topics/RunMessages.h"
 
 namespace bridge {
 namespace {
 
-constexpr Milliseconds kLockstepWait(200);
-constexpr int kReadAtMost = 100;  // messages between two steps
-constexpr int kFirstRobot = -1;   // its id in frames
+constexpr Milliseconds kLockstepWait(2000);
+constexpr Milliseconds kMeetWait(3000), kFirstCommandWait(20000), kTellAgain(200);
+constexpr std::int64_t kSameStamp = 1000;  // [ns], of times that are multiples of a step
+constexpr int kReadAtMost = 100;           // messages between two steps
+constexpr int kFirstRobot = -1;            // its id in frames
 
 class DdsRunNode final : public RunNode {
  public:
@@ -32,7 +36,14 @@ class DdsRunNode final : public RunNode {
   std::uint64_t commands() const override { return commands_; }
 
  private:
+  void subscribeCommands();
+  void readAll();
+  void publish(const sim2d::Frame& frame);
+  void followGoal(const sim2d::Frame& frame);
+  void waitForDriver(const sim2d::Frame& frame);
+  void waitForCommand();
   void takeCommand(const geometry_msgs::Twist& twist);
+  void takeStamped(const geometry_msgs::TwistStamped& command);
   void tellOnce(const base::Diagnostic& said) {
     if (told_.insert(causeOf(said)).second) {
       if (hasStarted_) {
@@ -54,6 +65,11 @@ class DdsRunNode final : public RunNode {
   std::vector<std::unique_ptr<Publisher>> publishers_;  // by topic
   std::optional<geometry_msgs::Twist> command_;         // not given to a step yet
   std::uint64_t commands_ = 0;
+  const Subscription* driver_ = nullptr;
+  std::unique_ptr<GoalSender> goals_;
+  std::int64_t toldTime_ = 0;  // [ns] of the state that was told last
+  bool isDriven_ = false;      // commands come
+  bool hasWaited_ = false;     // for the first one
 };
 
 base::Diagnostics DdsRunNode::start(bool hasRobot) {
@@ -63,17 +79,40 @@ base::Diagnostics DdsRunNode::start(bool hasRobot) {
     base::append(startProblems_, made.diagnostics());
     publishers_.push_back(made ? *std::move(made) : nullptr);
   }
-  if (hasRobot && settings_.stampedCommands) {
-    node_.subscribe<geometry_msgs::TwistStamped>(
-        "/cmd_vel", Qos(),
-        [this](const geometry_msgs::TwistStamped& command) { takeCommand(command.twist); });
-  } else if (hasRobot) {
-    node_.subscribe<geometry_msgs::Twist>(
-        "/cmd_vel", Qos(), [this](const geometry_msgs::Twist& command) { takeCommand(command); });
+  if (hasRobot) {
+    subscribeCommands();
+  }
+  if (hasRobot && settings_.sendsGoals) {
+    auto made = GoalSender::create(*participant_, node_.number(), settings_.domain.distro,
+                                   [this](const base::Diagnostic& said) { tellOnce(said); });
+    base::append(startProblems_, made.diagnostics());
+    goals_ = made ? *std::move(made) : nullptr;
   }
   participant_->announce();
   hasStarted_ = true;
   return startProblems_;
+}
+
+void DdsRunNode::subscribeCommands() {
+  driver_ = settings_.stampedCommands
+                ? node_.subscribe<geometry_msgs::TwistStamped>(
+                      "/cmd_vel", Qos(),
+                      [this](const geometry_msgs::TwistStamped& command) { takeStamped(command); })
+                : node_.subscribe<geometry_msgs::Twist>(
+                      "/cmd_vel", Qos(),
+                      [this](const geometry_msgs::Twist& command) { takeCommand(command); });
+}
+
+/// In lockstep a command for a state that is over comes too late.
+void DdsRunNode::takeStamped(const geometry_msgs::TwistStamped& command) {
+  const builtin_interfaces::Time& stamp = command.header.stamp;
+  constexpr std::int64_t kSecond = 1000000000;
+  const bool isStamped = stamp.sec != 0 || stamp.nanosec != 0;
+  if (settings_.lockstep && isStamped &&
+      stamp.sec * kSecond + stamp.nanosec + kSameStamp < toldTime_) {
+    return;
+  }
+  takeCommand(command.twist);
 }
 
 void DdsRunNode::takeCommand(const geometry_msgs::Twist& twist) {
@@ -88,7 +127,12 @@ void DdsRunNode::takeCommand(const geometry_msgs::Twist& twist) {
   ++commands_;
 }
 
-void DdsRunNode::tell(const sim2d::Frame& frame) {
+void DdsRunNode::readAll() {
+  for (int i = 0; i < kReadAtMost && participant_->spin(Milliseconds(0)); ++i) {
+  }
+}
+
+void DdsRunNode::publish(const sim2d::Frame& frame) {
   topics_.tell(frame, [this](std::size_t topic, const std::string& bytes) {
     if (publishers_[topic] != nullptr) {
       publishers_[topic]->publish(bytes);
@@ -96,11 +140,68 @@ void DdsRunNode::tell(const sim2d::Frame& frame) {
   });
 }
 
-sim2d::StepInputs DdsRunNode::inputs(const sim2d::Frame& /*frame*/) {
-  for (int i = 0; i < kReadAtMost && participant_->spin(Milliseconds(0)); ++i) {
+void DdsRunNode::followGoal(const sim2d::Frame& frame) {
+  if (goals_ != nullptr) {
+    const sim2d::TraceGoal* const goal = topics_.goalOf(0);
+    goals_->follow(goal == nullptr ? std::nullopt
+                                   : std::optional(bridge::goalOf(goal->position, frame.time)));
   }
-  if (settings_.lockstep && commands_ > 0) {
-    participant_->spinUntil([this] { return command_.has_value(); }, kLockstepWait);
+}
+
+void DdsRunNode::tell(const sim2d::Frame& frame) {
+  for (const sim2d::Event& event : frame.events) {
+    topics_.note(event);
+  }
+  if (settings_.lockstep) {
+    readAll();
+    command_.reset();  // it followed on the state before
+  }
+  toldTime_ = nanosecondsOf(frame.time);
+  publish(frame);
+  followGoal(frame);
+}
+
+void DdsRunNode::waitForDriver(const sim2d::Frame& frame) {
+  if (!settings_.lockstep || driver_ == nullptr || std::exchange(hasWaited_, true)) {
+    return;
+  }
+  const auto isMet = [this] {
+    return driver_->matched() > 0 && (goals_ == nullptr || goals_->isReady());
+  };
+  if (!participant_->spinUntil(isMet, kMeetWait)) {
+    return;
+  }
+  const auto until = std::chrono::steady_clock::now() + kFirstCommandWait;
+  const auto isDriven = [this] {
+    return commands_ > 0 && (goals_ == nullptr || goals_->isAccepted());
+  };
+  while (!isDriven() && std::chrono::steady_clock::now() < until) {
+    publish(frame);
+    followGoal(frame);
+    participant_->spinUntil([&] { return isDriven(); }, kTellAgain);
+  }
+  // Some of what was told is still being answered: the answer to the last time counts.
+  participant_->spinUntil([] { return false; }, kTellAgain);
+  publish(frame);
+  participant_->spinUntil([] { return false; }, kTellAgain);
+}
+
+/// Commands may stop, where a goal is reached: the run goes on.
+void DdsRunNode::waitForCommand() {
+  if (!participant_->spinUntil([this] { return command_.has_value(); }, kLockstepWait)) {
+    isDriven_ = false;
+    tellOnce(base::problem(base::Severity::Warning, "ros2.lockstep-late",
+                           {std::to_string(kLockstepWait.count() / 1000)}));
+  }
+}
+
+sim2d::StepInputs DdsRunNode::inputs(const sim2d::Frame& frame) {
+  waitForDriver(frame);
+  readAll();
+  followGoal(frame);
+  isDriven_ = isDriven_ || command_.has_value();
+  if (settings_.lockstep && isDriven_) {
+    waitForCommand();
   }
   if (!command_) {
     return {};

@@ -13,6 +13,7 @@ struct RunNodeSettings {
   DomainSettings domain;
   bool stampedCommands = false;  // /cmd_vel is TwistStamped: the default from Kilted on
   bool lockstep = false;         // a step waits for the command that follows on its state
+  bool sendsGoals = false;       // of the first robot, to Nav2's action
 };
 
 /// A run as the node `hunavsim`: it publishes what `RunTopics` tells and takes /cmd_vel for its
@@ -28,7 +29,10 @@ class RunNode {
   /// Each state, before the next step.
   virtual void tell(const sim2d::Frame& frame) = 0;
   /// Then: the newest command since the last call, as an input of the step; none: no input. With
-  /// lockstep it waits 200 ms at most, once commands have begun to come.
+  /// lockstep it waits for one that was sent after the state was told (TwistStamped: that has its
+  /// stamp), 2 s at most, while commands come at all; what is late is told once. Before the first
+  /// step it waits until somebody who drives has been met (3 s at most), then for the first command
+  /// (20 s), and tells the state again and again.
   virtual sim2d::StepInputs inputs(const sim2d::Frame& frame) = 0;
   virtual std::uint64_t commands() const = 0;  // so far
 };

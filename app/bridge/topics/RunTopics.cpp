@@ -44,8 +44,12 @@ base::Pose2 frameOf(const base::Pose2& inWorld, const base::Pose2& inFrame) {
   return frame;
 }
 
-/// The goal of that id; none: there is none now.
-const sim2d::TraceGoal* goalIn(const std::vector<sim2d::TraceGoal>& goals, int id) {
+/// The goal of that id, or the one that comes next where it is a plain point, which has no id.
+const sim2d::TraceGoal* goalIn(const std::vector<sim2d::TraceGoal>& goals, int id,
+                               std::size_t passed) {
+  if (id == sim2d::kNoGoal) {
+    return passed < goals.size() && goals[passed].id <= 0 ? &goals[passed] : nullptr;
+  }
   const auto found = std::find_if(goals.begin(), goals.end(),
                                   [id](const sim2d::TraceGoal& goal) { return goal.id == id; });
   return found == goals.end() ? nullptr : &*found;
@@ -126,7 +130,25 @@ std::optional<base::Pose2> RunTopics::mountOf(std::size_t robot) const {
   return robot < options_.lidarMounts.size() ? options_.lidarMounts[robot] : std::nullopt;
 }
 
+void RunTopics::setHeader(sim2d::TraceHeader header) {
+  header_ = std::move(header);
+  for (Robot& robot : robots_) {
+    robot.goal = nullptr;  // of the next frame
+  }
+}
+
+void RunTopics::note(const sim2d::Event& event) {
+  const auto robot = static_cast<std::size_t>(-1 - event.id);  // -1, -2 …
+  if (event.kind == sim2d::EventKind::Goal && event.id < 0 && robot < robots_.size()) {
+    ++robots_[robot].passed;
+  }
+}
+
 void RunTopics::tell(const sim2d::Frame& frame, const Send& send, const Wants& wants) {
+  const std::size_t robots = std::min(robots_.size(), frame.robots.size());
+  for (std::size_t k = 0; k < robots; ++k) {
+    robots_[k].goal = goalIn(header_.robots[k].goals, frame.robots.goal[k], robots_[k].passed);
+  }
   const Telling telling{frame, send, wants};
   if (options_.clock) {
     telling.tell(Clock, [&] { return rosgraph_msgs::Clock{stampOf(frame.time)}; });
@@ -253,11 +275,9 @@ void RunTopics::tellWay(const Telling& telling, std::size_t robot) {
   if (!path.empty() || !latched_[plan].empty()) {
     latch(telling, plan, [&](double seconds) { return pathOf(path, seconds); });
   }
-  const sim2d::TraceGoal* const goal =
-      goalIn(header_.robots[robot].goals, frame.robots.goal[robot]);
-  if (goal != nullptr) {
+  if (const sim2d::TraceGoal* const goal = robots_[robot].goal; goal != nullptr) {
     latch(telling, topicOf(robot, GoalPose),
-          [&](double seconds) { return goalOf(goal->position, seconds); });
+          [&](double seconds) { return bridge::goalOf(goal->position, seconds); });
   }
 }
 

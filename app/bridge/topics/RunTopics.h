@@ -56,11 +56,15 @@ class RunTopics {
   /// All that there may be, from the beginning; they stay as they are.
   const std::vector<Topic>& topics() const { return topics_; }
   /// Somebody came from a source: the newest header (World::header, Recording::header).
-  void setHeader(sim2d::TraceHeader header) { header_ = std::move(header); }
+  void setHeader(sim2d::TraceHeader header);
 
   /// Sends what the frame tells, in a fixed order of topics. What `wants` denies is not made;
   /// empty: all is wanted. The first frame brings what is latched too.
   void tell(const sim2d::Frame& frame, const Send& send, const Wants& wants = {});
+  /// Each event of the run, before the frame that it led to: robots pass goals.
+  void note(const sim2d::Event& event);
+  /// Where the robot drives to in the frame that was told last; null: nowhere.
+  const sim2d::TraceGoal* goalOf(std::size_t robot) const { return robots_[robot].goal; }
   /// What this latched topic says now; empty: nothing so far.
   const std::string& latched(std::size_t topic) const { return latched_[topic]; }
 
@@ -68,9 +72,11 @@ class RunTopics {
   enum Common { Clock, Tf, TfStatic, Map, Obstacles, Markers, HumanStates, People, CommonCount };
   enum OfRobot { RobotStates, Odometry, Scan, Plan, GoalPose, OfRobotCount };
   struct Robot {
-    std::string prefix;             // of topics: "" or "/robot2"
-    std::string frames;             // of frames: "" or "robot2/"
-    std::optional<double> scanned;  // [s], time of the last scan that was told
+    std::string prefix;                      // of topics: "" or "/robot2"
+    std::string frames;                      // of frames: "" or "robot2/"
+    std::optional<double> scanned;           // [s], time of the last scan that was told
+    std::size_t passed = 0;                  // goals so far
+    const sim2d::TraceGoal* goal = nullptr;  // of the header
   };
   struct Telling;
 
