@@ -42,18 +42,22 @@ CLI::Validator namespaceName() {
 }
 
 void addRos2Options(CLI::App& command, Ros2Words& words, const std::string& help) {
-  command.add_flag("--ros2", words.ros2, help);
+  CLI::Option* const ros2 = command.add_flag("--ros2", words.ros2, help);
   command.add_option("--domain", words.domain, "ROS_DOMAIN_ID; else the variable, or 0")
-      ->check(CLI::Range(0, bridge::kLastDomain));
+      ->check(CLI::Range(0, bridge::kLastDomain))
+      ->needs(ros2);
   command
       .add_option("--rmw", words.rmw,
                   "Middleware of the other nodes: fastrtps or cyclonedds; else RMW_IMPLEMENTATION")
-      ->check(oneOf({"fastrtps", "cyclonedds"}));
+      ->check(oneOf({"fastrtps", "cyclonedds"}))
+      ->needs(ros2);
   command
       .add_option("--ros-distro", words.distro,
                   "humble, or jazzy for Iron and all later; else ROS_DISTRO")
-      ->check(oneOf({"humble", "jazzy"}));
-  command.add_flag("--network", words.network, "Also other machines; else this one alone");
+      ->check(oneOf({"humble", "jazzy"}))
+      ->needs(ros2);
+  command.add_flag("--network", words.network, "Also other machines; else this one alone")
+      ->needs(ros2);
 }
 
 base::Result<bridge::DomainSettings> domainSettingsOf(const Ros2Words& words) {

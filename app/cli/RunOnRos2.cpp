@@ -13,13 +13,15 @@ namespace app {
 void addRunOnRos2Options(CLI::App& command, RunOnRos2Words& words) {
   addRos2Options(command, words.ros2,
                  "Tell the run on topics of ROS 2 in real time; /cmd_vel drives the first robot");
-  command.add_flag(
-      "--ros2-send-goals", words.sendsGoals,
-      "With --ros2: the goals of the first robot go to Nav2 (action navigate_to_pose)");
-  command.add_flag("--lockstep", words.lockstep,
-                   "With --ros2: each step waits for the /cmd_vel that follows on it, 2 s at most");
-  command.add_flag("--stamped", words.stamped,
-                   "With --ros2: /cmd_vel is TwistStamped, as from Kilted on");
+  CLI::Option* const ros2 = command.get_option("--ros2");
+  const auto flag = [&](const char* name, bool& given, const char* help) {
+    command.add_flag(name, given, help)->needs(ros2);
+  };
+  flag("--ros2-send-goals", words.sendsGoals,
+       "With --ros2: the goals of the first robot go to Nav2 (action navigate_to_pose)");
+  flag("--lockstep", words.lockstep,
+       "With --ros2: each step waits for the /cmd_vel that follows on it, 2 s at most");
+  flag("--stamped", words.stamped, "With --ros2: /cmd_vel is TwistStamped, as from Kilted on");
 }
 
 #ifdef HUNAV_ROS2

@@ -43,6 +43,16 @@ int bestColumns(std::size_t count, double width, double heightOverWidth, double 
   return static_cast<int>(best);
 }
 
+/// Within the run: what is written above a map is the time of the state that it shows.
+std::vector<double> withinRun(std::vector<double> times, const sim2d::Trace& trace) {
+  if (!trace.frames.empty()) {
+    for (double& time : times) {
+      time = std::clamp(time, trace.frames.front().time, trace.frames.back().time);
+    }
+  }
+  return times;
+}
+
 }  // namespace
 
 std::vector<double> evenTimes(const sim2d::Trace& trace, int count) {
@@ -58,7 +68,7 @@ std::vector<double> evenTimes(const sim2d::Trace& trace, int count) {
 RunStrip::RunStrip(const sim2d::Trace& trace, const PictureLayout& layout,
                    std::vector<double> times)
     : seed_(trace.header.seed),
-      times_(std::move(times)),
+      times_(withinRun(std::move(times), trace)),
       measures_(smallMeasures()),
       text_(layout.textAsOutlines),
       map_(trace, measures_, text_, withoutNames(layout.options)),

@@ -36,20 +36,34 @@ Estimate estimateOf(const Study& study, const Metric& metric, Numbers values) {
   return estimate;
 }
 
-void testPair(const Study& study, const Metric& metric, PairResult& pair) {
-  const Numbers& differences = pair.differences;
-  const double mean = statistics::mean(differences);
-  const double deviation = statistics::standardDeviation(differences);
-  if (metric.isRate) {
-    statistics::BootstrapOptions options;
-    options.level = study.level;
-    options.resamples = study.resamples;
-    pair.shift = mean;
-    pair.shiftInterval = statistics::bootstrapMeanInterval(differences, options);
-    pair.p = statistics::mcNemarP(pair.higher, pair.lower);
-    pair.enoughPairs = statistics::pairsForMean(mean, deviation);
-    return;
+/// Equal differences stay equal: without the last digits, which are those of the rounding.
+double differenceOf(double first, double second) {
+  constexpr int kDigits = 12;  // of the larger value
+  const double difference = first - second;
+  const double larger = std::max(std::abs(first), std::abs(second));
+  if (difference == 0.0 || !std::isfinite(difference) || larger < 1e-200) {
+    return difference;
   }
+  const double scale = std::pow(10.0, kDigits - std::ceil(std::log10(larger)));
+  return std::isfinite(difference * scale) ? std::round(difference * scale) / scale : difference;
+}
+
+/// A rate: 1 and 0 of both options, told by `both` and the differences.
+void testRates(const Study& study, int both, PairResult& pair) {
+  const auto count = static_cast<int>(pair.differences.size());
+  const statistics::PairedOutcomes outcomes = {both, pair.higher, pair.lower,
+                                               count - both - pair.higher - pair.lower};
+  pair.shift = statistics::mean(pair.differences);
+  pair.shiftInterval = statistics::pairedRateInterval(outcomes, study.level);
+  pair.p = statistics::mcNemarP(pair.higher, pair.lower);
+  const double pairs = count;
+  pair.enoughPairs = count > 0
+                         ? statistics::pairsForMcNemar(pair.higher / pairs, pair.lower / pairs)
+                         : statistics::kUndefined;
+}
+
+void testPair(const Study& study, PairResult& pair) {
+  const Numbers& differences = pair.differences;
   pair.shift = statistics::pairedShift(differences);
   pair.shiftInterval = statistics::pairedShiftInterval(differences, study.level);
   pair.p = statistics::signedRank(differences, statistics::Zeros::Pratt).p;
@@ -61,19 +75,26 @@ PairResult pairOfOptions(const Study& study, std::size_t metric, std::size_t fir
   PairResult pair;
   pair.first = first;
   pair.second = second;
+  int both = 0;  // of a rate: blocks in which both succeed
   for (const auto& block : blocks) {
     if (block[first] >= study.runCount() || block[second] >= study.runCount()) {
       continue;
     }
-    const double difference =
-        valueOf(study, metric, block[first]) - valueOf(study, metric, block[second]);
+    const double one = valueOf(study, metric, block[first]);
+    const double other = valueOf(study, metric, block[second]);
+    const double difference = differenceOf(one, other);
     if (!std::isnan(difference)) {
+      both += one == 1.0 && other == 1.0 ? 1 : 0;
       pair.differences.push_back(difference);
       pair.higher += difference > 0.0 ? 1 : 0;
       pair.lower += difference < 0.0 ? 1 : 0;
     }
   }
-  testPair(study, study.metrics[metric], pair);
+  if (study.metrics[metric].isRate) {
+    testRates(study, both, pair);
+  } else {
+    testPair(study, pair);
+  }
   return pair;
 }
 
@@ -138,10 +159,11 @@ const PairResult* MetricComparison::pairOf(std::size_t a, std::size_t b) const {
 }
 
 double valueOf(const Study& study, std::size_t metric, std::size_t run) {
-  const double value = study.valuesOf(metric)[run];
+  if (study.results.runs[run].ok) {
+    return study.valuesOf(metric)[run];
+  }
   const Metric& what = study.metrics[metric];
-  const bool failsToo = !study.results.runs[run].ok && what.isRate && what.sense > 0;
-  return std::isnan(value) && failsToo ? 0.0 : value;
+  return what.isRate && what.sense > 0 ? 0.0 : statistics::kUndefined;
 }
 
 std::vector<std::vector<std::size_t>> blocksOf(const Study& study) {

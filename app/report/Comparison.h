@@ -45,13 +45,18 @@ struct MetricComparison {
   std::optional<statistics::Friedman> friedman;  // three options and two complete blocks or more
   double criticalDifference = statistics::kUndefined;  // of mean ranks, Nemenyi
 
+  /// The best option, and each whose mean equals its.
+  bool leads(std::size_t option) const {
+    return best && estimates[option].mean == estimates[*best].mean;
+  }
   /// The pair of two options, whichever comes first; null: there is none.
   const PairResult* pairOf(std::size_t a, std::size_t b) const;
 };
 
 constexpr double kSignificance = 0.05;
 
-/// The value of a metric in a run; a failed run succeeds and completes nothing.
+/// The value of a metric in a run. A failed run succeeds and completes nothing; its other values
+/// are those of a piece of a run and are undefined.
 double valueOf(const Study& study, std::size_t metric, std::size_t run);
 
 /// Runs by block (case and seed): per option its run, or runCount() where there is none.

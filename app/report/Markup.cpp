@@ -154,6 +154,8 @@ std::string latexText(std::string_view text) {
   replace("†", "$^\\dagger$");
   replace("δ", "$\\delta$");
   replace("×", "$\\times$");
+  replace("χ", "$\\chi$");
+  replace("∞", "$\\infty$");
   return result;
 }
 

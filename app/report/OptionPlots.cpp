@@ -156,8 +156,11 @@ std::optional<Figure> paretoFigure(const Study& study, const MetricComparison& x
     atX.push_back(x.estimates[option].mean);
     atY.push_back(y.estimates[option].mean);
   }
-  drawFront(figure, plane, statistics::paretoFront(atX, senseOf(metricX), atY, senseOf(metricY)),
-            atX, atY);
+  const bool isJudged = metricX.sense != 0 && metricY.sense != 0;
+  if (isJudged) {
+    drawFront(figure, plane, statistics::paretoFront(atX, senseOf(metricX), atY, senseOf(metricY)),
+              atX, atY);
+  }
   for (std::size_t option = 0; option < study.options.size(); ++option) {
     if (!std::isnan(atX[option]) && !std::isnan(atY[option])) {
       drawOption(figure, plane, option, x.estimates[option], y.estimates[option]);
@@ -165,9 +168,9 @@ std::optional<Figure> paretoFigure(const Study& study, const MetricComparison& x
                   nameOfOption(study, option));
     }
   }
-  figure.caption = titleOf(metricX) + " against " + titleOf(metricY) +
-                   ": means with their intervals; the dashed line joins the options that no other "
-                   "beats in both.";
+  figure.caption =
+      titleOf(metricX) + " against " + titleOf(metricY) + ": means with their intervals" +
+      (isJudged ? "; the dashed line joins the options that no other beats in both." : ".");
   return figure;
 }
 

@@ -159,8 +159,7 @@ class PageMaker {
     std::vector<std::string> beaten;
     std::vector<std::string> close;
     for (std::size_t option = 0; option < study_.options.size(); ++option) {
-      const bool leads = option == *comparison.best || comparison.estimates[option].mean == best;
-      (leads                        ? leaders
+      (comparison.leads(option)     ? leaders
        : comparison.differs[option] ? beaten
                                     : close)
           .push_back(study_.options[option]);
@@ -363,23 +362,23 @@ class PageMaker {
   static constexpr const char* kMethods[] = {
       "A value is one metric of one run. What a run leaves undefined, such as the time to a goal "
       "that is not reached, is left out, and n says how many values are left; a run that ended "
-      "with "
-      "an error counts as one without success. Means have bias-corrected and accelerated bootstrap "
+      "with an error counts as one without success, and what was measured until then is left out. "
+      "Means have bias-corrected and accelerated bootstrap "
       "intervals (Efron 1987), rates Wilson's (Wilson 1927), medians those between order "
       "statistics "
       "(Conover 1999).",
       "Options are compared on the same case and seed. The test of a pair is Wilcoxon's "
-      "signed-rank test, two-sided, zeros by Pratt's rule, exact up to 50 pairs without ties and "
-      "zeros, else normal with corrections for ties and continuity; of rates McNemar's exact test. "
+      "signed-rank test, two-sided, zeros by Pratt's rule, exact up to 50 pairs that differ, else "
+      "normal with corrections for ties and continuity; of rates McNemar's exact test. "
       "p values are adjusted by Holm's method over all pairs of one metric. The typical difference "
-      "is the estimate of Hodges and Lehmann with its interval (of rates the difference with a "
-      "bootstrap interval), the effect size is Cliff's delta over all values. Several metrics are "
+      "is the estimate of Hodges and Lehmann with its interval (of rates the difference with the "
+      "paired score interval, Newcombe 1998), the effect size is Cliff's delta over all values. "
+      "Several metrics are "
       "several families: the chance of a false finding holds for each of them.",
       "With three options or more Friedman's test comes first (with ties; F of Iman and Davenport "
       "1980), and mean ranks are compared by Nemenyi's critical difference (Demšar 2006). The "
       "number of pairs that would be enough is Noether's (1987) for the signed-rank test, for "
-      "rates "
-      "Guenther's (1981) from mean and deviation of the differences."};
+      "rates Connor's (1987) for McNemar's."};
 
   const Study& study_;
   const std::vector<std::pair<std::string, double>>& weights_;

@@ -1,11 +1,13 @@
 #include "app/report/Study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 
 #include <nlohmann/json.hpp>
 
+#include "app/report/Comparison.h"
 #include "app/run/Experiment.h"
 #include "app/run/ListedFiles.h"
 #include "app/run/Sha256.h"
@@ -28,11 +30,15 @@ constexpr const char* kUsualMetrics[] = {"success",
                                          "intimate_space_intrusions",
                                          "personal_space_intrusions"};
 constexpr const char* kScenario = "scenario";
+constexpr const char* kPareto = "--pareto";
 
 Metric metricOf(const std::string& key, bool isBoolean) {
   Metric metric{key, key, {}, isBoolean, 0};
-  if (const metrics::MetricEntry* entry = metrics::standardRegistry().find(key)) {
-    metric.name = entry->info.name;
+  const std::size_t dot = key.rfind('.');  // "robot2.success": of a robot that is not the first
+  const bool isOfRobot = dot != std::string::npos;
+  if (const metrics::MetricEntry* entry =
+          metrics::standardRegistry().find(isOfRobot ? key.substr(dot + 1) : key)) {
+    metric.name = (isOfRobot ? key.substr(0, dot) + ": " : "") + entry->info.name;
     metric.unit = entry->info.unit;
     metric.isRate = isBoolean || entry->info.kind == metrics::Kind::Boolean;
     metric.sense = entry->info.better == metrics::Better::Higher  ? 1
@@ -116,24 +122,27 @@ class StudyMaker {
   }
 
   /// Place of a key that somebody has named; what is unknown is told.
-  std::optional<std::size_t> placeOf(const std::string& key) {
+  std::optional<std::size_t> placeOf(const std::string& key, const char* option) {
     const std::size_t place = study_.results.keyAt(key);
     if (place < study_.results.keys.size()) {
       return place;
     }
-    problems_.push_back(base::error(
-        "metrics.unknown-metric", {key, base::nearestName(key, study_.results.keys)}, "--metrics"));
+    problems_.push_back(base::error("metrics.unknown-metric",
+                                    {key, base::nearestName(key, study_.results.keys)}, option));
     return std::nullopt;
   }
 
   void chooseMetrics() {
     for (const std::string& key : distinct(wishes_.metrics)) {
-      if (const auto place = placeOf(key)) {
+      if (const auto place = placeOf(key, "--metrics")) {
         study_.shown.push_back(*place);
       }
     }
     for (const auto& [key, weight] : wishes_.weights) {
-      placeOf(key);
+      const auto place = placeOf(key, "--weights");
+      if (place && study_.metrics[*place].sense == 0) {
+        problems_.push_back(base::error("report.no-better", {key}, "--weights"));
+      }
     }
     if (!wishes_.metrics.empty()) {
       return;
@@ -154,8 +163,12 @@ class StudyMaker {
   }
 
   bool hasValues(std::size_t metric) const {
-    const Numbers& values = study_.results.metrics[metric];
-    return std::any_of(values.begin(), values.end(), [](double v) { return v == v; });
+    for (std::size_t run = 0; run < study_.runCount(); ++run) {
+      if (!std::isnan(valueOf(study_, metric, run))) {
+        return true;
+      }
+    }
+    return false;
   }
 
   void choosePareto() {
@@ -163,8 +176,8 @@ class StudyMaker {
     const std::string y = wishes_.paretoY.empty() ? "minimum_distance_to_people" : wishes_.paretoY;
     const std::size_t known = study_.results.keys.size();
     const bool isAsked = !wishes_.paretoX.empty();
-    const std::size_t atX = isAsked ? placeOf(x).value_or(known) : study_.results.keyAt(x);
-    const std::size_t atY = isAsked ? placeOf(y).value_or(known) : study_.results.keyAt(y);
+    const std::size_t atX = isAsked ? placeOf(x, kPareto).value_or(known) : study_.results.keyAt(x);
+    const std::size_t atY = isAsked ? placeOf(y, kPareto).value_or(known) : study_.results.keyAt(y);
     if (atX < known && atY < known && hasValues(atX) && hasValues(atY)) {
       study_.pareto = {atX, atY};
     }

@@ -44,7 +44,7 @@ Cell estimateCell(const Study& study, const MetricComparison& comparison, std::s
   cell.below = intervalText(metric, median ? estimate.medianInterval : estimate.interval, decimals);
   cell.note = countNote(study, estimate, option);
   cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
-  cell.bold = !median && comparison.best == option;
+  cell.bold = !median && comparison.leads(option);
   cell.mark = !median && comparison.differs[option] ? "†" : "";
   return cell;
 }

@@ -1,5 +1,7 @@
 #include "app/run/ClusterScript.h"
 
+#include "sim2d/base/Text.h"
+
 namespace app {
 
 namespace {
@@ -11,6 +13,16 @@ std::string quoted(const std::string& word) {
     text += each == '\'' ? std::string("'\\''") : std::string(1, each);
   }
   return text + "'";
+}
+
+/// Options of `batch` that every part gets.
+std::string moreOf(const ClusterJob& job) {
+  std::string words = job.allowCode ? "--allow-code" : "";
+  if (job.timeLimit > 0.0) {
+    words += (words.empty() ? "" : " ") + std::string("--time-limit ") +
+             base::formatDouble(job.timeLimit);
+  }
+  return words;
 }
 
 /// What both scripts begin with.
@@ -31,7 +43,7 @@ std::string beginning(const ClusterJob& job, const std::string& use) {
          std::to_string(job.chunks) +
          "\n"
          "export MORE=" +
-         (job.allowCode ? "--allow-code" : "") +
+         quoted(moreOf(job)) +
          "\n"
          "mkdir -p \"$OUTPUT/shards\" || exit\n";
 }

@@ -9,6 +9,7 @@ struct ClusterJob {
   std::string program, experiment, output;  // absolute paths, the same on all machines
   std::size_t chunks = 1;                   // shards: at most as many work at a time
   bool allowCode = false;                   // programs that scenarios name may start
+  double timeLimit = 0.0;                   // of a run [s]; 0 = none
 };
 
 /// A script for bash that hands the shards to Slurm as an array job and merges them behind it. Each

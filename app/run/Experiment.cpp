@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <utility>
 
 #include "app/run/DataPaths.h"
@@ -84,6 +85,12 @@ class Reader {
     }
     if (!base::hasErrors(errors_)) {  // else not all values are known
       warnOfSeeds(root.find("seeds"));
+      warnOfTwice(root.find("scenarios"));
+      warnOfTwice(root.find("seeds"));
+      const YamlNode* const values = root.find("values");
+      for (std::size_t k = 0; values != nullptr && k < values->items.size(); ++k) {
+        warnOfTwice(&values->items[k]);
+      }
     }
     readRecord(root.find("record"));
   }
@@ -180,6 +187,18 @@ class Reader {
         errors_.push_back(base::warning("experiment.seeds-alike",
                                         {scenario.yamlBaseName.value_or("")}, experiment_.path,
                                         node->line, node->column));
+      }
+    }
+  }
+
+  /// Runs that would be made twice, and are no more evidence than once.
+  void warnOfTwice(const YamlNode* list) {
+    std::set<std::string> seen;
+    for (std::size_t k = 0; list != nullptr && list->isList() && k < list->items.size(); ++k) {
+      const YamlNode& item = list->items[k];
+      if (item.isScalar() && !seen.insert(item.text).second) {
+        errors_.push_back(base::warning("experiment.twice", {item.text}, experiment_.path,
+                                        item.line, item.column));
       }
     }
   }

@@ -30,6 +30,12 @@ class Parts {
     if (!fs::exists(fs::path(folder) / "results.sqlite", ignored)) {
       return {base::error("batch.no-results", {}, folder)};
     }
+    for (const auto& [number, part] : parts_) {  // this process has its lock already
+      if (fs::equivalent(part.folder, folder, ignored)) {
+        return {
+            base::error("merge.twice", {part.store->study().shard.text(), part.folder}, folder)};
+      }
+    }
     Part part;
     part.folder = folder;
     base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::take(folder);

@@ -127,10 +127,11 @@ base::Diagnostics checkNav2File(const std::string& path) {
   if (!base::hasErrors(found)) {  // what the servers say of it when they are made
     const auto servers =
         bt::Nav2Servers::make({reading.parameters, {}, {}, {}, 1, -1, masks.local, masks.global});
+    const base::Diagnostics told = found;  // with their lines, by who read the file
     for (const base::Diagnostic& problem : servers.diagnostics()) {
-      const bool isTold =  // with its line, by who read the file
-          std::any_of(found.begin(), found.end(),
-                      [&](const base::Diagnostic& each) { return each.code == problem.code; });
+      const bool isTold = std::any_of(told.begin(), told.end(), [&](const base::Diagnostic& each) {
+        return each.code == problem.code;
+      });
       if (!isTold && problem.code != "nav2.no-map") {  // scenarios bring maps
         found.push_back(problem);
         found.back().file = path;
@@ -141,8 +142,11 @@ base::Diagnostics checkNav2File(const std::string& path) {
   return found;
 }
 
+/// Nothing in a tree tells its branch; Main has the nodes of all.
 base::Diagnostics checkNavigatorTree(const std::string& path) {
-  return bt::loadNavigatorTree(path, {}).problems;
+  sim2d::nav2::Nav2Parameters parameters;
+  parameters.distro = sim2d::nav2::Distro::Main;
+  return bt::loadNavigatorTree(path, parameters).problems;
 }
 
 }  // namespace app

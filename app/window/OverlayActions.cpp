@@ -64,7 +64,8 @@ constexpr Named kOverlayNames[] = {
     {"plans", &CanvasOptions::plans},       {"contacts", &CanvasOptions::contacts},
     {"thoughts", &CanvasOptions::thoughts}, {"zones", &CanvasOptions::proxemics},
     {"forces", &CanvasOptions::forces},     {"local-costs", &CanvasOptions::localCosts},
-    {"ways", &CanvasOptions::candidates},   {"global-costs", &CanvasOptions::globalCosts}};
+    {"ways", &CanvasOptions::candidates},   {"global-costs", &CanvasOptions::globalCosts},
+    {"laser", &CanvasOptions::lidar}};
 
 }  // namespace
 
@@ -80,7 +81,8 @@ void OverlayActions::show(const std::vector<std::string>& names) {
   CanvasOptions options = workspace_.scene().options();
   for (const auto& [name, option] : kOverlayNames) {
     const bool isWanted = std::find(names.begin(), names.end(), name) != names.end();
-    options.*option = options.*option || isWanted;
+    const bool isUsual = option != &CanvasOptions::lidar;  // on at first: in a picture if asked for
+    options.*option = isWanted || (isUsual && options.*option);
   }
   workspace_.scene().setOptions(options);
 }

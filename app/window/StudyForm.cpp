@@ -25,7 +25,6 @@ namespace app {
 namespace {
 
 constexpr int kMostScenarioRows = 6;  // seen at once
-constexpr int kPlannerColumns = 2;
 constexpr int kPlannerWidth = 130;
 constexpr int kValueLines = 3;
 constexpr const char* kRecords[] = {"metrics", "failed", "all"};  // of Experiment::Record
@@ -54,13 +53,35 @@ QString seedsText(const std::vector<long long>& seeds) {
                  : QLatin1Char('[') + all.join(QStringLiteral(", ")) + QLatin1Char(']');
 }
 
+/// As high as its rows at its width: none of them is out of sight.
+class TallList : public QListWidget {
+ public:
+  using QListWidget::QListWidget;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QListWidget::resizeEvent(event);
+    fit();
+  }
+  void rowsInserted(const QModelIndex& parent, int start, int end) override {
+    QListWidget::rowsInserted(parent, start, end);
+    fit();
+  }
+
+ private:
+  void fit() {
+    const int columns = std::max(1, viewport()->width() / kPlannerWidth);
+    setFixedHeight((count() + columns - 1) / columns * editor::kListRowHeight);
+  }
+};
+
 }  // namespace
 
 StudyForm::StudyForm(editor::PanelContext& context)
     : context_(context),
       scenarios_(new QListWidget(this)),
       none_(new QLabel(tr("None yet: add them, or drop files here"), this)),
-      planners_(new QListWidget(this)),
+      planners_(new TallList(this)),
       values_(new QPlainTextEdit(this)),
       seeds_(new QLineEdit(QStringLiteral("30"), this)),
       duration_(new QLineEdit(this)),
@@ -155,20 +176,23 @@ QWidget* StudyForm::makePlanners() {
     if (needsMore(name)) {
       continue;
     }
-    auto* item = new QListWidgetItem(name, planners_);
-    item->setToolTip(QString::fromStdString(planner.help));
-    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
-    item->setSizeHint({kPlannerWidth, editor::kListRowHeight});
-    item->setCheckState(Qt::Unchecked);
+    addPlanner(name, QString::fromStdString(planner.help));
   }
   planners_->setFlow(QListView::LeftToRight);
   planners_->setWrapping(true);
   planners_->setGridSize({kPlannerWidth, editor::kListRowHeight});
+  planners_->setResizeMode(QListView::Adjust);  // in as many columns as there is room for
   planners_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  const int lines = (planners_->count() + kPlannerColumns - 1) / kPlannerColumns;
-  planners_->setFixedHeight(lines * editor::kListRowHeight);
   rows->addWidget(planners_);
   return part;
+}
+
+void StudyForm::addPlanner(const QString& name, const QString& help) {
+  auto* item = new QListWidgetItem(name, planners_);
+  item->setToolTip(help);
+  item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
+  item->setSizeHint({kPlannerWidth, editor::kListRowHeight});
+  item->setCheckState(Qt::Unchecked);
 }
 
 void StudyForm::addItem(const QString& shown, const QString& path) {
@@ -256,8 +280,14 @@ QStringList StudyForm::chosenPlanners() const {
   return chosen;
 }
 
+/// Also those of the file that are not offered, as "external": else they would be lost.
 void StudyForm::showPlanners(const QStringList& chosen) {
   planned_ = chosen;
+  for (const QString& name : chosen) {
+    if (planners_->findItems(name, Qt::MatchExactly | Qt::MatchCaseSensitive).isEmpty()) {
+      addPlanner(name, {});
+    }
+  }
   for (int row = 0; row < planners_->count(); ++row) {
     QListWidgetItem* item = planners_->item(row);
     item->setCheckState(chosen.contains(item->text()) ? Qt::Checked : Qt::Unchecked);

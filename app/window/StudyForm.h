@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -38,6 +39,7 @@ class StudyForm : public QWidget {
   void fitScenarios();
   void askScenarios();
   QString plannerPath() const;
+  void addPlanner(const QString& name, const QString& help);
   QStringList chosenPlanners() const;
   void showPlanners(const QStringList& chosen);
 

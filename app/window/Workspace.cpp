@@ -166,10 +166,10 @@ void Workspace::showState() {
     smooth_.stop();
     scene_.setFrameShare(1.0);
   }
-  view_->setCanvasState(state == SimulationRunner::State::Editing   ? CanvasState::Editing
-                        : runner_.isLookingBack()                   ? CanvasState::Past
-                        : state == SimulationRunner::State::Running ? CanvasState::Running
-                                                                    : CanvasState::Paused);
+  view_->setCanvasState(state == SimulationRunner::State::Editing         ? CanvasState::Editing
+                        : runner_.isLookingBack() || runner_.isRecorded() ? CanvasState::Past
+                        : state == SimulationRunner::State::Running       ? CanvasState::Running
+                                                                          : CanvasState::Paused);
   tools_.setEditingEnabled(state == SimulationRunner::State::Editing);
 }
 

@@ -35,6 +35,7 @@ class Contradictions {
       checkScaling(controller);
       checkSpeed(controller);
       checkReach(controller);
+      checkFootprint(controller);
     }
     checkRates();
     if (setup_ != nullptr && setup_->goalRadius < xyGoalTolerance(parameters_) - 1e-9) {
@@ -45,19 +46,36 @@ class Contradictions {
   }
 
  private:
+  /// In Main the keys of who drives may also lie below the shim's `primary_controller`.
   template <class T>
   T value(const std::string& key, T otherwise) const {
-    return controllerValue(parameters_, key, otherwise);
+    const T own = controllerValue(parameters_, key, otherwise);
+    const std::size_t dot = key.find('.');
+    if (parameters_.distro != Distro::Main || dot == std::string::npos) {
+      return own;
+    }
+    return controllerValue(parameters_,
+                           key.substr(0, dot) + ".primary_controller" + key.substr(dot), own);
   }
 
   std::vector<Named> controllers() const {
     std::vector<Named> all;
     for (const std::string& name :
          value<std::vector<std::string>>("controller_plugins", {"FollowPath"})) {
-      all.push_back(
-          {name, pluginName(value<std::string>(name + ".plugin", "dwb_core::DWBLocalPlanner"))});
+      std::string plugin =
+          controllerValue<std::string>(parameters_, name + ".plugin", "dwb_core::DWBLocalPlanner");
+      if (plugin.find("RotationShim") != std::string::npos) {
+        plugin = primaryOf(name);
+      }
+      all.push_back({name, pluginName(plugin)});
     }
     return all;
+  }
+  /// The class of who drives once a rotation shim has turned; its keys are the shim's.
+  std::string primaryOf(const std::string& name) const {
+    const bool isMain = parameters_.distro == Distro::Main;
+    return controllerValue<std::string>(
+        parameters_, name + (isMain ? ".primary_controller.plugin" : ".primary_controller"), "");
   }
 
   /// At the place of the key, if the file has it.
@@ -133,7 +151,8 @@ class Contradictions {
                  ? pick("max_linear_vel", 0.5)
                  : pick("desired_linear_vel", 0.5);
     }
-    return pick("v_linear_max", 0.0);
+    const bool isGraceful = controller.plugin.find("Graceful") != std::string::npos;
+    return isGraceful ? pick("v_linear_max", 0.5) : std::pair(std::string(), 0.0);
   }
 
   void checkSpeed(const Named& controller) {
@@ -176,6 +195,21 @@ class Contradictions {
     const auto [reach, what] = reachOf(controller);
     if (local.rollingWindow && reach > half + 1e-9) {
       add("local_costmap.width", "nav2.map-too-small", {half, controller.name, reach, what});
+    }
+  }
+
+  /// Critics of MPPI that ask for the edges of a robot that has a radius alone.
+  void checkFootprint(const Named& controller) {
+    const std::string& footprint = parameters_.localCostmap.parameters.footprint;
+    if (!isMppi(controller) || !(footprint.empty() || footprint == "[]")) {
+      return;
+    }
+    for (const std::string& critic :
+         value<std::vector<std::string>>(controller.name + ".critics", {})) {
+      const std::string key = controller.name + "." + critic + ".consider_footprint";
+      if (value(key, false)) {
+        add("controller_server." + key, "nav2.no-footprint", {key}, base::Severity::Error);
+      }
     }
   }
 

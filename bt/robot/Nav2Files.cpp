@@ -136,7 +136,8 @@ std::string nav2TreeFile(const std::string& named, const std::string& folder, Di
 bool looksLikeNavigatorTree(const std::string& xml) {
   return xml.find("ComputePath") != std::string::npos ||
          xml.find("FollowPath") != std::string::npos ||
-         xml.find("DriveOnHeading") != std::string::npos || xml.find("<Spin") != std::string::npos;
+         xml.find("DriveOnHeading") != std::string::npos ||
+         xml.find("<Spin") != std::string::npos || xml.find("<BackUp") != std::string::npos;
 }
 
 NavigatorTree loadNavigatorTree(const std::string& file, const Nav2Parameters& parameters) {

@@ -63,6 +63,7 @@ bool Nav2Servers::Motions::begin(RobotAction action, const RobotRequest& request
       behaviors_.wait(request.amount, step.time);
   }
   running_ = action;
+  ignoresCollisions_ = request.ignoresCollisions;
   outcome_.reset();
   return true;
 }
@@ -82,8 +83,9 @@ std::optional<RobotOutcome> Nav2Servers::Motions::takeOutcome(RobotAction action
 
 /// Its twist, and that it has ended.
 void Nav2Servers::Motions::runBehavior(const Step& step, std::optional<BodyTwist>& command) {
-  const std::optional<BehaviorStep> done = behaviors_.update(
-      {step.time, step.observation.pose, step.local.published(), step.local.footprint().corners});
+  const std::optional<BehaviorStep> done =
+      behaviors_.update({step.time, step.observation.pose, step.local.published(),
+                         step.local.footprint().corners, !ignoresCollisions_});
   if (!done || !running_) {
     return;
   }

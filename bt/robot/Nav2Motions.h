@@ -45,6 +45,7 @@ class Nav2Servers::Motions {
   sim2d::nav2::VelocitySmoother smoother_;
   std::optional<sim2d::nav2::CollisionMonitor> monitor_;
   std::optional<RobotAction> running_;
+  bool ignoresCollisions_ = false;       // what runs
   std::optional<RobotOutcome> outcome_;  // of the action that `ended_` names
   RobotAction ended_ = RobotAction::Wait;
   bool stops_ = false;                      // a behaviour was cancelled

@@ -176,6 +176,9 @@ class Nav2Planner final : public sim2d::Planner {
     driving_.statuses.assign(tree_->statuses().begin(), tree_->statuses().end());
     followGoals(status);
     isDone_ = status == NodeStatus::Success || status == NodeStatus::Failure;
+    if (status == NodeStatus::Failure) {
+      servers_->countTreeFailure();
+    }
     if (isDone_) {
       tree_->halt(input());
     }
@@ -202,7 +205,9 @@ base::Result<std::shared_ptr<sim2d::Planner>> makeNav2(const sim2d::PlannerSetup
   Nav2Loaded loaded = loadNav2(setup.nav2, setup.folder, setup.robot, shipped);
   base::Diagnostics problems = loaded.problems;
   base::append(problems, loaded.wrongValues);
-  base::append(problems, nav2Contradictions(loaded.parameters, &setup));
+  // Without a file that can be used the robot's goal_radius has not been set by it.
+  base::append(problems,
+               nav2Contradictions(loaded.parameters, base::hasErrors(problems) ? nullptr : &setup));
   if (base::hasErrors(problems)) {
     return problems;
   }

@@ -12,8 +12,6 @@ namespace {
 
 using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
 
-constexpr double kCostmapTimeout = 1.0;  // [s], of planner_server since Jazzy
-
 /// The only one may be left without a name. Null: there is none.
 template <class T>
 T* namedOne(const std::map<std::string, std::unique_ptr<T>>& all, const std::string& name) {
@@ -32,7 +30,8 @@ bool Nav2Servers::waitsForCostmap(Asked& asked) {
     return false;
   }
   asked.waitsSince = asked.waitsSince < 0.0 ? time_ : asked.waitsSince;
-  return distro() == Distro::Humble || time_ - asked.waitsSince <= kCostmapTimeout;
+  const double longest = setup_.parameters.plannerServer.costmapUpdateTimeout;
+  return distro() == Distro::Humble || time_ - asked.waitsSince <= longest;
 }
 
 PlanRequest Nav2Servers::planRequest(const base::Pose2& from, const base::Pose2& to) const {

@@ -51,7 +51,8 @@ Json pluginsJson(const Nav2Parameters& parameters) {
     const std::string end = ".plugin";
     const bool isPlugin = key.path.size() > end.size() &&
                           key.path.compare(key.path.size() - end.size(), end.size(), end) == 0;
-    if (isPlugin && key.use != KeyUse::Unknown) {
+    const bool isOurs = key.path.find('/') == std::string::npos;  // no other robot's
+    if (isPlugin && isOurs && key.use != KeyUse::Unknown) {
       plugins[key.path.substr(0, key.path.size() - end.size())] = key.value;
     }
   }
@@ -108,6 +109,7 @@ std::string nav2Report(const Nav2Loaded& loaded, const Nav2Counts& counts,
                     {"plan_failures", counts.planFailures},
                     {"no_valid_control", counts.noValidControl},
                     {"progress_failures", counts.progressFailures},
+                    {"tree_failures", counts.treeFailures},
                     {"recoveries", counts.recoveries},
                     {"costmap_clears", counts.clears},
                     {"commands_cut_by_the_robot", counts.cutCommands}};

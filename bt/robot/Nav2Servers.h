@@ -35,6 +35,7 @@ struct Nav2Counts {
   int recoveries = 0;        // as Nav2's feedback counts them
   int clears = 0;            // of costmaps
   int cutCommands = 0;       // steps in which the robot's limits left less of a command
+  int treeFailures = 0;      // runs of the tree that gave a goal up
 };
 
 /// Nav2's servers round one robot: costmaps, planners, smoothers, controllers, behaviours, velocity
@@ -67,6 +68,7 @@ class Nav2Servers final : public NavigatorHost {
   void watchWays(bool wanted) { watchesWays_ = wanted; }
 
   const Nav2Counts& counts() const { return counts_; }
+  void countTreeFailure() { ++counts_.treeFailures; }
   bool takeReplanned() { return std::exchange(hasReplanned_, false); }
   const sim2d::nav2::Path& shownPath() const { return shownPath_; }
   const sim2d::nav2::LayeredCostmap& localCostmap() const { return *local_; }

@@ -30,10 +30,11 @@ struct RobotRequest {
   std::optional<PathId> start;  // of a plan; none: where the robot is
   std::string server;           // planner, controller or smoother by name; empty: the only one
   std::string goalChecker, progressChecker, pathHandler;
-  double amount = 0.0;         // angle [rad], distance [m] or time [s] of a behaviour
-  double speed = 0.0;          // [m/s]
-  double timeAllowance = 0.0;  // [s]; also of smoothing
-  bool checksCollisions = false;
+  double amount = 0.0;             // angle [rad], distance [m] or time [s] of a behaviour
+  double speed = 0.0;              // [m/s]
+  double timeAllowance = 0.0;      // [s]; also of smoothing
+  bool checksCollisions = false;   // of a smoothed path
+  bool ignoresCollisions = false;  // of a behaviour, in Main
 };
 
 /// What came of it.

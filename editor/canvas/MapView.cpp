@@ -297,6 +297,11 @@ void MapView::focusOutEvent(QFocusEvent* event) {
   QGraphicsView::focusOutEvent(event);
 }
 
+void MapView::leaveEvent(QEvent* event) {
+  scene_.setHovered({});  // the mouse is over nothing of it
+  QGraphicsView::leaveEvent(event);
+}
+
 void MapView::showEvent(QShowEvent* event) {
   QGraphicsView::showEvent(event);
   if (fitted_) {

@@ -82,7 +82,7 @@ void SensePainter::scan(QPainter& painter, const sim2d::RobotSenses::Scan& scan)
       hits << end;
     }
   }
-  setInk(painter, Qt::NoPen, theme_.color(Role::Lidar, theme_.isDark() ? 0.12 : 0.16));
+  setInk(painter, Qt::NoPen, theme_.color(Role::Lidar, theme_.isDark() ? 0.05 : 0.07));
   painter.drawPolygon(seen);
   QPen dots(theme_.color(Role::Lidar), 3.0, Qt::SolidLine, Qt::RoundCap);
   makeCosmetic(dots, painter);

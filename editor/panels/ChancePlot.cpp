@@ -17,6 +17,8 @@ namespace editor {
 
 namespace {
 
+constexpr double kAhead = 10.0;  // [s], shown before anything is simulated
+
 class UnitDraw : public QwtScaleDraw {
  public:
   UnitDraw(double factor, QString unit) : factor_(factor), unit_(std::move(unit)) {}
@@ -87,6 +89,7 @@ ChancePlot::ChancePlot(const Theme& theme)
     marker->setLineStyle(QwtPlotMarker::VLine);
     marker->attach(plot_);
   }
+  setCursor(0.0);
   setTheme(theme);
   setMinimumWidth(220);
   setAccessibleName(tr("Chance of contact over time"));
@@ -118,6 +121,8 @@ void ChancePlot::show(const std::vector<app::ContactChance>& chances,
   if (!points.isEmpty()) {
     plot_->setAxisScale(QwtPlot::xBottom, points.front().x(),
                         std::max(points.back().x(), points.front().x() + 0.1));
+  } else {
+    setCursor(cursor_->xValue());
   }
   decisive_->setVisible(decisive.has_value());
   decisive_->setXValue(decisive.value_or(0.0));
@@ -126,6 +131,9 @@ void ChancePlot::show(const std::vector<app::ContactChance>& chances,
 
 void ChancePlot::setCursor(double time) {
   cursor_->setXValue(time);
+  if (curve_->dataSize() == 0) {
+    plot_->setAxisScale(QwtPlot::xBottom, time, time + kAhead);
+  }
   plot_->replot();
 }
 

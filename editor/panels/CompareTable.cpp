@@ -18,6 +18,8 @@ namespace {
 
 constexpr int kNumberWidth = 58;
 constexpr int kUnitWidth = 44;
+constexpr int kNameWidth = 150;  // of metrics beside more columns than there is room for
+constexpr int kFewRuns = 2;
 
 QString valueText(const metrics::MetricInfo& info, const std::optional<double>& value) {
   metrics::MetricResult result;
@@ -48,6 +50,7 @@ CompareTable::CompareTable(PanelContext& context)
       plot_(new ComparePlot(context.theme())),
       task_([this](Measured measured) { deliver(std::move(measured)); }) {
   styleTable(*table_, tr("Metrics of the runs"));
+  table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // of five runs
   auto* both = new QSplitter(Qt::Horizontal, this);
   both->addWidget(table_);
   both->addWidget(plot_);
@@ -55,7 +58,9 @@ CompareTable::CompareTable(PanelContext& context)
   both->setStretchFactor(1, 2);
   both->setSizes({440, 220});
   stack_->addWidget(
-      emptyState(tr("Tick a run in the list to compare it with the one that is shown."), this));
+      emptyState(tr("Go on from an earlier moment, or add a recorded run. Runs that are ticked are "
+                    "compared with the one that is shown."),
+                 this));
   stack_->addWidget(both);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &CompareTable::showSelected);
@@ -119,13 +124,22 @@ void CompareTable::compare(std::vector<Run> runs) {
   });
 }
 
+/// Than the first: its places mean something else, and so may its numbers.
+bool CompareTable::isOfAnother(const Run& run) const {
+  const std::string& ours = shown_.runs.front().recording->header()->scenario;
+  const std::string& theirs = run.recording->header()->scenario;
+  return !ours.empty() && !theirs.empty() && ours != theirs;
+}
+
 void CompareTable::deliver(Measured measured) {
   shown_ = std::move(measured);
   QStringList words;
   for (std::size_t k = 1; k < shown_.runs.size(); ++k) {
     const std::optional<double>& parting = shown_.partings[k - 1];
-    words << (parting ? tr("%1 parts at %2").arg(shown_.runs[k].letter, clockText(*parting))
-                      : tr("%1 is the same").arg(shown_.runs[k].letter));
+    const QString& letter = shown_.runs[k].letter;
+    words << (isOfAnother(shown_.runs[k]) ? tr("%1 is of another scenario").arg(letter)
+              : parting                   ? tr("%1 parts at %2").arg(letter, clockText(*parting))
+                                          : tr("%1 is the same").arg(letter));
   }
   partings_ = words.join(QStringLiteral(" · "));
   fill();
@@ -171,7 +185,11 @@ void CompareTable::fill() {
     }
   }
   QHeaderView* header = table_->horizontalHeader();
-  header->setSectionResizeMode(0, QHeaderView::Stretch);
+  header->setSectionResizeMode(0,
+                               runs > kFewRuns ? QHeaderView::Interactive : QHeaderView::Stretch);
+  if (runs > kFewRuns) {
+    header->resizeSection(0, kNameWidth);
+  }
   for (int column = 1; column < heads.size(); ++column) {
     header->setSectionResizeMode(column, QHeaderView::Fixed);
     const bool isUnit = column + 1 == heads.size();

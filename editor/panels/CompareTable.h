@@ -46,6 +46,7 @@ class CompareTable : public QWidget {
   };
   base::Result<app::MetricsSetup> setup() const;
   void deliver(Measured measured);
+  bool isOfAnother(const Run& run) const;
   void fill();
   void showSelected();
 

@@ -99,6 +99,8 @@ PropertyPanel::PropertyPanel(ScenarioDocument& document, const Theme& theme)
   later_->hide();
   auto* top = arranged(new QHBoxLayout, {12, 12, 12, 12}, 12, {picture_});
   top->addLayout(arranged(new QVBoxLayout, {}, 0, {name_, about_}), 1);
+  stack_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // its pages scroll
+  stack_->setMinimumHeight(kLeastPage);
   auto* body = new QWidget(this);
   arranged(new QVBoxLayout(body), {}, 0, {now_, later_})->addWidget(stack_, 1);
   auto* low = scrollArea(body, this);  // in windows so low that the moment of a run needs all of it

@@ -25,6 +25,7 @@ namespace {
 enum RunColumn { RunNameColumn, LeftAtColumn, ChangedColumn, RunColumns };
 constexpr int kRowRole = Qt::UserRole;
 constexpr int kSwatch = 18;
+constexpr int kRunNameWidth = 130;
 
 /// The letter of a run on its line, as on the map and in the plots.
 QIcon styleIcon(int style, const Theme& theme) {
@@ -82,14 +83,12 @@ RunsPanel::~RunsPanel() {
 
 QWidget* RunsPanel::makeHead() {
   auto* head = new QWidget(this);
-  fork_->setToolTip(
-      tr("From the moment that is shown, as a branch beside this run: another planner, another "
-         "seed, or by hand"));
   add_->setToolTip(tr("A recorded run, to be compared: the folder that `run` has written"));
   show_->setToolTip(tr("Show this run, at the same time"));
   remove_->setToolTip(tr("Forget this run"));
   beside_->setToolTip(tr("The runs that are compared stand beside the map, up to four"));
   beside_->setCheckable(true);
+  partings_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the dock stays narrow
   arranged(new QHBoxLayout(head), {12, 6, 12, 6}, 8,
            {fork_, add_, show_, remove_, beside_, partings_})
       ->setStretch(5, 1);
@@ -106,7 +105,7 @@ void RunsPanel::makeList() {
   list_->setUniformRowHeights(true);
   QHeaderView* header = list_->header();
   header->setStretchLastSection(true);
-  header->resizeSection(RunNameColumn, 130);
+  header->resizeSection(RunNameColumn, kRunNameWidth);
   header->resizeSection(LeftAtColumn, 56);
   list_->setMinimumWidth(240);
 }
@@ -148,8 +147,7 @@ void RunsPanel::connectRuns() {
       side_->setTheme(theme);
     }
   });
-  connect(table_, &CompareTable::measuredAll, this,
-          [this] { partings_->setText(table_->partings()); });
+  connect(table_, &CompareTable::measuredAll, this, &RunsPanel::showPartings);
 }
 
 std::vector<RunsPanel::Row> RunsPanel::rows() const {
@@ -187,6 +185,7 @@ void RunsPanel::fillList() {
   const std::optional<Row> before = chosen();
   const std::vector<Row> all = rows();
   list_->clear();
+  showBranchColumns();
   int index = 0;
   for (const Row& row : all) {
     auto* item = new QTreeWidgetItem(list_);
@@ -224,6 +223,20 @@ void RunsPanel::fillList() {
   measure();
   showBeside();
   tellTimeline();
+}
+
+/// Recorded runs have left none: their names have the room.
+void RunsPanel::showBranchColumns() {
+  const std::vector<RunBranch>& branches = context_.runner.branches();
+  const bool isAny = std::any_of(branches.begin(), branches.end(),
+                                 [](const RunBranch& branch) { return branch.from >= 0; });
+  if (list_->isColumnHidden(LeftAtColumn) != isAny) {
+    return;
+  }
+  for (const int column : {int(LeftAtColumn), int(ChangedColumn)}) {
+    list_->setColumnHidden(column, !isAny);
+  }
+  list_->header()->resizeSection(RunNameColumn, kRunNameWidth);
 }
 
 void RunsPanel::tellTimeline() {
@@ -294,6 +307,12 @@ void RunsPanel::removeChosen() {
 void RunsPanel::followChoice() {
   const std::optional<Row> row = chosen();
   fork_->setEnabled(context_.runner.canGoOnFromShown());
+  const bool isFull = context_.runner.branches().size() >= SimulationRunner::kMostBranches;
+  fork_->setToolTip(fork_->isEnabled()
+                        ? tr("From the moment that is shown, as a branch beside this run: another "
+                             "planner, another seed, or by hand")
+                    : isFull ? tr("There are as many branches as there can be: remove one first")
+                             : tr("From a moment that is past: go back on the timeline first"));
   add_->setEnabled(shownBranch() >= 0);
   show_->setEnabled(row && row->branch >= 0 && !isShown(*row));
   remove_->setEnabled(row && !isShown(*row));
@@ -358,7 +377,12 @@ void RunsPanel::measure() {
     }
   }
   table_->compare(std::move(runs));
+  showPartings();
+}
+
+void RunsPanel::showPartings() {
   partings_->setText(table_->partings());
+  partings_->setToolTip(table_->partings());
 }
 
 void addRunsPanel(PanelRegistry& to) {

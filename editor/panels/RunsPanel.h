@@ -69,6 +69,8 @@ class RunsPanel : public QWidget {
   void showGhosts();
   void measure();
   void showBeside();
+  void showBranchColumns();
+  void showPartings();
   void tellTimeline();
   std::optional<Row> chosen() const;
   GhostLayer::Ghost ghostOf(const Row& row, double time) const;

@@ -39,7 +39,9 @@ void SideBySide::showRuns(const std::vector<Run>& runs) {
   before.clear();
   for (std::size_t k = 0; k < views_.size(); ++k) {
     const auto place = static_cast<int>(k);
-    grid_->addWidget(views_[k].get(), place / columns(), place % columns());
+    const bool isAlone = k + 1 == views_.size() && place % columns() == 0;  // in its row
+    grid_->addWidget(views_[k].get(), place / columns(), place % columns(), 1,
+                     isAlone ? columns() : 1);
     views_[k]->setVisible(true);
   }
 }

@@ -1,5 +1,6 @@
 #include "editor/panels/SideView.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QScrollBar>
@@ -46,9 +47,18 @@ void SideView::setTheme(const Theme& theme) {
   title_->setFont(theme.font(9.5, QFont::DemiBold));
 }
 
-/// The middle of the canvas is the middle here; both are as wide, or nearly.
+void SideView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  followCanvas();
+}
+
+/// The middle of the canvas is the middle here, and all that it shows is in sight.
 void SideView::followCanvas() {
-  view_->setPixelsPerMetre(canvas_.pixelsPerMetre());
+  const QSizeF theirs = canvas_.viewport()->size();
+  const QSizeF ours = view_->viewport()->size();
+  const double share = std::min({1.0, ours.width() / std::max(1.0, theirs.width()),
+                                 ours.height() / std::max(1.0, theirs.height())});
+  view_->setPixelsPerMetre(std::max(0.1, share) * canvas_.pixelsPerMetre());
   view_->centerOn(canvas_.mapToScene(canvas_.viewport()->rect().center()));
 }
 

@@ -11,7 +11,8 @@
 
 namespace editor {
 
-/// Another run beside the canvas, which it follows in place, zoom and time.
+/// Another run beside the canvas, which it follows in place and time, and in zoom as far as it has
+/// the room: what the canvas shows is seen here too.
 class SideView : public QWidget {
   Q_OBJECT
  public:
@@ -25,6 +26,9 @@ class SideView : public QWidget {
   void showAt(const std::shared_ptr<const sim2d::Recording>& recording, double time);
   const MapScene& scene() const { return scene_; }
   MapView& view() const { return *view_; }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void followCanvas();

@@ -42,14 +42,18 @@ double shiftedShare(double bias, double acceleration, double z) {
   return normalCdf(bias + shifted / (1.0 - acceleration * shifted));
 }
 
+/// Resamples that are equal to the estimate but for the order of their sums.
+constexpr double kRounding = 1e-12;  // of the largest number
+
 Interval intervalOf(double estimate, Numbers resampled, const Numbers& jackknife, double level) {
   const auto [least, most] = std::minmax_element(resampled.begin(), resampled.end());
-  if (*least == *most) {
+  const double rounding = kRounding * std::max(std::abs(*least), std::abs(*most));
+  if (*most - *least <= rounding) {
     return {*least, *most};
   }
   double below = 0.0;
   for (const double value : resampled) {
-    below += value < estimate ? 1.0 : value == estimate ? 0.5 : 0.0;
+    below += std::abs(value - estimate) <= rounding ? 0.5 : value < estimate ? 1.0 : 0.0;
   }
   const auto count = static_cast<double>(resampled.size());
   // Estimates beyond all resamples would shift the interval out of the world.

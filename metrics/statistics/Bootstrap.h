@@ -17,9 +17,9 @@ struct BootstrapOptions {
 
 /// Bias-corrected and accelerated bootstrap interval (Efron 1987, Better bootstrap confidence
 /// intervals, JASA 82, equations 2.3 and 6.6; Efron & Tibshirani 1993, 14.3): z0 from the share of
-/// resamples below the estimate (half of those equal to it), acceleration from the jackknife, ends
-/// as quantiles of type 7. Draws are base::Draw::Bootstrap of (seed, resample, place).
-/// n < 2: undefined. All equal, or all resamples equal: no width, at the estimate.
+/// resamples below the estimate (half of those equal to it, up to rounding), acceleration from the
+/// jackknife, ends as quantiles of type 7. Draws are base::Draw::Bootstrap of (seed, resample,
+/// place). n < 2: undefined. All equal, or all resamples equal: no width, at the estimate.
 Interval bootstrapInterval(const Numbers& values, const Statistic& statistic,
                            const BootstrapOptions& options = {});
 

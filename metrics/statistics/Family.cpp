@@ -17,6 +17,18 @@ double rankError(int options, int blocks) {
   return std::sqrt(options * (options + 1.0) / (6.0 * blocks));
 }
 
+/// Chance that all blocks order their values as the first does: one in k! / (t! of each tie) each.
+double chanceOfAgreement(Numbers block, int blocks) {
+  std::sort(block.begin(), block.end());
+  double orders = 1.0;
+  std::size_t equal = 0;
+  for (std::size_t k = 0; k < block.size(); ++k) {
+    equal = k > 0 && block[k] == block[k - 1] ? equal + 1 : 1;
+    orders *= static_cast<double>(k + 1) / static_cast<double>(equal);
+  }
+  return std::pow(orders, 1.0 - blocks);
+}
+
 }  // namespace
 
 Numbers holm(const Numbers& ps) {
@@ -64,7 +76,8 @@ Friedman friedman(const std::vector<Numbers>& blocks) {
   const double rest = b * (k - 1.0) - result.chiSquared;
   result.f = rest > 1e-12 * b ? (b - 1.0) * result.chiSquared / rest
                               : std::numeric_limits<double>::infinity();
-  result.fP = fisherTail(result.f, k - 1.0, (k - 1.0) * (b - 1.0));
+  result.fP = std::isinf(result.f) ? chanceOfAgreement(blocks.front(), result.blocks)
+                                   : fisherTail(result.f, k - 1.0, (k - 1.0) * (b - 1.0));
   return result;
 }
 

@@ -16,7 +16,8 @@ struct Friedman {
   double chiSquared = 0.0;  // with the correction for ties (Conover 1999, 5.8, T1)
   double p = 1.0;           // of it, options - 1 degrees of freedom
   double f = 0.0;           // Iman & Davenport 1980 (Conover's T2); infinite: all blocks agree
-  double fP = 1.0;          // options - 1 and (options - 1) (blocks - 1) degrees of freedom
+  double fP = 1.0;          // options - 1 and (options - 1) (blocks - 1) degrees of freedom;
+                            // f infinite: exact, 1 / (orders of a block)^(blocks - 1) (Conover)
 };
 /// `blocks[b][o]`: value of option o in block b; all of one length. Fewer than two blocks or
 /// options, or all values of every block equal: no difference, p = 1.

@@ -10,6 +10,7 @@ namespace statistics {
 namespace {
 
 constexpr std::size_t kLargestExact = 50;
+constexpr int kMostRanked = 10'000;  // with zeros, of an exact test
 
 /// By the normal distribution; `sizes` are the sizes of the differences that are not zero.
 double normalP(const SignedRank& result, const Numbers& sizes, int rankedZeros) {
@@ -23,10 +24,8 @@ double normalP(const SignedRank& result, const Numbers& sizes, int rankedZeros) 
   return variance > 0.0 ? std::min(1.0, 2.0 * normalTail(distance / std::sqrt(variance))) : 1.0;
 }
 
-double exactP(const SignedRank& result) {
-  const Numbers cdf = signedRankCdf(result.n);
-  const auto smaller = static_cast<std::size_t>(std::min(result.plus, result.minus));
-  return std::min(1.0, 2.0 * cdf[smaller]);
+double exactP(const SignedRank& result, const Numbers& ranks) {
+  return std::min(1.0, 2.0 * signedSumAtMost(ranks, std::min(result.plus, result.minus)));
 }
 
 /// How many pairs i <= j of sorted numbers have a mean of at most x.
@@ -74,6 +73,7 @@ SignedRank signedRank(const Numbers& differences, Zeros rule) {
   const Numbers ranks = midranks(ranked);
   SignedRank result;
   Numbers sizes;
+  Numbers counted;  // ranks of what is not zero
   std::size_t at = 0;
   for (const double difference : differences) {
     if (difference == 0.0) {
@@ -81,14 +81,15 @@ SignedRank signedRank(const Numbers& differences, Zeros rule) {
       at += rule == Zeros::Pratt ? 1 : 0;
       continue;
     }
-    (difference > 0.0 ? result.plus : result.minus) += ranks[at++];
+    (difference > 0.0 ? result.plus : result.minus) += ranks[at];
+    counted.push_back(ranks[at++]);
     sizes.push_back(std::abs(difference));
     ++result.n;
   }
   const int rankedZeros = rule == Zeros::Pratt ? result.zeros : 0;
-  result.isExact = sizes.size() <= kLargestExact && rankedZeros == 0 && tieSum(sizes) == 0.0;
+  result.isExact = sizes.size() <= kLargestExact && result.n + rankedZeros <= kMostRanked;
   if (result.n > 0) {
-    result.p = result.isExact ? exactP(result) : normalP(result, sizes, rankedZeros);
+    result.p = result.isExact ? exactP(result, counted) : normalP(result, sizes, rankedZeros);
   }
   return result;
 }

@@ -20,9 +20,10 @@ struct SignedRank {
   bool isExact = false;  // by the exact distribution
 };
 
-/// Wilcoxon's signed-rank test, two-sided. Exact for n <= 50 when no two sizes are equal and no
-/// zeros are ranked; else by the normal distribution with the variance for ties and zeros and a
-/// continuity correction of 0.5 (Hollander & Wolfe 1999, 3.1; Pratt 1959). n = 0: p = 1.
+/// Wilcoxon's signed-rank test, two-sided. Exact for n <= 50 (and 10 000 with the zeros): the
+/// distribution of the signs given the ranks, ties and zeros or not; else by the normal one with
+/// the variance for ties and zeros and a continuity correction of 0.5 (Hollander & Wolfe 1999, 3.1;
+/// Pratt 1959). n = 0: p = 1.
 SignedRank signedRank(const Numbers& differences, Zeros rule = Zeros::Pratt);
 
 /// Two-sided p of the sign test: zeros are left out (Conover 1999, 3.4). Nothing left: 1.

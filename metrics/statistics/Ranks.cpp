@@ -75,6 +75,19 @@ Numbers signedRankCdf(int n) {
   return chances;
 }
 
+double signedSumAtMost(const Numbers& ranks, double t) {
+  constexpr double kHalves = 2.0;  // sums of half ranks
+  Numbers chances(static_cast<std::size_t>(kHalves * t) + 1, 0.0);
+  chances[0] = 1.0;
+  for (const double each : ranks) {
+    const auto rank = static_cast<std::size_t>(kHalves * each);
+    for (std::size_t sum = chances.size(); sum-- > 0;) {
+      chances[sum] = 0.5 * (chances[sum] + (sum >= rank ? chances[sum - rank] : 0.0));
+    }
+  }
+  return std::accumulate(chances.begin(), chances.end(), 0.0);
+}
+
 Numbers rankSumCdf(int n, int m) {
   // Coefficients of the Gaussian binomial: multiply by (1 - x^(m+k)), divide by (1 - x^k).
   const auto few = static_cast<std::size_t>(std::min(n, m));

@@ -16,6 +16,11 @@ double tieSum(Numbers values);
 /// and zeros under equal chances of signs (Hollander & Wolfe 1999, 3.1). n <= 60.
 Numbers signedRankCdf(int n);
 
+/// P(T <= t) of the sum T of ranks of which each counts or not with equal chances: the distribution
+/// given the ranks, with ties and with those of zeros left out (idem 3.1, ties). `ranks` are wholes
+/// and halves; t >= 0.
+double signedSumAtMost(const Numbers& ranks, double t);
+
 /// P(U <= u) for u = 0 … n m of the count of Mann and Whitney without ties (idem 4.1).
 Numbers rankSumCdf(int n, int m);
 

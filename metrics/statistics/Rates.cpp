@@ -6,6 +6,43 @@
 
 namespace statistics {
 
+namespace {
+
+/// φ of the two outcomes, its numerator corrected for continuity; 0 where a margin is empty.
+double correlationOf(const PairedOutcomes& outcomes) {
+  const double both = outcomes.both, first = outcomes.onlyFirst;
+  const double second = outcomes.onlySecond, neither = outcomes.neither;
+  const double margins = (both + first) * (second + neither) * (both + second) * (first + neither);
+  const double product = both * neither - first * second;
+  const double corrected =
+      product > 0.0 ? std::max(0.0, product - outcomes.count() / 2.0) : product;
+  return margins > 0.0 ? corrected / std::sqrt(margins) : 0.0;
+}
+
+/// Length of the third side.
+double combined(double one, double other, double correlation) {
+  return std::sqrt(std::max(0.0, one * one - 2.0 * correlation * one * other + other * other));
+}
+
+}  // namespace
+
+Interval pairedRateInterval(const PairedOutcomes& outcomes, double level) {
+  const int n = outcomes.count();
+  if (n <= 0) {
+    return {};
+  }
+  const int firsts = outcomes.both + outcomes.onlyFirst;
+  const int seconds = outcomes.both + outcomes.onlySecond;
+  const double first = static_cast<double>(firsts) / n;
+  const double second = static_cast<double>(seconds) / n;
+  const Interval ofFirst = wilsonInterval(firsts, n, level);
+  const Interval ofSecond = wilsonInterval(seconds, n, level);
+  const double correlation = correlationOf(outcomes);
+  const double difference = static_cast<double>(firsts - seconds) / n;
+  return {difference - combined(first - ofFirst.low, ofSecond.high - second, correlation),
+          difference + combined(ofFirst.high - first, second - ofSecond.low, correlation)};
+}
+
 Interval wilsonInterval(int successes, int n, double level) {
   if (n <= 0) {
     return {};

@@ -9,8 +9,6 @@ namespace statistics {
 
 namespace {
 
-constexpr double kFewestPairs = 2.0;
-
 /// z of the two-sided level and of the power.
 std::pair<double, double> quantilesOf(const Power& power) {
   return {normalQuantile(1.0 - power.level / 2.0), normalQuantile(power.power)};
@@ -18,17 +16,17 @@ std::pair<double, double> quantilesOf(const Power& power) {
 
 }  // namespace
 
-double pairsForMean(double difference, double standardDeviation, const Power& power) {
-  if (!(difference != 0.0) || std::isnan(difference) || std::isnan(standardDeviation)) {
+double pairsForMcNemar(double onlyFirst, double onlySecond, const Power& power) {
+  const double difference = onlyFirst - onlySecond;
+  const double discordant = onlyFirst + onlySecond;
+  if (!(difference != 0.0) || std::isnan(difference)) {
     return kUndefined;
   }
-  if (standardDeviation == 0.0) {
-    return kFewestPairs;
-  }
   const auto [z, zPower] = quantilesOf(power);
-  const double ratio = standardDeviation / difference;
-  const double pairs = (z + zPower) * (z + zPower) * ratio * ratio + z * z / 2.0;
-  return std::max(kFewestPairs, std::ceil(pairs));
+  const double spread = std::max(0.0, discordant - difference * difference);
+  const double sum = z * std::sqrt(discordant) + zPower * std::sqrt(spread);
+  const double fewest = std::floor(1.0 - std::log2(power.level)) + 1.0;  // 2 / 2^n < level
+  return std::max(fewest, std::ceil(sum * sum / (difference * difference)));
 }
 
 double pairsForSignedRank(double chancePositive, const Power& power) {

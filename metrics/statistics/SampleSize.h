@@ -10,10 +10,11 @@ struct Power {
   double power = 0.8;
 };
 
-/// Pairs that a paired t test needs to see a mean difference that large: (z + z')² (sd / d)² +
-/// z² / 2, rounded up, at least 2 (Guenther 1981, The American Statistician 35). NaN where the
-/// difference is zero or a number is undefined; sd = 0: 2.
-double pairsForMean(double difference, double standardDeviation, const Power& power = {});
+/// Pairs that McNemar's test needs: (z √d + z' √(d - δ²))² / δ², δ the difference of the shares of
+/// pairs in which only the first and only the second succeeds, d their sum (Connor 1987, Biometrics
+/// 43), rounded up; at least those with which the exact test can reach the level at all, 6 for 5 %.
+/// Equal or undefined shares: NaN.
+double pairsForMcNemar(double onlyFirst, double onlySecond, const Power& power = {});
 
 /// Pairs that the signed-rank test needs: (z + z')² / (3 (p' - 1/2)²), rounded up (Noether 1987,
 /// JASA 82, equation 8), p' being the chance that the sum of two differences is positive.

@@ -332,6 +332,7 @@ constexpr ProblemText kTexts[] = {
     {"nav2.needs-lidar", "robot '{robot}': planner nav2 needs a lidar"},
     {"nav2.drive", "robot '{robot}': {what}"},
     {"nav2.tree", "robot '{robot}': {what}"},
+    {"nav2.no-footprint", "{key} needs a footprint, local_costmap has none: Nav2 does not start"},
     {"nav2.two-shapes", "both footprint and robot_radius are given: footprint counts"},
     {"nav2.scaling-differs",
      "{controller}.inflation_cost_scaling_factor is {found}, the inflation layer of local_costmap "
@@ -555,6 +556,8 @@ constexpr ProblemText kTexts[] = {
     {"ros2.stranger",
      "'{name}' (id {id}) is not in the scenario and is taken as the message describes them, with "
      "the tree of their behaviour"},
+    {"ros2.too-large",
+     "'{name}' (id {id}): {field} {found} is above {most}, the value of the scenario counts"},
     {"ros2.no-world", "the people of the request cannot be served, they keep still"},
     {"ros2.minds-anew", "somebody new came: the trees of all begin anew"},
     {"ros2.agent-twice", "{agent} is in a request twice, the first counts"},
@@ -591,6 +594,8 @@ constexpr ProblemText kTexts[] = {
     {"bag.bad-messages",
      "{count} messages of topic {topic} could not be read and are left out, the first: {reason}"},
     {"bag.no-messages", "topic {topic} has no message that can be read"},
+    {"bag.same-stamp",
+     "{count} places have the stamp of one before them and are left out (are stamps filled in?)"},
     {"bag.moved-frame",
      "{count} messages are in the frame '{found}', which tf does not tie to 'map': taken for it"},
 
@@ -862,6 +867,8 @@ constexpr ProblemText kTexts[] = {
     {"experiment.bad-seeds", "seeds is a number of seeds >= 1 or a list of seeds"},
     {"experiment.seeds-alike",
      "people of '{scenario}' are the same in every seed (its key variation makes them differ)"},
+    {"experiment.twice",
+     "'{found}' is listed twice: the same runs would count as if they were independent"},
     {"experiment.bad-seed", "a seed is a whole number >= 0"},
     {"experiment.out-of-range", "{key} is not a number in its range"},
     {"experiment.no-word", "{key} is a word"},
@@ -897,6 +904,8 @@ constexpr ProblemText kTexts[] = {
     {"report.bad-manifest", "is no manifest of a batch (damaged?)"},
     {"report.unknown-path", "'{found}' is not varied here (known: {known})"},
     {"report.weights", "--weights takes KEY=NUMBER,... with numbers from 0 on, not '{found}'"},
+    {"report.no-better",
+     "'{key}' cannot be weighed: neither more nor less of it is said to be better"},
     {"report.pareto", "--pareto takes two keys with a comma between them, not '{found}'"},
 
     // YAML files: shape and typed values.

@@ -30,6 +30,10 @@ class AgentManagerTest : public QObject {
   void compute_stranger_getsATree();
   void compute_strangerLater_isServedToo();
   void compute_idTwiceOrNegative_isTold();
+  void compute_wildValuesOfOne_leaveOthersMoving_data();
+  void compute_wildValuesOfOne_leaveOthersMoving();
+  void compute_manyStrangers_areToldUpToALimit();
+  void compute_greatestId_isServed();
   void compute_goalsOfTheFirstRequest_count();
   void compute_goalsRunOut_theLastOnesStay();
   void move_onlyOne_movesWithItsOwnClock();
@@ -331,6 +335,56 @@ void AgentManagerTest::compute_idTwiceOrNegative_isTold() {
   const base::Diagnostics remarks = loop.manager.takeRemarks();
   QVERIFY(hasRemark(remarks, "ros2.agent-twice"));
   QVERIFY(hasRemark(remarks, "ros2.agent-negative"));
+}
+
+void AgentManagerTest::compute_wildValuesOfOne_leaveOthersMoving_data() {
+  QTest::addColumn<int>("field");
+  QTest::newRow("desired velocity") << 0;
+  QTest::newRow("radius") << 1;
+  QTest::newRow("social factor") << 2;
+  QTest::newRow("goal factor") << 3;
+}
+
+/// Of the whole step nobody would move if one velocity were not finite.
+void AgentManagerTest::compute_wildValuesOfOne_leaveOthersMoving() {
+  QFETCH(const int, field);
+  Agent wild = agentAt(2, 0.0, 6.0);
+  geometry_msgs::Pose goal;
+  goal.position.x = 5.0;
+  goal.position.y = 6.0;
+  wild.goals = {goal};
+  wild.behavior.socialForceFactor = 5.0F;
+  wild.behavior.goalForceFactor = 2.0F;
+  wild.behavior.obstacleForceFactor = 10.0F;
+  float* const fields[] = {&wild.desiredVelocity, &wild.radius, &wild.behavior.socialForceFactor,
+                           &wild.behavior.goalForceFactor};
+  *fields[field] = 1e30F;
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0), wild});
+  loop.call(0.0);
+  QVERIFY(hasRemark(loop.manager.takeRemarks(), "ros2.too-large"));
+  loop.call(kDt);
+  QVERIFY(loop.manager.takeRemarks().empty());
+  QVERIFY(std::fabs(xOf(loop.agents[0]) - 0.015) < 1e-4);  // the step by hand, of the other
+}
+
+void AgentManagerTest::compute_manyStrangers_areToldUpToALimit() {
+  std::vector<Agent> strangers;
+  for (int id = 10; id < 1510; ++id) {
+    strangers.push_back(agentAt(id, 2.0 * (id % 40), 2.0 * (id / 40)));
+  }
+  Loop loop(oneWalker(), "hunav2", strangers);
+  loop.call(0.0);
+  QCOMPARE(loop.manager.takeRemarks().size(), std::size_t{1000});
+}
+
+void AgentManagerTest::compute_greatestId_isServed() {
+  const Agent last = agentAt(std::numeric_limits<std::int32_t>::max(), 0.0, 5.0);
+  Loop loop(oneWalker(), "hunav2", {agentAt(1, 0.0, 0.0), last});
+  loop.call(0.0);
+  loop.call(kDt);
+  const std::optional<StepTopics> topics = loop.manager.takeTopics();
+  QVERIFY(topics);
+  QCOMPARE(topics->forces.markers.size(), std::size_t{10});
 }
 
 void AgentManagerTest::compute_goalsOfTheFirstRequest_count() {

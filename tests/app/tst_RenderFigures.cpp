@@ -60,6 +60,13 @@ class RenderFiguresTest : public QObject {
     QVERIFY(!byNumber.contains("<text"));
   }
 
+  /// The run ends at 4 s: a map that shows its end must not say 99 s.
+  void strip_beyondTheEnd_tellsTheTimeThatItShows() {
+    const QByteArray atEnd = rendered(text("e.svg"), {text("--strip"), text("0,2,4")});
+    QVERIFY2(sizeOf(atEnd).width() > 0.0, atEnd.left(300).constData());
+    QVERIFY(atEnd == rendered(text("b.svg"), {text("--strip"), text("0,2,99")}));
+  }
+
   void strip_ofAColumn_isAsWideAsIt() {
     const QByteArray svg =
         rendered(text("c.svg"), {text("--strip"), text("4"), text("--width"), text("85")});

@@ -67,6 +67,7 @@ class ReportPiecesTest : public QObject {
              std::string("50 \\% of a\\_b \\& \\{c\\} \\textbackslash{}x \\textasciitilde{} "
                          "\\textasciicircum{} $<$"));
     QCOMPARE(latexText("−1.5 m²"), std::string("$-$1.5 m$^2$"));
+    QCOMPARE(latexText("χ² ∞"), std::string("$\\chi$$^2$ $\\infty$"));  // Friedman's table
   }
 
   void shellText_words_areQuotedWhereNeeded() {
@@ -123,6 +124,50 @@ class ReportPiecesTest : public QObject {
     QCOMPARE(constantCells(study), std::size_t{1});
     study.results.metrics[0][2] = std::numeric_limits<double>::quiet_NaN();
     QCOMPARE(constantCells(study), std::size_t{0});
+  }
+
+  /// 0.3 - 0.2 and 0.2 - 0.1 are not the same double, and the same difference.
+  void compare_differencesByRounding_areTies() {
+    Study study = smallStudy();
+    study.results.metrics[0] = {0.3, 0.2, 7.0, 0.2, 0.1};
+    const MetricComparison found = compare(study, 0, blocksOf(study));
+    QVERIFY(0.3 - 0.2 != 0.2 - 0.1);
+    QCOMPARE(found.pairs[0].differences, Numbers({0.1, 0.1}));
+  }
+
+  /// Who breaks down at once drives the shortest way and comes near nobody.
+  void compare_failedRun_countsForNothingButSuccess() {
+    Study study = smallStudy();
+    study.results.runs[0].ok = false;
+    const MetricComparison found = compare(study, 0, blocksOf(study));
+    QCOMPARE(found.estimates[0].values, Numbers({4.0, 7.0}));
+    QCOMPARE(found.pairs[0].differences, Numbers({1.0}));
+    study.metrics = {{"success", "Success", "-", true, 1}};
+    study.results.metrics[0] = {1.0, 1.0, 0.0, 1.0, 1.0};
+    QCOMPARE(valueOf(study, 0, 0), 0.0);
+    QCOMPARE(compare(study, 0, blocksOf(study)).estimates[0].successes, 1);
+  }
+
+  void compare_equalMeans_allLead() {
+    Study study = smallStudy();
+    study.results.metrics[0] = {1.0, 4.0, 2.5, 2.0, 3.0};
+    QVERIFY(!compare(study, 0, blocksOf(study)).best);  // all are equal
+    study.options.emplace_back("c");
+    study.optionOf[2] = 2;
+    study.results.metrics[0][2] = 7.0;
+    const MetricComparison found = compare(study, 0, blocksOf(study));
+    QVERIFY(found.leads(0) && found.leads(1) && !found.leads(2));
+  }
+
+  /// All three seeds differ in success: no difference that is known to no width.
+  void compare_rates_haveTheIntervalOfPairs() {
+    Study study = smallStudy();
+    study.metrics = {{"success", "Success", "-", true, 1}};
+    study.results.metrics[0] = {1.0, 1.0, 1.0, 0.0, 0.0};
+    const MetricComparison found = compare(study, 0, blocksOf(study));
+    QCOMPARE(found.pairs[0].shift, 1.0);
+    QVERIFY(found.pairs[0].shiftInterval.low < 0.5);
+    QCOMPARE(found.pairs[0].enoughPairs, 6.0);
   }
 
   void compare_clearDifference_isMarked() {

@@ -128,16 +128,16 @@ class ReportProgramTest : public QObject {
     const QString medians = folder.filePath(text("tables/medians.csv"));
     QCOMPARE(rowOf(medians, {text("alpha")}).value(1).toDouble(), 17.0);
     QCOMPARE(rowOf(medians, {text("b<&eta")}).value(1).toDouble(), 15.0);
-    // Differences −1, −3, 1, −1, −4: of 15 means of pairs the 8th is −1.5; ranks 2 of 15, with
-    // three ties (2.5 - 0.5) … z = (5.5 - 0.5) / √13.25, p = .170; delta −2 / 30.
+    // Differences −1, −3, 1, −1, −4: of 15 means of pairs the 8th is −1.5; ranks 2, 4, 2, 2, 5
+    // of sizes 1, 3, 1, 1, 4: four of 32 sums are at most 2, p = 2 4 / 32; delta −2 / 30.
     const QStringList pair =
         rowOf(folder.filePath(text("tables/pairs.csv")),
               {text("Time to reach the goal [s]"), text("alpha - b<&eta"), text("5")});
     QVERIFY(pair.size() > 8);
     QCOMPARE(pair[3], text("1 / 0 / 4"));
     QCOMPARE(pair[4].toDouble(), -1.5);
-    QCOMPARE(pair[6], text("0.170"));
-    QCOMPARE(pair[7], text("0.170"));
+    QCOMPARE(pair[6], text("0.250"));
+    QCOMPARE(pair[7], text("0.250"));
     QCOMPARE(pair[8], text("-0.07"));
   }
 
@@ -265,6 +265,10 @@ class ReportProgramTest : public QObject {
     row("path", "", {}, {text("--compare"), text("robot1.model")}, 2,
         "error: 'robot1.model' is not varied here (known: robot1.planner, scenario)");
     row("weights", "", {}, {text("--weights"), text("path_length=much")}, 64, "--weights takes");
+    row("weight of nothing better", "", {}, {text("--weights"), text("own_metric=1")}, 2,
+        "--weights: error: 'own_metric' cannot be weighed");
+    row("weight of nothing", "", {}, {text("--weights"), text("path=1")}, 2,
+        "--weights: error: unknown metric 'path'");
     row("pareto", "", {}, {text("--pareto"), text("path_length")}, 64, "--pareto takes two");
   }
   void report_badInput_isTold() {

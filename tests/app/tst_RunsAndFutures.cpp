@@ -143,6 +143,17 @@ class RunsAndFuturesTest : public QObject {
     }
     QVERIFY(views[0]->geometry().bottom() <= views[1]->geometry().top());
     QVERIFY(!views[0]->geometry().intersects(views[1]->geometry()));
+    const editor::MapView& canvas = window_->workspace().view();
+    for (const auto& view : views) {  // half as high, and yet nothing of the map is cut off
+      const auto showsAll = [&canvas, &view = view->view()] {
+        const auto seen = [](const editor::MapView& on) {
+          return on.mapToScene(on.viewport()->rect()).boundingRect();
+        };
+        const double pixel = 2.0 / view.pixelsPerMetre();  // places are whole pixels
+        return seen(view).adjusted(-pixel, -pixel, pixel, pixel).contains(seen(canvas));
+      };
+      QTRY_VERIFY(showsAll());
+    }
     QTest::qWait(200);
     quiet::shoot(*window_, "runs_beside_two");
     tick(0);  // one of them is not wanted any more
@@ -255,6 +266,19 @@ class RunsAndFuturesTest : public QObject {
     QVERIFY(!window_->actions().save->isEnabled());
     runner().reset();
     QVERIFY(!window_->workspace().isOfRecord());
+  }
+
+  void run_ofAnotherScenario_isToldApart() {
+    runDemo(1.0);
+    window_->docks().show({text("runs")});
+    const QTemporaryDir folder;
+    const QString other = folder.filePath(text("other"));
+    QCOMPARE(outside::runProgram({text("run"), text("crossing_agents"), text("-q"), text("-o"),
+                                  other, text("--duration"), text("1")})
+                 .exitCode,
+             0);
+    runs().addRecorded(other);
+    QTRY_COMPARE(runs().comparison().partings(), text("B is of another scenario"));
   }
 
   void run_ofAFolderThatIsNone_isTold() {

@@ -16,6 +16,7 @@ class ServeProgramTest : public QObject {
 
  private Q_SLOTS:
   void serve_withoutRos2_isAWrongCommandLine();
+  void run_optionsOfRos2WithoutIt_areAWrongCommandLine();
   void serve_badDomainOfTheVariable_isTold();
   void serve_brokenScenario_isTold();
   void serve_interrupted_endsCleanly();
@@ -63,6 +64,18 @@ void ServeProgramTest::serve_withoutRos2_isAWrongCommandLine() {
   QCOMPARE(runProgram({text("serve"), scenario(), text("--ros2"), text("--namespace"), text("lab")})
                .exitCode,
            64);
+}
+
+/// They would do nothing.
+void ServeProgramTest::run_optionsOfRos2WithoutIt_areAWrongCommandLine() {
+  writeText(scenario(), kWalk);
+  for (const char* options : {"--domain 5", "--rmw fastrtps", "--ros-distro jazzy", "--network",
+                              "--lockstep", "--stamped"}) {
+    const Finished finished =
+        runProgram(QStringList{text("run"), scenario()} + text(options).split(QLatin1Char(' ')));
+    QCOMPARE(finished.exitCode, 64);
+    QVERIFY2(finished.err.contains(text("--ros2")), qPrintable(finished.err));
+  }
 }
 
 void ServeProgramTest::serve_badDomainOfTheVariable_isTold() {

@@ -79,6 +79,19 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     QCOMPARE(keys.removeDuplicates(), 0);
   }
 
+  /// In one column or in two: the list has no scroll bar.
+  void planners_areAllInSightAtEveryWidth() {
+    window_->docks().show({text("study")});
+    const auto& planners = field<QListWidget>("Planners");
+    QVERIFY(planners.count() > 4);
+    for (const int width : {200, 320, 200}) {
+      form().setFixedWidth(width);
+      const QListWidgetItem* last = planners.item(planners.count() - 1);
+      QTRY_VERIFY(planners.viewport()->rect().contains(planners.visualItemRect(last)));
+      QTRY_COMPARE(planners.visualItemRect(planners.item(1)).left() > 100, width == 320);
+    }
+  }
+
   /// By hand: 10, 12, 14 have the mean 12 and s = 2, t(2) = 4.30265: 12 ± 4.97.
   void estimates_areThoseByHand() {
     const std::vector<StudyRow> rows = {rowOf(0, 10.0), rowOf(1, 12.0), rowOf(2, 14.0),
@@ -120,6 +133,17 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     for (std::size_t run = 0; run < before->runCount(); ++run) {
       QCOMPARE(after->run(run).values, before->run(run).values);
     }
+  }
+
+  /// The form does not offer them, and does not lose them.
+  void file_plannersThatAreNotOffered_areKept() {
+    const QString path = study_->writeStudy(
+        "own.yaml", "seeds: 2\nvalues:\n  robot1.planner: [external, pursuit]\n");
+    QVERIFY(panel().openFile(path));
+    const auto after = app::parseExperiment(
+        form().textFor(QFileInfo(path).absolutePath()).toStdString(), path.toStdString());
+    QVERIFY(after);
+    QCOMPARE(after->values.front().texts, (std::vector<std::string>{"external", "pursuit"}));
   }
 
   /// Chosen by mouse: the scenario that is open, planners, a number of seeds.

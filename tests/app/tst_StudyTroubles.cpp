@@ -37,6 +37,10 @@ class StudyTroublesTest : public QObject {
     }
     QVERIFY(!QDir(out).exists());
     QCOMPARE(runProgram({text("merge"), text("-o"), one, one}).exitCode, 2);
+    const Finished same = runProgram({text("merge"), text("-o"), out, one, one});
+    QCOMPARE(same.exitCode, 2);
+    QVERIFY2(same.err.contains(text("shard 1/4 is given twice")), qPrintable(same.err));
+    QVERIFY2(!same.err.contains(text("process")), qPrintable(same.err));
     const Finished none =
         runProgram({text("merge"), text("-o"), out, folder_.path(text("nowhere"))});
     QVERIFY2(none.err.contains(text("there are no results of a batch")), qPrintable(none.err));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -12,6 +13,7 @@
 #include "app/bridge/bag/BagBodies.h"
 #include "app/bridge/bag/BagTrace.h"
 #include "app/bridge/bag/Crc32.h"
+#include "app/bridge/bag/McapCursor.h"
 #include "app/bridge/bag/RunBag.h"
 #include "app/bridge/messages/Codec.h"
 #include "app/bridge/messages/Definition.h"
@@ -284,6 +286,37 @@ class BagTest : public QObject {
     QVERIFY(!openBag(written("no.db3", "SQLite format 3 and nothing else")));
   }
 
+  /// A view may be a query without an end.
+  void open_databaseOfViews_isRefused() {
+    const char* const endless = "WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n)";
+    const auto made = [&](const char* name, const std::string& sql) {
+      sqlite3* database = nullptr;
+      sqlite3_open(path(name).c_str(), &database);
+      sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr);
+      sqlite3_close(database);
+      return path(name);
+    };
+    const std::string topics =
+        made("topics.db3", std::string("CREATE VIEW topics AS ") + endless +
+                               " SELECT x AS id, '/t' AS name, 't' AS type, 'cdr' AS"
+                               " serialization_format FROM n;"
+                               "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER,"
+                               " timestamp INTEGER, data BLOB)");
+    QCOMPARE(codesOf(openBag(topics).diagnostics()), std::string("bag.bad-database"));
+    const std::string messages =
+        made("messages.db3",
+             std::string("CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT,"
+                         " serialization_format TEXT);"
+                         "INSERT INTO topics VALUES(1, '/people', 't', 'cdr');"
+                         "CREATE VIEW messages AS ") +
+                 endless + " SELECT x AS id, 1 AS topic_id, x AS timestamp, 'x' AS data FROM n");
+    base::Result<std::unique_ptr<Bag>> bag = openBag(messages);
+    QVERIFY(static_cast<bool>(bag));
+    base::Diagnostics told;
+    QCOMPARE(messagesIn(**bag, &told), std::size_t{0});
+    QCOMPARE(codesOf(told), std::string("bag.bad-database"));
+  }
+
   void open_cutFile_hasWhatIsWhole() {
     const std::string whole = bytes(bagFile());
     const std::string cut = written("cut.mcap", whole.substr(0, whole.size() * 2 / 3));
@@ -311,6 +344,28 @@ class BagTest : public QObject {
     base::Diagnostics told;
     messagesIn(**bag, &told);
     QCOMPARE(codesOf(told), std::string("bag.damaged"));
+  }
+
+  void open_chunksNamedTwice_areReadOnce() {
+    std::string whole = bytes(bagFile());
+    const std::size_t footer = whole.size() - kMcapMagic.size() - kRecordHead - 20;
+    McapFields fields(std::string_view(whole).substr(footer + kRecordHead));
+    const auto begin = static_cast<std::size_t>(fields.number<std::uint64_t>());
+    std::string_view rest = std::string_view(whole).substr(begin, footer - begin);
+    std::string indexes;
+    McapPiece piece;
+    for (std::string_view before = rest; nextRecord(rest, piece); before = rest) {
+      if (piece.op == McapOp::ChunkIndex) {
+        indexes += before.substr(0, before.size() - rest.size());
+      }
+    }
+    QVERIFY(!indexes.empty());
+    whole.insert(footer, indexes);
+    std::fill(whole.end() - 12, whole.end() - 8, '\0');  // no checksum of the summary
+    base::Result<std::unique_ptr<Bag>> bag = openBag(written("twice.mcap", whole));
+    base::Result<std::unique_ptr<Bag>> plain = openBag(bagFile());
+    QVERIFY(bag && plain);
+    QCOMPARE(messagesIn(**bag), messagesIn(**plain));
   }
 
   void open_mutatedFiles_neverCrash() {
@@ -373,6 +428,50 @@ class BagTest : public QObject {
     QCOMPARE(trace->header.humans.front().radius, 0.3);
     QCOMPARE(trace->header.robots.front().name, std::string("rob"));
     QCOMPARE(trace->header.robots.front().goals.front().radius, 0.5);
+  }
+
+  /// A publisher that never fills its stamps: one place is left of many, and that is told.
+  void evaluate_stampsThatStand_areTold() {
+    McapWriter writer(path("stamps.mcap"));
+    const std::uint16_t people = writer.addChannel(
+        {"/human_states", hunav_msgs::Agents::kType, definition<hunav_msgs::Agents>(), {}});
+    for (int k = 0; k < 20; ++k) {
+      hunav_msgs::Agents all;
+      all.agents.emplace_back().id = 1;
+      all.agents.back().position.position.x = 0.1 * (k / 2);  // each place twice
+      writer.write(people, k * 100000000, encode(all));
+    }
+    QVERIFY(writer.finish().empty());
+    const base::Result<sim2d::Trace> trace = readBagTrace(path("stamps.mcap"), {}, {});
+    QCOMPARE(codesOf(trace.diagnostics()), std::string("bag.same-stamp"));
+    QVERIFY(firstText(trace.diagnostics()).find("18 places") != std::string::npos);
+  }
+
+  /// The robot of such a recording gets a number that nobody has.
+  void evaluate_greatestId_isRead() {
+    McapWriter writer(path("ids.mcap"));
+    const std::uint16_t people = writer.addChannel(
+        {"/human_states", hunav_msgs::Agents::kType, definition<hunav_msgs::Agents>(), {}});
+    const std::uint16_t robots = writer.addChannel(
+        {"/robot_states", hunav_msgs::Agent::kType, definition<hunav_msgs::Agent>(), {}});
+    for (int k = 0; k < 10; ++k) {
+      hunav_msgs::Agents all;
+      all.header.stamp.nanosec = static_cast<std::uint32_t>(k) * 100000000U;
+      all.agents.resize(2);
+      all.agents[0].id = std::numeric_limits<std::int32_t>::max();
+      all.agents[0].position.position.x = 0.1 * k;
+      hunav_msgs::Agent robot;
+      robot.position.position.y = 1.0 + 0.1 * k;
+      writer.write(people, k * 100000000, encode(all));
+      writer.write(robots, k * 100000000, encode(robot));
+    }
+    QVERIFY(writer.finish().empty());
+    const base::Result<sim2d::Trace> trace = readBagTrace(path("ids.mcap"), {}, {});
+    QVERIFY2(static_cast<bool>(trace), firstText(trace.diagnostics()).c_str());
+    QCOMPARE(trace->header.humans.size(), std::size_t{2});
+    QCOMPARE(trace->frames.back().humans.id.back(), std::numeric_limits<std::int32_t>::max());
+    QCOMPARE(trace->frames.size(), std::size_t{10});
+    QVERIFY(std::fabs(trace->frames.back().robots.y.front() - 1.9) < 1e-9);
   }
 
   void choice_wrongWords_areToldWithTheNearest() {

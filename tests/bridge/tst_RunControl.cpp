@@ -53,6 +53,7 @@ class RunControlTest : public QObject {
   void realTimeFactor_wrongValues_areRefused();
   void drive_finiteTwists_areTaken_data();
   void drive_finiteTwists_areTaken();
+  void drive_aboveAThousand_isToldNotLost();
 };
 
 void RunControlTest::schemas_areThoseOfRos() {
@@ -174,6 +175,17 @@ void RunControlTest::drive_finiteTwists_areTaken() {
   const Scene scene;
   QCOMPARE(scene.inlets.at(0).take(encoding.toStdString(), payload.toStdString()),
            std::string(isTaken ? "" : "this is no geometry_msgs/msg/Twist of finite numbers"));
+}
+
+/// The world takes no input above 1000: whoever drives is told instead of being left alone.
+void RunControlTest::drive_aboveAThousand_isToldNotLost() {
+  const Scene scene;
+  const auto answer = [&](const char* payload) { return scene.inlets.at(0).take("json", payload); };
+  QCOMPARE(answer(R"({"linear":{"x":1000,"y":-1000},"angular":{"z":1000}})"), std::string());
+  for (const char* payload :
+       {R"({"linear":{"x":1000.5}})", R"({"linear":{"y":-1e308}})", R"({"angular":{"z":1e6}})"}) {
+    QCOMPARE(answer(payload), std::string("numbers above 1000 are no velocities"));
+  }
 }
 
 QTEST_APPLESS_MAIN(RunControlTest)

@@ -36,6 +36,7 @@ class RobotNodesTest : public QObject {
   void computePath_fails_leavesAnEmptyPath();
   void backUp_signs_doNotMatter();
   void wait_humble_waitsWholeSeconds();
+  void behaviors_withoutCollisionChecks_areOfMain();
   void truncatePath_metre_endsBeforeItAndLooksAtTheEnd();
   void truncatePath_samePath_isTheSameResult();
   void removePassedGoals_near_keepsTheLast();
@@ -372,6 +373,20 @@ void RobotNodesTest::wait_humble_waitsWholeSeconds() {
   Played jazzy(tableOf(R"(<Wait wait_duration="5.7"/>)"), Distro::Jazzy);
   jazzy.tick();
   QCOMPARE(jazzy.host.last.amount, 5.7);
+}
+
+void RobotNodesTest::behaviors_withoutCollisionChecks_areOfMain() {
+  for (const char* const node : {"Spin", "BackUp", "DriveOnHeading"}) {
+    const auto ignores = [&](Distro distro, const std::string& attributes) {
+      Played played(tableOf(std::string("<") + node + attributes + "/>"), distro);
+      played.tick();
+      return played.host.log.size() == 1 && played.host.last.ignoresCollisions;
+    };
+    QVERIFY(ignores(Distro::Main, R"( disable_collision_checks="true")"));
+    QVERIFY(!ignores(Distro::Main, R"( disable_collision_checks="false")"));
+    QVERIFY(!ignores(Distro::Main, ""));
+    QVERIFY(!ignores(Distro::Jazzy, R"( disable_collision_checks="true")"));
+  }
 }
 
 void RobotNodesTest::truncatePath_metre_endsBeforeItAndLooksAtTheEnd() {

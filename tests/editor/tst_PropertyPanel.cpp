@@ -1,3 +1,4 @@
+#include <QScrollBar>
 #include <QtTest>
 
 #include "editor/document/EditCommands.h"
@@ -168,6 +169,20 @@ class PropertyPanelTest : public QObject {
         *document_, editor::kSettingsId, QString(),
         [](editor::ScenarioSettings& settings) { settings.desktop.duration = 30.0; });
     QVERIFY(!says(words));
+  }
+
+  /// One scroll bar, that of the page: the rest has its room.
+  void page_ofARun_isNotScrolledTwice() {
+    const auto frame = std::make_shared<const sim2d::Frame>();
+    panel_->resize(320, 400);
+    panel_->showFrame(frame);
+    QTest::qWait(50);
+    int bars = 0;
+    for (const QScrollBar* bar : panel_->findChildren<QScrollBar*>()) {
+      bars += bar->isVisible() && bar->orientation() == Qt::Vertical ? 1 : 0;
+    }
+    QVERIFY2(bars <= 1, qPrintable(QString::number(bars)));
+    panel_->showFrame(nullptr);
   }
 
   void page_ofARecordedRun_isReadOnly() {

@@ -19,6 +19,8 @@ class Nav2ParamsTest : public QObject {
   void parse_namespacesAndNesting_areNodes();
   void parse_forAllNodes_comesFirst();
   void parse_ownNamespace_winsOverOthers();
+  void read_otherNamespace_isNoted_data();
+  void read_otherNamespace_isNoted();
   void parse_dottedAndNestedNames_areOne();
   void parse_noParameters_isAnError();
   void read_integerForADouble_isAnErrorAtItsPlace();
@@ -35,6 +37,8 @@ class Nav2ParamsTest : public QObject {
   void read_recoveriesServer_isTheBehaviorServer();
   void guess_signs_data();
   void guess_signs();
+  void guess_reasons_speakForIt();
+  void read_hugeCount_isOutOfRange();
   void set_value_integersPassForDoubles();
   void set_unknownPath_tellsTheNearest();
   void set_keyOfBothCostmaps_needsItsNode();
@@ -379,6 +383,10 @@ void Nav2ParamsTest::guess_signs_data() {
   QTest::newRow("handlers")
       << "controller_server:\n  ros__parameters: {path_handler_plugins: [p]}\n"
       << 2;
+  QTest::newRow("monitor") << "collision_monitor:\n  ros__parameters: {Stop: {max_points: 3}}\n"
+                           << 0;
+  QTest::newRow("any monitor") << "collision_monitor:\n  ros__parameters: {polygons: [Stop]}\n"
+                               << 1;
   QTest::newRow("nothing") << "controller_server:\n  ros__parameters: {a: 1}\n" << 1;
 }
 
@@ -386,6 +394,59 @@ void Nav2ParamsTest::guess_signs() {
   QFETCH(QString, text);
   QFETCH(int, distro);
   QCOMPARE(static_cast<int>(guessDistro(parsed(text.toStdString())).distro), distro);
+}
+
+void Nav2ParamsTest::read_otherNamespace_isNoted_data() {
+  QTest::addColumn<QString>("robot");
+  QTest::addColumn<QString>("noted");  // namespace; empty: none
+  QTest::newRow("the first") << ""
+                             << "two";
+  QTest::newRow("its own") << "two"
+                           << "one";
+}
+
+/// One of two namespaces counts; no key of the other is lost.
+void Nav2ParamsTest::read_otherNamespace_isNoted() {
+  QFETCH(QString, robot);
+  QFETCH(QString, noted);
+  const std::string node =
+      ":\n  velocity_smoother:\n    ros__parameters: {smoothing_frequency: 10.0}\n";
+  const Nav2Reading reading =
+      readNav2Parameters(parsed("one" + node + "two" + node), {Distro::Jazzy, robot.toStdString()});
+  int count = 0;
+  for (const KeyNote& key : reading.parameters.notes.keys) {
+    count += key.path.find('/') != std::string::npos ? 1 : 0;
+  }
+  QCOMPARE(count, 1);
+  const KeyNote* const other =
+      noteOf(reading, noted.toStdString() + "/velocity_smoother.smoothing_frequency");
+  QVERIFY(other != nullptr);
+  QVERIFY(other->use == KeyUse::Idle);
+  QVERIFY(noteOf(reading, "velocity_smoother.smoothing_frequency")->use == KeyUse::Used);
+}
+
+/// Two signs of Jazzy and one of Humble: that one is no reason.
+void Nav2ParamsTest::guess_reasons_speakForIt() {
+  const DistroGuess guess =
+      guessDistro(parsed("controller_server:\n  ros__parameters:\n    progress_checker_plugin: p\n"
+                         "    costmap_update_timeout: 0.3\n    FollowPath: {ax_max: 3.0}\n"));
+  QCOMPARE(static_cast<int>(guess.distro), 1);
+  QCOMPARE(guess.reasons,
+           (std::vector<std::string>{"line 4: key costmap_update_timeout", "line 5: key ax_max"}));
+}
+
+/// Counts beyond what fits are no counts, whatever their sign.
+void Nav2ParamsTest::read_hugeCount_isOutOfRange() {
+  for (const char* const count : {"99999999999", "-9223372036854775808"}) {
+    const Nav2Reading reading = readNav2Parameters(
+        parsed("controller_server:\n  ros__parameters:\n    FollowPath:\n"
+               "      plugin: \"nav2_mppi_controller::MPPIController\"\n      time_steps: " +
+               std::string(count) + "\n      critics: [\"GoalCritic\"]\n"),
+        {Distro::Jazzy, {}});
+    QVERIFY2(problemOf(reading.problems, "nav2.number-out-of-range"),
+             texts(reading.problems).c_str());
+    QVERIFY(!problemOf(reading.problems, "nav2.wrong-type"));
+  }
 }
 
 void Nav2ParamsTest::set_value_integersPassForDoubles() {

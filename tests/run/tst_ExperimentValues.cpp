@@ -180,6 +180,28 @@ class ExperimentValuesTest : public QObject {
     QCOMPARE(said.line, line);
   }
 
+  /// The same runs again are no more evidence; they are made, and told.
+  void listedTwice_isWarnedOf() {
+    const QTemporaryDir folder;
+    const std::string file = folder.filePath(QStringLiteral("e.yaml")).toStdString();
+    const std::string text = "hunavsim_experiment: 1\nscenarios: [" SOURCE_DIR
+                             "/maps/planners/crossing_agents.yaml]\n"
+                             "seeds: [3, 3, 5]\nvalues:\n  duration: [1.0, 2.0, 1.0]\n";
+    QVERIFY(base::writeFileAtomically(file, text).empty());
+    const base::Result<app::Experiment> experiment = app::readExperiment(file);
+    QVERIFY(experiment);
+    QCOMPARE(experiment->runCount(), std::size_t{9});
+    std::vector<std::pair<int, int>> places;
+    for (const base::Diagnostic& said : experiment.diagnostics()) {
+      if (said.code == "experiment.twice") {
+        QVERIFY(said.severity == base::Severity::Warning);
+        places.emplace_back(said.line, said.column);
+      }
+    }
+    const std::vector<std::pair<int, int>> wanted = {{3, 12}, {5, 24}};
+    QCOMPARE(places, wanted);
+  }
+
   /// Moments of the normal distribution between two ends (Johnson, Kotz & Balakrishnan 1994,
   /// 13.134 and 13.135), worked out by hand from tables of phi and Phi.
   void normal_moments_areThoseOfTheTruncatedOne_data() {

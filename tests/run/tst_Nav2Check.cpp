@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <string>
 
+#include <QDirIterator>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -16,6 +17,10 @@ class Nav2CheckTest : public QObject {
   void oneChange_isToldOnceWithItsLine_data();
   void oneChange_isToldOnceWithItsLine();
   void pursuit_otherScalingThanTheLayer_isTold();
+  void pursuitBehindAShim_isLookedAt_data();
+  void pursuitBehindAShim_isLookedAt();
+  void bothCostmaps_areTold();
+  void shippedTrees_haveNoProblems();
   void noFile_isAnError();
 
  private:
@@ -82,6 +87,8 @@ void Nav2CheckTest::oneChange_isToldOnceWithItsLine_data() {
       "robot_radius: 0.175\n      footprint: \"[[0.2, 0.1], [-0.2, 0.1], [0.0, -0.2]]\"\n      "
       "plugins",
       "nav2.two-shapes", false);
+  row("edges of a radius", "consider_footprint: false", "consider_footprint: true",
+      "nav2.no-footprint", true);
   row("inflation within the body", "inflation_radius: 0.45", "inflation_radius: 0.1",
       "nav2.inflation-cut", false);
   row("faster than the smoother", "vx_max: 0.26", "vx_max: 0.5", "nav2.faster-than", false);
@@ -131,6 +138,63 @@ void Nav2CheckTest::pursuit_otherScalingThanTheLayer_isTold() {
   };
   QVERIFY(isTold(checked(text("3.0"))));
   QVERIFY(!isTold(checked(text("4.0"))));
+}
+
+void Nav2CheckTest::pursuitBehindAShim_isLookedAt_data() {
+  QTest::addColumn<QString>("primary");  // keys of the shim
+  QTest::newRow("beside") << "primary_controller: "
+                             "nav2_regulated_pure_pursuit_controller::"
+                             "RegulatedPurePursuitController, desired_linear_vel: 1.5, "
+                             "inflation_cost_scaling_factor: 7.0, lookahead_dist: 3.0";
+  QTest::newRow("main") << "primary_controller: {plugin: "
+                           "nav2_regulated_pure_pursuit_controller::"
+                           "RegulatedPurePursuitController, max_linear_vel: 1.5, "
+                           "inflation_cost_scaling_factor: 7.0, lookahead_dist: 3.0}";
+}
+
+/// Each is wrong in the same way without the shim.
+void Nav2CheckTest::pursuitBehindAShim_isLookedAt() {
+  QFETCH(QString, primary);
+  const std::string sign = QTest::currentDataTag() == std::string("main")
+                               ? "    path_handler_plugins: [PathHandler]\n"
+                                 "    PathHandler: {plugin: "
+                                 "nav2_controller::FeasiblePathHandler}\n"
+                               : "";
+  const base::Diagnostics found =
+      checked("controller_server:\n  ros__parameters:\n" + sign +
+              "    FollowPath: {plugin: nav2_rotation_shim_controller::RotationShimController, " +
+              primary.toStdString() +
+              "}\nlocal_costmap:\n  local_costmap:\n    ros__parameters:\n"
+              "      rolling_window: true\n");
+  for (const char* code : {"nav2.scaling-differs", "nav2.faster-than", "nav2.map-too-small"}) {
+    const auto count = std::count_if(found.begin(), found.end(),
+                                     [&](const auto& each) { return each.code == code; });
+    QVERIFY2(count == 1, (code + ("\n" + wordsOf(found))).c_str());
+  }
+}
+
+void Nav2CheckTest::bothCostmaps_areTold() {
+  std::string text = shippedText("turtlebot4");
+  const std::string from = "inflation_radius: 0.45";
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from)) {
+    text.replace(at, from.size(), "inflation_radius: 0.05");
+  }
+  const base::Diagnostics found = checked(text);
+  const auto cut = std::count_if(found.begin(), found.end(), [](const auto& each) {
+    return each.code == std::string("nav2.inflation-cut");
+  });
+  QVERIFY2(cut == 2, wordsOf(found).c_str());
+}
+
+void Nav2CheckTest::shippedTrees_haveNoProblems() {
+  int count = 0;
+  QDirIterator files(QStringLiteral(SOURCE_DIR "/resources/nav2_trees"), {QStringLiteral("*.xml")},
+                     QDir::Files, QDirIterator::Subdirectories);
+  for (; files.hasNext(); ++count) {
+    const std::string path = files.next().toStdString();
+    QCOMPARE(wordsOf(app::checkNavigatorTree(path)), std::string());
+  }
+  QVERIFY(count >= 15);
 }
 
 void Nav2CheckTest::noFile_isAnError() {

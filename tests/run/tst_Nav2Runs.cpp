@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "app/run/Bundle.h"
+#include "sim2d/base/Math.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
@@ -24,6 +25,9 @@ class Nav2RunsTest : public QObject {
   void sameRunTwice_isEqualToTheBit();
   void twoRobots_withTwoFiles_bothArrive();
   void ownTree_thatOnlySpins_spins();
+  void ownTree_thatFails_isCounted();
+  void backUp_withoutCollisionChecks_goesOn();
+  void plannerAfterAClear_waitsAsLongAsSaid();
   void report_hasKeysDefaultsAndCounts();
   void effect_inflationRadius_keepsFartherOff();
   void effect_costScaling_goesNearer();
@@ -170,6 +174,19 @@ Driven driveBox(const std::string& params, const Words& set, double longest = 60
   return drive(options, longest);
 }
 
+/// By a tree of these nodes, of Main.
+Driven driveTree(const std::string& nodes, double heading, double longest, const Words& set = {}) {
+  const std::string tree = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_own.xml";
+  base::writeFileAtomically(
+      tree, "<root BTCPP_format=\"4\" main_tree_to_execute=\"T\"><BehaviorTree ID=\"T\">" + nodes +
+                "</BehaviorTree></root>");
+  app::RunOptions options = optionsOf(boxScenario(heading), "generic");
+  options.nav2Tree = tree;
+  options.nav2Distro = "main";
+  options.set = set;
+  return drive(options, longest);
+}
+
 const std::string kPursuit =
     "nav2.FollowPath.plugin=nav2_regulated_pure_pursuit_controller::"
     "RegulatedPurePursuitController";
@@ -247,6 +264,43 @@ void Nav2RunsTest::ownTree_thatOnlySpins_spins() {
   QVERIFY(isTold);
   QVERIFY(std::fabs(world.frame().robots.heading[0] - 1.57) < 0.15);
   QVERIFY(std::fabs(world.frame().robots.x[0]) < 0.01);
+}
+
+void Nav2RunsTest::ownTree_thatFails_isCounted() {
+  const Driven given = driveTree("<AlwaysFailure/>", 0.0, 1.0);
+  QCOMPARE(given.report["counts"]["tree_failures"], 1);  // it is not begun again
+  QCOMPARE(driveTree("<AlwaysSuccess/>", 0.0, 1.0).report["counts"]["tree_failures"], 0);
+}
+
+/// Backwards to the box, whose side is 3.5 m off: the look ahead of 2 s ends the one, the other
+/// goes on.
+void Nav2RunsTest::backUp_withoutCollisionChecks_goesOn() {
+  const std::string backUp =
+      R"(<BackUp backup_dist="4.0" backup_speed="0.5" time_allowance="20.0")";
+  const Driven looks = driveTree(backUp + "/>", base::kPi, 10.0);
+  const Driven blind = driveTree(backUp + R"( disable_collision_checks="true"/>)", base::kPi, 10.0);
+  QCOMPARE(looks.report["counts"]["tree_failures"], 1);
+  QCOMPARE(blind.report["counts"]["tree_failures"], 0);
+  QVERIFY2(blind.places.back().x() > looks.places.back().x() + 0.3,
+           (base::formatDouble(blind.places.back().x()) + " " +
+            base::formatDouble(looks.places.back().x()))
+               .c_str());
+}
+
+/// The costmap comes back every 4 s: a planner that waits for 1 s has failed by then.
+void Nav2RunsTest::plannerAfterAClear_waitsAsLongAsSaid() {
+  const std::string tree =
+      R"(<SequenceWithMemory><Wait wait_duration="1.0"/>
+         <ClearEntireCostmap service_name="global_costmap/clear_entirely_global_costmap"/>
+         <ComputePathToPose goal="{goal}" path="{path}"/></SequenceWithMemory>)";
+  const auto failures = [&](const std::string& seconds) {
+    const Driven driven = driveTree(tree, 0.0, 6.0,
+                                    {"nav2.global_costmap.update_frequency=0.25",
+                                     "nav2.planner_server.costmap_update_timeout=" + seconds});
+    return driven.report["counts"]["plan_failures"].get<int>();
+  };
+  QCOMPARE(failures("1.0"), 1);
+  QCOMPARE(failures("5.0"), 0);
 }
 
 void Nav2RunsTest::report_hasKeysDefaultsAndCounts() {

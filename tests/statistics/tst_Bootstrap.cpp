@@ -84,6 +84,21 @@ class BootstrapTest : public QObject {
     VERIFY_NEAR(found.high, slow.high, 1e-9);
   }
 
+  /// Means that equal the estimate but for the order of their sums are equal to it. In Python, with
+  /// whole sums, 40000 resamples: (-5, 3) / 15.
+  void bootstrapMeanInterval_tiesByRounding_countAsHalf() {
+    const Numbers differences = {1, 1, -1, -1, -1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    BootstrapOptions options;
+    options.resamples = 20000;
+    const Interval found = bootstrapMeanInterval(differences, options);
+    VERIFY_NEAR(found.low, -5.0 / 15.0, 1e-9);
+    VERIFY_NEAR(found.high, 3.0 / 15.0, 1e-9);
+    const Interval slow = bootstrapInterval(
+        differences, [](const Numbers& x) { return mean(x); }, options);
+    VERIFY_NEAR(slow.low, found.low, 1e-9);
+    VERIFY_NEAR(slow.high, found.high, 1e-9);
+  }
+
   void bootstrapMeanInterval_seed_decidesAlone() {
     BootstrapOptions options;
     const Interval one = bootstrapMeanInterval(spatial(), options);

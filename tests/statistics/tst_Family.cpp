@@ -77,7 +77,8 @@ class FamilyTest : public QObject {
     const Friedman agreed = friedman({{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
     VERIFY_NEAR(agreed.chiSquared, 6.0, 1e-12);  // N (k - 1)
     QVERIFY(std::isinf(agreed.f));
-    QCOMPARE(agreed.fP, 0.0);
+    VERIFY_NEAR(agreed.fP, 1.0 / 36.0, 1e-15);  // both others in the first's order, of six
+    VERIFY_NEAR(friedman({{1, 1, 2}, {3, 3, 4}}).fP, 1.0 / 3.0, 1e-15);  // of three
   }
 
   /// Demšar 2006, table 5 (a): q at 5 % and 10 %.

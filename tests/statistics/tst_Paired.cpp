@@ -79,17 +79,30 @@ class PairedTest : public QObject {
     VERIFY_NEAR(found.p, 0.0390625, 1e-12);
   }
 
-  /// scipy 1.10.1: wilcoxon(d, zero_method, correction=True, mode='approx').
-  void signedRank_tiesAndZeros_areThoseOfScipy() {
+  /// All 2^12 signs listed: of 16 (Pratt) and 15 (Wilcoxon) the smaller sum is as small.
+  void signedRank_tiesAndZeros_areThoseOfTheList() {
     const SignedRank pratt = signedRank(demsar(), Zeros::Pratt);
     QCOMPARE(pratt.minus, 10.5);
     QCOMPARE(pratt.plus, 91.5);  // Demšar counts half of the zeros' ranks too: 93
     QCOMPARE(pratt.zeros, 2);
-    QVERIFY(!pratt.isExact);
-    VERIFY_NEAR(pratt.p, 0.01180600450285098, 1e-9);
+    QVERIFY(pratt.isExact);
+    VERIFY_NEAR(pratt.p, 2.0 * 16.0 / 4096.0, 1e-15);
     const SignedRank wilcoxon = signedRank(demsar(), Zeros::Wilcoxon);
     QCOMPARE(wilcoxon.minus, 6.5);
-    VERIFY_NEAR(wilcoxon.p, 0.012030358470209076, 1e-9);
+    VERIFY_NEAR(wilcoxon.p, 2.0 * 15.0 / 4096.0, 1e-15);
+  }
+
+  /// By hand: all of one sign is 2 / 2^n, no p is smaller; of {1, 1, -1, 2} four of 16 sums are at
+  /// most 2.
+  void signedRank_tiesAndZerosOfFew_areByHand() {
+    QCOMPARE(signedRank({1, 1, 1, 1, 1}).p, 2.0 / 32.0);
+    QCOMPARE(signedRank({0, 1, 2, 3, 4, 5, 6}).p, 2.0 / 64.0);
+    QCOMPARE(signedRank({0, 0, 0, 0, 2, 2}).p, 2.0 / 4.0);
+    QCOMPARE(signedRank({1, 1, -1, 2}).p, 2.0 * 4.0 / 16.0);
+  }
+
+  /// scipy 1.10.1: wilcoxon(d, zero_method, correction=True, mode='approx').
+  void signedRank_manyWithTies_isThatOfScipy() {
     const SignedRank many = signedRank(sixty());
     QCOMPARE(std::min(many.plus, many.minus), 845.0);
     QVERIFY(!many.isExact);

@@ -37,6 +37,36 @@ class RatesTest : public QObject {
     QCOMPARE(wilsonInterval(3, 3).high, 1.0);
   }
 
+  /// Newcombe's method 10, evaluated in Python by its formulas.
+  void pairedRateInterval_python_isEqual_data() {
+    QTest::addColumn<int>("both");
+    QTest::addColumn<int>("first");
+    QTest::addColumn<int>("second");
+    QTest::addColumn<int>("neither");
+    QTest::addColumn<double>("low");
+    QTest::addColumn<double>("high");
+    QTest::newRow("a margin is empty") << 36 << 12 << 2 << 0 << 0.0569296 << 0.3404276;
+    QTest::newRow("correlated") << 20 << 12 << 2 << 16 << 0.0561564 << 0.3292070;
+    QTest::newRow("negatively") << 1 << 1 << 7 << 6 << -0.6410053 << -0.0577271;
+    QTest::newRow("nothing differs") << 54 << 0 << 0 << 0 << -0.0664136 << 0.0664136;
+    QTest::newRow("all differ") << 0 << 6 << 0 << 0 << 0.4479840 << 1.0;
+  }
+  void pairedRateInterval_python_isEqual() {
+    QFETCH(int, both);
+    QFETCH(int, first);
+    QFETCH(int, second);
+    QFETCH(int, neither);
+    QFETCH(double, low);
+    QFETCH(double, high);
+    const Interval found = pairedRateInterval({both, first, second, neither});
+    VERIFY_NEAR(found.low, low, 1e-6);
+    VERIFY_NEAR(found.high, high, 1e-6);
+    const Interval turned = pairedRateInterval({both, second, first, neither});
+    VERIFY_NEAR(turned.low, -found.high, 1e-12);
+    VERIFY_NEAR(turned.high, -found.low, 1e-12);
+    QVERIFY(!pairedRateInterval({}).isDefined());
+  }
+
   /// By hand: 2 (1 + 8) / 2^8 and 2 (1 + 7 + 21) / 2^7.
   void mcNemarP_byHand_isEqual() {
     QCOMPARE(mcNemarP(1, 7), 18.0 / 256.0);

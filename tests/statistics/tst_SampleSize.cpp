@@ -9,19 +9,20 @@ class SampleSizeTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
-  /// Pairs for a paired t test at 5 %, power 80 %: 199, 34 and 15 for effects of 0.2, 0.5 and 0.8
-  /// (Cohen's small, medium, large; G*Power 3.1).
-  void pairsForMean_cohen_isThatOfGPower() {
-    QCOMPARE(pairsForMean(0.2, 1.0), 199.0);
-    QCOMPARE(pairsForMean(0.5, 1.0), 34.0);
-    QCOMPARE(pairsForMean(-1.6, 2.0), 15.0);
+  /// By hand: (1.95996 √0.6 + 0.84162 √(0.6 - 0.36))² / 0.36 = 10.35;
+  /// (1.95996 √0.4 + 0.84162 √(0.4 - 0.04))² / 0.04 = 76.09.
+  void pairsForMcNemar_byHand_isEqual() {
+    QCOMPARE(pairsForMcNemar(0.6, 0.0), 11.0);
+    QCOMPARE(pairsForMcNemar(0.3, 0.1), 77.0);
+    QCOMPARE(pairsForMcNemar(0.1, 0.3), 77.0);
   }
 
-  void pairsForMean_edgeCases_areAsSaid() {
-    QVERIFY(std::isnan(pairsForMean(0.0, 1.0)));
-    QVERIFY(std::isnan(pairsForMean(kUndefined, 1.0)));
-    QVERIFY(std::isnan(pairsForMean(1.0, kUndefined)));
-    QCOMPARE(pairsForMean(1.0, 0.0), 2.0);
+  /// With five pairs no p is below 2 / 2^5.
+  void pairsForMcNemar_edgeCases_areAsSaid() {
+    QCOMPARE(pairsForMcNemar(1.0, 0.0), 6.0);
+    QCOMPARE(pairsForMcNemar(0.0, 1.0, {0.01, 0.8}), 8.0);
+    QVERIFY(std::isnan(pairsForMcNemar(0.2, 0.2)));
+    QVERIFY(std::isnan(pairsForMcNemar(kUndefined, 0.2)));
   }
 
   /// By hand: (1.95996 + 0.84162)² / (3 * 0.2²) = 7.8489 / 0.12 = 65.4; power 90 %:

@@ -78,7 +78,7 @@ bool AgentManager::needWorld(const Agents& agents) {
   }
   base::Result<std::unique_ptr<sim2d::CoupledWorld>> made = makeWorld(agents);
   for (const base::Diagnostic& said : made.diagnostics()) {
-    if (told_.insert(said.text()).second) {
+    if (told_.size() < kMostTold && told_.insert(said.text()).second) {
       remarks_.push_back(said);
     }
   }
@@ -107,7 +107,9 @@ std::vector<sim2d::CoupledPerson> AgentManager::usablePeople(const Agents& agent
     } else if (agent.id < 0) {
       tell(base::Severity::Warning, "ros2.agent-negative", {nameOf(agent)});
     } else if (fault.empty()) {
-      lastAgents_[agent.id] = agent;
+      if (world_->knows(agent.id)) {
+        lastAgents_[agent.id] = agent;
+      }
       people.push_back(personOf(agent));
     } else {
       tell(base::Severity::Warning, "ros2.bad-agent", {nameOf(agent), fault});
@@ -166,7 +168,9 @@ double AgentManager::sinceLast(Stamped& stamped, std::int64_t now) {
 /// Of people in steps of their own: they are as far as all others now.
 void AgentManager::restartClocks(const Agents& agents) {
   for (const Agent& agent : agents.agents) {
-    ownClocks_[agent.id] = {nanosecondsOf(agents.header.stamp), true};
+    if (world_->knows(agent.id)) {  // else they grow with whatever is asked
+      ownClocks_[agent.id] = {nanosecondsOf(agents.header.stamp), true};
+    }
   }
 }
 
@@ -238,7 +242,9 @@ hunav_msgs::MoveAgent::Response AgentManager::moveOne(
     if (!goesOn) {
       restartClocks(agents);
     } else if (asked != agents.agents.end()) {
-      step(sinceLast(ownClocks_[request.agentId], now), request.agentId);
+      if (world_->knows(request.agentId)) {
+        step(sinceLast(ownClocks_[request.agentId], now), request.agentId);
+      }
       world_->pass(passed);
       topics_ = topicsOf(agents, request.robot, *world_);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,41 @@ using hunav_msgs::AgentBehavior;
 using sim2d::Human;
 using sim2d::Scenario;
 
-constexpr double kSameGoal = 1e-3;  // [m]
+constexpr double kSameGoal = 1e-3;     // [m]
+constexpr double kMostSpeed = 100.0;   // [m/s], as of the keys of files
+constexpr double kMostRadius = 100.0;  // [m]
+constexpr double kMostFactor = 1e4;    // of forces; usual ones are 2 to 20
+constexpr double kMostDuration = 1e6;  // [s]
 
-bool isPositive(float value) {
-  return std::isfinite(value) && value > 0.0F;
-}
+/// What a message tells of an agent, as far as a world can be made of it: one wild value would stop
+/// the steps of everybody. What is 0 or not finite is not told at all.
+class Told {
+ public:
+  Told(const Agent& agent, base::Diagnostics& remarks) : agent_(agent), remarks_(remarks) {}
+
+  std::optional<double> positive(const char* field, float value, double most) const {
+    if (!std::isfinite(value) || value <= 0.0F) {
+      return std::nullopt;
+    }
+    if (double{value} > most) {
+      remarks_.push_back(
+          base::problem(base::Severity::Warning, "ros2.too-large",
+                        {agent_.name, std::to_string(agent_.id), field, double{value}, most}));
+      return std::nullopt;
+    }
+    return double{value};
+  }
+  template <class T>
+  void take(const char* field, float value, double most, T& to) const {
+    if (const std::optional<double> usable = positive(field, value, most)) {
+      to = *usable;
+    }
+  }
+
+ private:
+  const Agent& agent_;
+  base::Diagnostics& remarks_;
+};
 
 /// The id of the global goal there, which is added when there is none.
 int goalAt(const sim2d::Vec2& place, Scenario& scenario) {
@@ -37,7 +68,7 @@ int goalAt(const sim2d::Vec2& place, Scenario& scenario) {
   return added.id;
 }
 
-void takeGoals(const Agent& agent, Scenario& scenario, Human& human) {
+void takeGoals(const Agent& agent, const Told& told, Scenario& scenario, Human& human) {
   std::vector<int> goals;
   for (const geometry_msgs::Pose& goal : agent.goals) {
     const sim2d::Vec2 place(goal.position.x, goal.position.y);
@@ -51,37 +82,34 @@ void takeGoals(const Agent& agent, Scenario& scenario, Human& human) {
   human.goals = std::move(goals);
   human.ours.wait.clear();
   human.cyclicGoals = agent.cyclicGoals;
-  if (isPositive(agent.goalRadius)) {
-    human.goalRadius = double{agent.goalRadius};
-  }
+  told.take("goal_radius", agent.goalRadius, kMostRadius, human.goalRadius);
 }
 
-void takeFactors(const AgentBehavior& from, sim2d::Behavior& to) {
-  if (!isPositive(from.goalForceFactor) || !isPositive(from.obstacleForceFactor) ||
-      !isPositive(from.socialForceFactor)) {
+void takeFactors(const AgentBehavior& from, const Told& told, sim2d::Behavior& to) {
+  const auto goal = told.positive("goal_force_factor", from.goalForceFactor, kMostFactor);
+  const auto obstacle =
+      told.positive("obstacle_force_factor", from.obstacleForceFactor, kMostFactor);
+  const auto social = told.positive("social_force_factor", from.socialForceFactor, kMostFactor);
+  if (!goal || !obstacle || !social) {
     return;
   }
   to.configuration = sim2d::Configuration::Custom;  // drawn already, by the caller's loader
-  to.goalForceFactor = double{from.goalForceFactor};
-  to.obstacleForceFactor = double{from.obstacleForceFactor};
-  to.socialForceFactor = double{from.socialForceFactor};
-  to.otherForceFactor = double{from.otherForceFactor};
+  to.goalForceFactor = goal;
+  to.obstacleForceFactor = obstacle;
+  to.socialForceFactor = social;
+  if (std::fabs(from.otherForceFactor) <= kMostFactor) {  // 0 and less are known too
+    to.otherForceFactor = double{from.otherForceFactor};
+  }
 }
 
-void takeBehavior(const AgentBehavior& from, sim2d::Behavior& to) {
+void takeBehavior(const AgentBehavior& from, const Told& told, sim2d::Behavior& to) {
   const bool isKnown =
       from.type >= AgentBehavior::kBehRegular && from.type <= AgentBehavior::kBehThreatening;
   to.type = isKnown ? static_cast<sim2d::BehaviorType>(from.type) : sim2d::BehaviorType::Regular;
   to.once = from.once;
-  if (isPositive(from.duration)) {
-    to.duration = double{from.duration};
-  }
-  if (isPositive(from.vel)) {
-    to.vel = double{from.vel};
-  }
-  if (isPositive(from.dist)) {
-    to.dist = double{from.dist};
-  }
+  told.take("duration", from.duration, kMostDuration, to.duration);
+  told.take("vel", from.vel, kMostSpeed, to.vel);
+  told.take("dist", from.dist, base::kFarthest, to.dist);
 }
 
 /// A name that nobody has.
@@ -97,13 +125,13 @@ std::string nameFor(const Agent& agent, const Scenario& scenario) {
   return name;
 }
 
-Human& addStranger(const Agent& agent, Scenario& scenario) {
+Human& addStranger(const Agent& agent, const Told& told, Scenario& scenario) {
   Human human;
   human.initPose = personOf(agent).pose;
   human.key = {base::EntityKind::Human, scenario.nextKey()};
   human.id = agent.id;
   human.name = nameFor(agent, scenario);
-  takeBehavior(agent.behavior, human.behavior);
+  takeBehavior(agent.behavior, told, human.behavior);
   scenario.humans.push_back(std::move(human));
   return scenario.humans.back();
 }
@@ -124,21 +152,18 @@ Scenario scenarioFor(const Scenario& served, const hunav_msgs::Agents& agents,
     const auto found = std::find_if(scenario.humans.begin(), scenario.humans.end(),
                                     [&](const Human& human) { return human.id == agent.id; });
     const bool isStranger = found == scenario.humans.end();
-    Human& human = isStranger ? addStranger(agent, scenario) : *found;
+    const Told told(agent, remarks);
+    Human& human = isStranger ? addStranger(agent, told, scenario) : *found;
     human.listed = true;
     if (isStranger) {
       remarks.push_back(base::problem(base::Severity::Warning, "ros2.stranger",
                                       {agent.name, std::to_string(agent.id)}));
     }
     human.groupId = agent.groupId;
-    if (isPositive(agent.desiredVelocity)) {
-      human.maxVel = double{agent.desiredVelocity};
-    }
-    if (isPositive(agent.radius)) {
-      human.radius = double{agent.radius};
-    }
-    takeGoals(agent, scenario, human);
-    takeFactors(agent.behavior, human.behavior);
+    told.take("desired_velocity", agent.desiredVelocity, kMostSpeed, human.maxVel);
+    told.take("radius", agent.radius, kMostRadius, human.radius);
+    takeGoals(agent, told, scenario, human);
+    takeFactors(agent.behavior, told, human.behavior);
   }
   return scenario;
 }

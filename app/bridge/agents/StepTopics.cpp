@@ -40,7 +40,9 @@ Marker arrow(const Agent& agent, const std_msgs::Header& header, std::int32_t nu
   Marker marker;
   marker.header = header;
   marker.ns = agent.name + "/robot_forces";
-  marker.id = agent.id + number;
+  // Of the greatest id it goes round.
+  marker.id = static_cast<std::int32_t>(static_cast<std::uint32_t>(agent.id) +
+                                        static_cast<std::uint32_t>(number));
   marker.type = Marker::kArrow;
   marker.action = size > kNoForce ? Marker::kAdd : Marker::kDelete;
   marker.pose.position = agent.position.position;

@@ -8,6 +8,7 @@
 #include "app/bridge/messages/Codec.h"
 #include "app/bridge/topics/RunMessages.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/map/MapReader.h"
 
 namespace bridge {
 namespace {
@@ -15,6 +16,8 @@ namespace {
 constexpr double kSameHeading = 1e-6;         // [rad]: what a float leaves of it
 constexpr int kRobot = -1;                    // id of a robot that has none
 constexpr std::uint32_t kWidest = 1U << 16U;  // [cells] of a map
+// [ns]: of any two times and stamps the difference is a number as well.
+constexpr std::int64_t kLatest = std::int64_t{1} << 62U;
 
 std::int64_t nanosecondsOf(const builtin_interfaces::Time& stamp) {
   return std::int64_t{stamp.sec} * 1000000000 + stamp.nanosec;
@@ -89,7 +92,8 @@ base::Diagnostics BagBodies::read() {
   return problems;
 }
 
-void BagBodies::take(std::size_t channel, std::int64_t time, std::string_view bytes) {
+void BagBodies::take(std::size_t channel, std::int64_t recorded, std::string_view bytes) {
+  const std::int64_t time = std::clamp(recorded, std::int64_t{0}, kLatest);
   const std::string& type = bag_.channels()[channel].type;
   if (choice_.people == channel && type == hunav_msgs::Agents::kType) {
     takeAgents(channel, bytes, time);
@@ -257,13 +261,14 @@ void BagBodies::takeMap(std::size_t channel, std::string_view bytes) {
   }
   const std::uint64_t cells = std::uint64_t{map->info.width} * map->info.height;
   const bool isPossible = map->info.width <= kWidest && map->info.height <= kWidest && cells > 0 &&
+                          cells <= std::uint64_t{sim2d::kMostMapCells} &&
                           cells == map->data.size() && map->info.resolution > 0.0F &&
                           std::isfinite(map->info.resolution);
   const base::Pose2 origin = planarPose(map->info.origin);
   if (!isPossible || !base::isInReach(origin.position) || !std::isfinite(origin.heading)) {
     ++losses_[channel].lost;
     --losses_[channel].read;
-    losses_[channel].first = "its size and cells do not fit";
+    losses_[channel].first = "its size and cells do not fit, or are too many";
     return;
   }
   std::vector<std::int8_t> values = map->data;

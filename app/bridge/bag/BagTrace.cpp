@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -125,11 +126,11 @@ class ForeignTrace {
       }
     }
     for (const auto& [id, body] : bodies_.people()) {
-      addTrack(body, id);
+      addTrack(body, id, true);
     }
     const BagBody* const robot = robotSeenMost();
     if (robot != nullptr) {
-      addTrack(*robot, freeId());
+      addTrack(*robot, freeId(), !robot->told);
       file_.tracks.back().isRobot = true;
       takeGoal(*robot);
     }
@@ -138,6 +139,11 @@ class ForeignTrace {
       describe(*trace, robot);
     }
     return trace;
+  }
+  /// What was left out on the way.
+  base::Diagnostics remarks() const {
+    return left_ == 0 ? base::Diagnostics()
+                      : base::Diagnostics{base::warning("bag.same-stamp", {left_}, file_.file)};
   }
 
  private:
@@ -152,10 +158,19 @@ class ForeignTrace {
 
   int freeId() const {
     const auto& people = bodies_.people();
-    return people.empty() ? 0 : std::max(people.rbegin()->first, 0) + 1;
+    const int last = people.empty() ? -1 : std::max(people.rbegin()->first, 0);
+    if (last < std::numeric_limits<int>::max()) {
+      return last + 1;
+    }
+    int id = 0;
+    while (people.count(id) > 0) {
+      ++id;
+    }
+    return id;
   }
 
-  void addTrack(const BagBody& body, int id) {
+  /// `hasStamps`: of its own; robot_states shares those of people, often one for two.
+  void addTrack(const BagBody& body, int id, bool hasStamps) {
     sim2d::Track track;
     track.id = id;
     track.name = body.name;
@@ -164,8 +179,10 @@ class ForeignTrace {
     }
     std::int64_t last = 0;
     for (const BagSample& sample : body.samples) {
-      if (!track.points.empty() && sample.time == last) {
-        continue;  // recorded twice
+      if (!track.points.empty() && sample.time == last) {  // recorded twice
+        const bool isElsewhere = sample.pose.position != track.points.back().position;
+        left_ += isElsewhere && hasStamps ? 1U : 0U;
+        continue;
       }
       last = sample.time;
       sim2d::TrackPoint point;
@@ -228,6 +245,7 @@ class ForeignTrace {
   sim2d::TrackOptions options_;
   sim2d::TrackFile file_;
   std::optional<std::int64_t> begin_;  // [ns]; stamps since 1970 leave a double few digits
+  std::size_t left_ = 0;               // samples with the stamp of one before, but elsewhere
 };
 
 /// Used as it was written: no choice of topics or robots, no other step.
@@ -261,7 +279,9 @@ base::Result<sim2d::Trace> readBagTrace(const std::string& path, const BagUse& u
     if (base::hasErrors(problems)) {
       return problems;
     }
-    trace = ForeignTrace(bodies, options, path).make();
+    ForeignTrace foreign(bodies, options, path);
+    trace = foreign.make();
+    base::append(problems, foreign.remarks());
   }
   base::append(problems, trace.diagnostics());
   return trace ? base::Result<sim2d::Trace>(*std::move(trace), std::move(problems))

@@ -95,6 +95,9 @@ base::Result<std::unique_ptr<Bag>> openDatabase(const std::string& path) {
   if (code != SQLITE_OK) {
     return base::error("bag.bad-database", {sqlite3_errstr(code)}, path);
   }
+  // Tables alone are read: a view can be a query that never ends.
+  sqlite3_db_config(connection.get(), SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  sqlite3_db_config(connection.get(), SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   auto database = std::make_unique<Database>(path, std::move(connection));
   base::Diagnostics problems = database->readTopics();
   if (!problems.empty()) {

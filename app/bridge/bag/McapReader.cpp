@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -147,7 +148,11 @@ bool McapReader::readSummary() {
   for (McapPiece piece; isFine && nextRecord(rest, piece);) {
     isFine = readSummaryRecord(piece);
   }
-  isIndexed_ = isFine && rest.empty() && !chunks_.empty() && !channels_.empty();
+  std::set<std::uint64_t> places;  // a chunk named a thousand times would be read as often
+  const bool isEachOnce = std::all_of(chunks_.begin(), chunks_.end(), [&](const Chunk& chunk) {
+    return places.insert(chunk.place).second;
+  });
+  isIndexed_ = isFine && isEachOnce && rest.empty() && !chunks_.empty() && !channels_.empty();
   return isIndexed_;
 }
 

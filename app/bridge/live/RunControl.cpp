@@ -9,6 +9,7 @@
 #include "app/bridge/messages/Codec.h"
 #include "app/bridge/messages/Definition.h"
 #include "app/bridge/messages/GeometryMessages.h"
+#include "sim2d/world/WorldState.h"
 
 namespace live {
 
@@ -164,6 +165,10 @@ std::string RunControl::drive(int robot, std::string_view encoding, std::string_
   if (!twist || !std::isfinite(twist->linear.x) || !std::isfinite(twist->linear.y) ||
       !std::isfinite(twist->angular.z)) {
     return "this is no geometry_msgs/msg/Twist of finite numbers";
+  }
+  const auto isTooFast = [](double value) { return std::fabs(value) > sim2d::kFastest; };
+  if (isTooFast(twist->linear.x) || isTooFast(twist->linear.y) || isTooFast(twist->angular.z)) {
+    return "numbers above 1000 are no velocities";  // the world would not take them
   }
   sim2d::Input input;
   input.kind = sim2d::InputKind::Robot;

@@ -9,6 +9,7 @@
 #include "app/bridge/messages/GeometryMessages.h"
 #include "app/bridge/nodes/GoalSender.h"
 #include "app/bridge/topics/RunMessages.h"
+#include "sim2d/world/WorldState.h"
 
 namespace bridge {
 namespace {
@@ -116,11 +117,11 @@ void DdsRunNode::takeStamped(const geometry_msgs::TwistStamped& command) {
 }
 
 void DdsRunNode::takeCommand(const geometry_msgs::Twist& twist) {
-  const bool isFinite = std::isfinite(twist.linear.x) && std::isfinite(twist.linear.y) &&
-                        std::isfinite(twist.angular.z);
-  if (!isFinite) {
+  // What the world would not take: false of NaN too.
+  const auto isUsable = [](double value) { return std::fabs(value) <= sim2d::kFastest; };
+  if (!isUsable(twist.linear.x) || !isUsable(twist.linear.y) || !isUsable(twist.angular.z)) {
     tellOnce(base::problem(base::Severity::Warning, "ros2.bad-message",
-                           {"/cmd_vel", "a number is not finite"}));
+                           {"/cmd_vel", "a number is not finite or above 1000"}));
     return;
   }
   command_ = twist;

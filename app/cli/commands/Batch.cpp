@@ -68,8 +68,12 @@ std::string absolute(const std::string& path) {
 }
 
 int printScript(const BatchOptions& options) {
-  const ClusterJob job{programPath(), absolute(options.experiment), absolute(options.output),
-                       options.chunks, options.allowCode};
+  const ClusterJob job{programPath(),
+                       absolute(options.experiment),
+                       absolute(options.output),
+                       options.chunks,
+                       options.allowCode,
+                       options.timeLimit};
   print(options.script == "slurm" ? slurmScript(job) : parallelScript(job));
   return ExitFine;
 }

@@ -147,7 +147,12 @@ NodeStatus awaitSmooth(LeafContext& leaf) {
   return statusOf(outcome);
 }
 
-// Behaviours. Ports 0: amount, then what each has; out: error code.
+// Behaviours. Ports 0: amount, then what each has; out: error code. The last one, for Main: no look
+// at the costmap.
+
+constexpr int uncheckedPort(RobotAction action) {
+  return action == RobotAction::BackUp ? 8 : 7;
+}
 
 template <RobotAction action>
 NodeStatus beginBehavior(LeafContext& leaf) {
@@ -172,6 +177,10 @@ NodeStatus beginBehavior(LeafContext& leaf) {
       request.amount = std::trunc(request.amount);
     }
     robot.countRecovery();
+  }
+  if constexpr (action != RobotAction::Wait) {
+    request.ignoresCollisions =
+        robot.distro() == Distro::Main && leaf.getOr<bool>(uncheckedPort(action), false);
   }
   robot.begin(action, request);
   return NodeStatus::Running;
@@ -262,7 +271,7 @@ spin_dist number default 1.57 unit rad|How far, to the left.
 time_allowance number default 10.0 unit s|Longest time.
 is_recovery bool default true|Counts as a recovery.
 error_code_id server_name server_timeout error_msg
-disable_collision_checks bool default false|Main.
+disable_collision_checks bool default false|Does not look for collisions (Main).
 Action BackUp|Navigation|Drives back.
 backup_dist number default 0.15 unit m|How far.
 backup_speed number default 0.025 unit m/s|How fast.

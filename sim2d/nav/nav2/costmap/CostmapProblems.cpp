@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <variant>
 
@@ -62,8 +63,9 @@ void checkPlugin(const CostmapPlugin& plugin, const CostmapSetup& setup, double 
                       {0.0, std::min(kReachRange.high, kMostInflatedCells * side)},
                       plugin.name + ".inflation_radius", problems);
     if (inflation->enabled && inflation->inflationRadius < inscribed) {
-      problems.push_back(base::warning("nav2.inflation-cut",
-                                       {plugin.name, inflation->inflationRadius, inscribed}));
+      const double shown = std::round(1e4 * inscribed) / 1e4;  // [m], to a tenth of a millimetre
+      problems.push_back(
+          base::warning("nav2.inflation-cut", {plugin.name, inflation->inflationRadius, shown}));
     }
   }
   if (std::holds_alternative<StaticLayerParameters>(plugin.parameters) && setup.map.isEmpty()) {

@@ -124,6 +124,8 @@ const std::vector<Nav2Key<PlannerServerParameters>>& keysOf(const PlannerServerP
       {"planner_plugins", &P::plannerPlugins, "", "names of the planners"},
       {"allow_partial_planning", &P::allowPartialPlanning, "",
        "through several goals as far as there is a path", kMain},
+      {"costmap_update_timeout", &P::costmapUpdateTimeout, "s",
+       "so long it waits for the costmap after a clear", kSinceJazzy},
   };
   return kKeys;
 }
@@ -159,7 +161,6 @@ const std::vector<IdleKey>& idleKeysOf(const SmacHybridParameters&) {
 const std::vector<IdleKey>& idleKeysOf(const PlannerServerParameters&) {
   static const std::vector<IdleKey> kKeys = {
       {"expected_planner_frequency", "only a warning of slow computers hangs on it"},
-      {"costmap_update_timeout", "the costmap is always current"},
       {"action_server_result_timeout", "no action servers here"},
       {"bond_heartbeat_period", "no processes that could die"},
       {"service_introspection_mode", "no services here"},

@@ -84,6 +84,7 @@ constexpr double kSmacHybridPerSecond = 1e5;  // iterations
 struct PlannerServerParameters {
   std::vector<std::string> plannerPlugins = {"GridBased"};  // names; `<name>.plugin` is the class
   bool allowPartialPlanning = false;  // several goals: a path as far as it could be planned
+  double costmapUpdateTimeout = 1.0;  // [s] after a clear, since Jazzy; Humble waits for ever
 };
 
 /// The tables. The argument only chooses which.

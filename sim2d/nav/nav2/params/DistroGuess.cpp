@@ -30,7 +30,7 @@ constexpr std::array<Sign, 22> kSigns = {{
     {"recoveries_server", "", kHumble, "node recoveries_server"},
     {"docking_server", "", kSinceJazzy, "node docking_server"},
     {"route_server", "", kMain, "node route_server"},
-    {"collision_monitor", "", kSinceJazzy, "node collision_monitor"},
+    {"collision_monitor", ".max_points", kHumble, "key max_points"},
     {"", ".reset_period", kHumble, "key reset_period"},
     {"", ".ax_max", kSinceJazzy, "key ax_max"},
     {"", ".near_collision_cost", kSinceJazzy, "key near_collision_cost"},
@@ -56,8 +56,9 @@ class Scores {
     for (std::size_t i = 0; i < points_.size(); ++i) {
       points_[i] += isIn(distros, static_cast<Distro>(i)) ? weight : -weight;
     }
-    reasons_.push_back((line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
-                       std::string(what));
+    reasons_.push_back(
+        {distros,
+         (line > 0 ? "line " + std::to_string(line) + ": " : std::string()) + std::string(what)});
   }
   DistroGuess guess() const {
     DistroGuess best;
@@ -67,13 +68,21 @@ class Scores {
         best.distro = distro;
       }
     }
-    best.reasons = reasons_;
+    for (const Reason& reason : reasons_) {
+      if (isIn(reason.distros, best.distro)) {  // the others speak against it
+        best.reasons.push_back(reason.words);
+      }
+    }
     return best;
   }
 
  private:
+  struct Reason {
+    unsigned distros;
+    std::string words;
+  };
   std::array<int, 3> points_ = {};
-  std::vector<std::string> reasons_;
+  std::vector<Reason> reasons_;
 };
 
 /// Servers load plugins by names with '/' in Humble and '::' since. Costmap layers and controllers

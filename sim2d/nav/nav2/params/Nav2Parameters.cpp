@@ -12,6 +12,7 @@
 #include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "sim2d/nav/nav2/params/MotionReading.h"
 #include "sim2d/nav/nav2/params/PluginBlocks.h"
+#include "sim2d/nav/nav2/params/RosValue.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -108,10 +109,15 @@ class FileReader {
   void lookAtOthers() {
     const std::vector<std::string> known(asked_.begin(), asked_.end());
     for (const NodeParameters& other : file_.nodes()) {
-      if (asked_.count(other.node) != 0 || other.node == "/**") {
+      if (other.node == "/**") {
         continue;
       }
-      NodeReader node = reader(other.node);
+      if (asked_.count(other.node) != 0) {
+        noteOfOtherRobot(other);
+        continue;
+      }
+      asked_.insert(other.node);
+      NodeReader node(other, to_.distro, file_.file(), to_.notes);
       const char* const why = idleNode(other.node);
       for (const GivenParameter& given : other.given) {
         node.know(given.name, why != nullptr ? why : "no node of Nav2 has this name");
@@ -122,6 +128,19 @@ class FileReader {
                           file_.file(), other.line);
         to_.notes.problems.push_back(std::move(problem));
       }
+    }
+  }
+
+  /// A node in a namespace that does not count here: all of its keys.
+  void noteOfOtherRobot(const NodeParameters& node) {
+    const auto ours = file_.nodesOf(node.node, options_.robot);
+    if (std::find(ours.begin(), ours.end(), &node) != ours.end()) {
+      return;
+    }
+    for (const GivenParameter& given : node.given) {
+      to_.notes.keys.push_back({node.nameSpace + "/" + node.node + "." + given.name,
+                                valueText(*given.value), given.value->line, given.value->column,
+                                KeyUse::Idle, "of another robot by its namespace"});
     }
   }
 

@@ -68,6 +68,14 @@ std::optional<base::Diagnostic> excessOf(const std::string& path, const Nav2Valu
   return std::nullopt;
 }
 
+/// Why a value is none of the key's: a whole number may also be too large.
+base::Diagnostic misfitOf(const std::string& path, const Nav2Value& wanted,
+                          const base::YamlNode& given) {
+  const std::string type = nav2TypeName(wanted), found = rosTypeName(given);
+  return type == found ? base::error("nav2.number-out-of-range", {path, given.text, kMostNumber})
+                       : base::error("nav2.wrong-type", {path, type, found});
+}
+
 }  // namespace
 
 const char* keyUseName(KeyUse use) {
@@ -131,8 +139,7 @@ Nav2Block NodeReader::read(const std::string& prefix, const Nav2Keys& keys) {
         block[row.name] = *std::move(value);
       }
     } else {
-      tell(name, base::error("nav2.wrong-type", {pathOf(name), nav2TypeName(row.fallback),
-                                                 rosTypeName(*given->value)}));
+      tell(name, misfitOf(pathOf(name), row.fallback, *given->value));
     }
   }
   for (const Nav2Keys::Idle& idle : keys.idle) {

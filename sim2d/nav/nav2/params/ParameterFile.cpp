@@ -188,24 +188,14 @@ base::Result<ParameterFile> ParameterFile::read(const std::string& path) {
   return text ? parse(*text, path) : base::Result<ParameterFile>(text.diagnostics());
 }
 
-NodeParameters ParameterFile::parametersOf(std::string_view node, const std::string& robot) const {
-  NodeParameters all;
-  all.node = node;
+std::vector<const NodeParameters*> ParameterFile::nodesOf(std::string_view node,
+                                                          const std::string& robot) const {
   const bool hasOwn = std::any_of(nodes_.begin(), nodes_.end(), [&](const NodeParameters& each) {
     return each.node == node && !robot.empty() && isNamespaceOf(each.nameSpace, robot);
   });
   std::string taken;  // the first namespace counts when none is the robot's
   bool hasTaken = false;
-  const auto take = [&all](const NodeParameters& from) {
-    for (const GivenParameter& parameter : from.given) {
-      put(all.given, parameter);
-    }
-  };
-  for (const NodeParameters& each : nodes_) {
-    if (each.node == kForAll) {
-      take(each);
-    }
-  }
+  std::vector<const NodeParameters*> counting;
   for (const NodeParameters& each : nodes_) {
     const bool isOther = hasOwn ? !each.nameSpace.empty() && !isNamespaceOf(each.nameSpace, robot)
                                 : hasTaken && !each.nameSpace.empty() && each.nameSpace != taken;
@@ -216,9 +206,28 @@ NodeParameters ParameterFile::parametersOf(std::string_view node, const std::str
       taken = each.nameSpace;
       hasTaken = true;
     }
-    all.line = each.line;
-    all.nameSpace = each.nameSpace;
-    take(each);
+    counting.push_back(&each);
+  }
+  return counting;
+}
+
+NodeParameters ParameterFile::parametersOf(std::string_view node, const std::string& robot) const {
+  NodeParameters all;
+  all.node = node;
+  const auto take = [&all](const NodeParameters& from) {
+    for (const GivenParameter& parameter : from.given) {
+      put(all.given, parameter);
+    }
+  };
+  for (const NodeParameters& each : nodes_) {
+    if (each.node == kForAll) {
+      take(each);
+    }
+  }
+  for (const NodeParameters* const each : nodesOf(node, robot)) {
+    all.line = each->line;
+    all.nameSpace = each->nameSpace;
+    take(*each);
   }
   return all;
 }

@@ -41,6 +41,8 @@ class ParameterFile {
   /// All that is said to the node of this name, what is for all nodes first; those in the namespace
   /// `robot` win over those of others, and those of others are left out if there are some of it.
   NodeParameters parametersOf(std::string_view node, const std::string& robot = {}) const;
+  /// The nodes of this name of which that is made, without what is for all.
+  std::vector<const NodeParameters*> nodesOf(std::string_view node, const std::string& robot) const;
 
   /// Puts a value at a parameter of a node, over what is there; the node is made when it is not
   /// there.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <string_view>
 #include <type_traits>
@@ -96,7 +95,8 @@ std::optional<T> scalarOf(const YamlNode& value) {
     return boolOf(value);
   } else if constexpr (std::is_same_v<T, int>) {
     const auto number = integerOf(value);
-    const bool fits = number && std::abs(*number) <= std::numeric_limits<int>::max();
+    constexpr long long kMost = std::numeric_limits<int>::max();
+    const bool fits = number && -kMost <= *number && *number <= kMost;
     return fits ? std::optional<int>(static_cast<int>(*number)) : std::nullopt;
   } else if constexpr (std::is_same_v<T, double>) {
     const bool fits = type == ScalarType::Double || (isSet && type == ScalarType::Integer);
