@@ -31,6 +31,7 @@ QImage pictureAt(MainWindow& window, std::int64_t step) {
   for (std::size_t k = 0; k <= last; ++k) {
     workspace.scene().showFrame(recording.frame(k));
   }
+  workspace.view().setCanvasState(editor::CanvasState::Past);  // its line tells one from the other
   QTest::qWait(5);
   return workspace.view().viewport()->grab().toImage().convertToFormat(QImage::Format_RGB32);
 }

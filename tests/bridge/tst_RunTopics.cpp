@@ -248,6 +248,7 @@ class RunTopicsTest : public QObject {
     header.robots.push_back(header.robots.front());
     header.robots.back().id = -2;
     header.robots.back().name = "robot2";
+    header.robots.back().goals.clear();
     sim2d::Frame frame = smallFrame();
     frame.robots.add(-2, {{0.0, 0.0}, 0.0}, {0.0, 0.0}, 0.0, sim2d::kNoGoal);
     RunTopics topics(header);
@@ -256,6 +257,27 @@ class RunTopicsTest : public QObject {
     QCOMPARE(read<nav_msgs::Odometry>(told.at("/robot2/odom").front()).childFrameId,
              std::string("robot2/base_footprint"));
     QVERIFY(told.count("/robot2/goal_pose") == 0);
+  }
+
+  void goals_thatArePlainPoints_areToldUntilTheyArePassed() {
+    sim2d::TraceHeader header = smallHeader();
+    header.robots.front().goals = {{0, {4.0, 1.0}, 0.3}, {0, {5.0, 2.0}, 0.3}};
+    sim2d::Frame frame = smallFrame();
+    frame.robots.goal.front() = sim2d::kNoGoal;  // they have no id
+    RunTopics topics(header);
+    toldBy(topics, frame);
+    QVERIFY(topics.goalOf(0) != nullptr);
+    QCOMPARE(topics.goalOf(0)->position.x(), 4.0);
+    sim2d::Event event;
+    event.kind = sim2d::EventKind::Goal;
+    event.id = -1;
+    topics.note(event);
+    const auto second = toldBy(topics, frame);
+    QCOMPARE(read<geometry_msgs::PoseStamped>(second.at("/goal_pose").front()).pose.position.x,
+             5.0);
+    topics.note(event);
+    toldBy(topics, frame);
+    QVERIFY(topics.goalOf(0) == nullptr);
   }
 };
 

@@ -1,3 +1,5 @@
+#include <string>
+
 #include <CLI/CLI.hpp>
 
 #include "app/cli/CommandRegistry.h"
@@ -41,7 +43,8 @@ void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
 void addLiveOptions(CLI::App& command, EvaluateOptions& options, CLI::Option* source) {
   addRos2Options(command, options.ros2, "Listen to a running system of ROS 2 instead of a source");
   CLI::Option* const ros2 = command.get_option("--ros2");
-  ros2->excludes(source);
+  source->required();  // else a folder with the name of a command would be taken for the command
+  ros2->excludes(source)->each([source](const std::string&) { source->required(false); });
   command.add_option("--namespace", options.space, "With --ros2: of the evaluator's node")
       ->check(namespaceName())
       ->needs(ros2);
