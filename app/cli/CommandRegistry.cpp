@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 
@@ -57,11 +58,17 @@ std::string extrasText(const CommandRegistry& commands, const std::string& first
 }
 
 /// What image libraries grumble is told by our own messages, with the file's name. A machine where
-/// nobody has logged in has no folder for running programs, and we want none.
+/// nobody has logged in has no folder for running programs, and we want none. What Qt ends the
+/// program for (no display, no memory for its plugin) is an error like others.
 void withoutLibraryWords(QtMsgType type, const QMessageLogContext& context, const QString& text) {
   if (!text.startsWith(QLatin1String("libpng")) &&
       !text.startsWith(QLatin1String("QStandardPaths: XDG_RUNTIME_DIR not set"))) {
-    std::fputs(qPrintable(qFormatLogMessage(type, context, text) + QLatin1Char('\n')), stderr);
+    const QString begin = type == QtFatalMsg ? QStringLiteral("error: ") : QString();
+    std::fputs(qPrintable(begin + qFormatLogMessage(type, context, text) + QLatin1Char('\n')),
+               stderr);
+  }
+  if (type == QtFatalMsg) {
+    ::_exit(ExitRunFailed);
   }
 }
 
