@@ -49,6 +49,12 @@ class LowMemoryTest : public QObject {
     if (kIsSanitized) {
       QSKIP("sanitizers take address space by the terabyte");
     }
+    // Without memory fontconfig finds no fonts and remembers it: not for those who come after.
+    outside::writeText(
+        path("fonts.conf"),
+        "<?xml version=\"1.0\"?>\n<fontconfig><dir>/usr/share/fonts</dir><cachedir>" +
+            path("fonts").toUtf8() + "</cachedir></fontconfig>\n");
+    qputenv("FONTCONFIG_FILE", path("fonts.conf").toUtf8());
     outside::writeText(path("room.yaml"),
                        "image: room.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n"
                        "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n");
