@@ -46,10 +46,10 @@ std::unique_ptr<RunOnRos2> RunOnRos2::open(const RunOnRos2Words& words,
   }
   const base::Result<bridge::DomainSettings> domain = domainSettingsOf(words.ros2);
   requireFine(domain.diagnostics());
-  base::Result<std::unique_ptr<bridge::RunNode>> node =
-      bridge::RunNode::create(world.header(), bridge::lidarsOf(scenario),
-                              {*domain, words.stamped, words.lockstep, words.sendsGoals},
-                              [](const base::Diagnostic& said) { printDiagnostics({said}); });
+  base::Result<std::unique_ptr<bridge::RunNode>> node = bridge::RunNode::create(
+      world.header(), bridge::lidarsOf(scenario),
+      {*domain, words.stamped, words.lockstep, words.sendsGoals, wasInterrupted},
+      [](const base::Diagnostic& said) { printDiagnostics({said}); });
   requireFine(node.diagnostics());
   world.tellSenses(true);
   session.setSpeed(1.0);

@@ -537,7 +537,8 @@ constexpr ProblemText kTexts[] = {
     {"ros2.bad-tag",
      "cannot begin '{found}': recordings are begun by services with --by-services, and a tag is of "
      "letters, digits, _ and -"},
-    {"ros2.goal-refused", "Nav2 does not take the goal"},
+    {"ros2.waits", "waits for somebody who publishes /cmd_vel"},
+    {"ros2.goal-refused", "Nav2 does not take the goal (yet)"},
     {"ros2.goal-failed", "Nav2 did not reach the goal: {reason}"},
     {"ros2.lockstep-late",
      "no /cmd_vel came within {wait} s of a step: the run went on without one and may come out "

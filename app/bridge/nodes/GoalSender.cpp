@@ -1,6 +1,5 @@
 #include "app/bridge/nodes/GoalSender.h"
 
-#include <algorithm>
 #include <random>
 #include <string>
 #include <utility>
@@ -13,6 +12,7 @@ namespace {
 using Action = nav2_msgs::NavigateToPose;
 using Status = action_msgs::GoalStatus;
 
+constexpr std::chrono::seconds kAgainAfter(1);  // where a goal was refused
 constexpr const char* kSend = "navigate_to_pose/_action/send_goal";
 constexpr const char* kResult = "navigate_to_pose/_action/get_result";
 
@@ -76,7 +76,7 @@ base::Result<std::unique_ptr<GoalSender>> GoalSender::create(Participant& partic
 
 void GoalSender::follow(const std::optional<geometry_msgs::PoseStamped>& goal) {
   const bool isNew = goal && (!place_ || encode(goal->pose.position) != encode(*place_));
-  if (isNew && isReady()) {
+  if (isNew && std::chrono::steady_clock::now() >= notBefore_ && isReady()) {
     sendGoal(*goal);
   }
   readAnswers();
@@ -105,6 +105,8 @@ void GoalSender::readAnswers() {
     if (isAccepted_) {
       askForResult();
     } else {
+      place_.reset();
+      notBefore_ = std::chrono::steady_clock::now() + kAgainAfter;
       tell_(base::problem(base::Severity::Warning, "ros2.goal-refused"));
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -11,7 +12,8 @@
 namespace bridge {
 
 /// Sends a robot's goals to Nav2 by its action `navigate_to_pose`, one after the other: a new goal
-/// takes the place of the one before. A client of actions is three services. One thread.
+/// takes the place of the one before, and one that is refused is sent again a second later (Nav2 is
+/// there before it is active). Nothing is canceled. One thread.
 class GoalSender {
  public:
   using Tell = std::function<void(const base::Diagnostic&)>;
@@ -47,6 +49,7 @@ class GoalSender {
   std::optional<geometry_msgs::Point> place_;         // of the newest one
   std::int64_t sendNumber_ = -1, resultNumber_ = -1;  // of the requests for it
   bool isAccepted_ = false;
+  std::chrono::steady_clock::time_point notBefore_{};  // of the next goal
 };
 
 }  // namespace bridge

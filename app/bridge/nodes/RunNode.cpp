@@ -166,17 +166,20 @@ void DdsRunNode::waitForDriver(const sim2d::Frame& frame) {
   if (!settings_.lockstep || driver_ == nullptr || std::exchange(hasWaited_, true)) {
     return;
   }
+  const auto isStopped = [this] { return settings_.wantsStop && settings_.wantsStop(); };
   const auto isMet = [this] {
     return driver_->matched() > 0 && (goals_ == nullptr || goals_->isReady());
   };
-  if (!participant_->spinUntil(isMet, kMeetWait)) {
+  tellOnce(base::problem(base::Severity::Info, "ros2.waits"));
+  participant_->spinUntil([&] { return isMet() || isStopped(); }, kMeetWait);
+  if (!isMet()) {
     return;
   }
   const auto until = std::chrono::steady_clock::now() + kFirstCommandWait;
   const auto isDriven = [this] {
     return commands_ > 0 && (goals_ == nullptr || goals_->isAccepted());
   };
-  while (!isDriven() && std::chrono::steady_clock::now() < until) {
+  while (!isDriven() && !isStopped() && std::chrono::steady_clock::now() < until) {
     publish(frame);
     followGoal(frame);
     participant_->spinUntil([&] { return isDriven(); }, kTellAgain);

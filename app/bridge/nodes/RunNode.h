@@ -11,9 +11,10 @@ namespace bridge {
 
 struct RunNodeSettings {
   DomainSettings domain;
-  bool stampedCommands = false;  // /cmd_vel is TwistStamped: the default from Kilted on
-  bool lockstep = false;         // a step waits for the command that follows on its state
-  bool sendsGoals = false;       // of the first robot, to Nav2's action
+  bool stampedCommands = false;       // /cmd_vel is TwistStamped: the default from Kilted on
+  bool lockstep = false;              // a step waits for the command that follows on its state
+  bool sendsGoals = false;            // of the first robot, to Nav2's action
+  std::function<bool()> wantsStop{};  // asked while it waits for the first command
 };
 
 /// A run as the node `hunavsim`: it publishes what `RunTopics` tells and takes /cmd_vel for its
