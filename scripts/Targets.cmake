@@ -55,8 +55,8 @@ endfunction()
 
 # Headers that nearly every file reads, parsed once per target: with units of eight files a quarter of
 # the time of a cold build. A file that forgets a standard header is told by
-# layering.standard_includes; one that lives on names of its neighbours in a unit by asan, whose
-# preset has no units.
+# layering.standard_includes; one that lives on names of its neighbours in a unit by a build of the
+# preset debug, which has no units.
 function(hunav_precompile target)
   if(NOT HUNAV_FAST)
     return()

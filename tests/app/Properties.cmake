@@ -28,5 +28,3 @@ set_tests_properties(app.tst_LowMemory PROPERTIES TIMEOUT ${long} COST 100)
 set_tests_properties(app.tst_Faults PROPERTIES TIMEOUT 3600 COST 100)
 # With HUNAV_ALL_TESTS its map has 100 million cells.
 set_tests_properties(app.tst_LargeMapProgram PROPERTIES TIMEOUT 1800 COST 100)
-
-target_link_libraries(tst_OverlayActions PRIVATE Qt5::Svg)  # reads what is in the clipboard

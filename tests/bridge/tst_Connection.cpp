@@ -154,7 +154,7 @@ void ConnectionTest::outbox_control_overtakesMessages() {
 }
 
 void ConnectionTest::outbox_partsOfAnySize_giveTheSameBytes() {
-  for (const std::size_t step : {1, 2, 3, 5, 100}) {
+  for (const std::size_t step : {1U, 2U, 3U, 5U, 100U}) {
     Outbox out;
     out.add("");
     out.add("ab", shared("cde"), Outbox::Kind::Message);

@@ -536,7 +536,7 @@ void FoxgloveServerTest::anyBytes_doNoHarm() {
       bytes = client::frame(isText ? 0x81 : 0x82, isInside ? mutator.mutated(bytes) : bytes);
       client.write(isInside ? bytes : mutator.mutated(bytes));
     }
-    scene.publish(static_cast<std::uint64_t>(i), 1 + i % 2, "abc");
+    scene.publish(static_cast<std::uint64_t>(i), static_cast<live::ChannelId>(1 + i % 2), "abc");
   }
   QTRY_COMPARE(scene.server->clientCount(), std::size_t{0});
   LiveClient good(scene.port());

@@ -92,7 +92,7 @@ void WebSocketFramesTest::read_piecesOfAnySize_giveTheSame() {
   const std::string all = client::frame(0x82, medium) + client::frame(0x81, "") +
                           client::frame(0x02, large) + client::frame(0x00, "") +
                           client::frame(0x80, large) + client::frame(0x89, "p");
-  for (const std::size_t piece : {1, 2, 3, 7, 1000, 1000000}) {
+  for (const std::size_t piece : {1U, 2U, 3U, 7U, 1000U, 1000000U}) {
     const Read read = readOf(all, piece, 1000000);
     QCOMPARE(read.violation, 0);
     QCOMPARE(read.messages.size(), std::size_t{4});
