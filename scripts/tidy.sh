@@ -11,7 +11,11 @@ if [ -e "$root/build/OwnCode.so" ]; then
 fi
 case $* in
   */unity_*_cxx.cxx*)  # it includes sources, and stands in a folder with other checks
-    tidy+=(--config-file="$root/.clang-tidy" --checks=-bugprone-suspicious-include)
+    checks=-bugprone-suspicious-include
+    case $* in
+      */tests/unity_*) checks+=,$(sed -n "s/^Checks: '\(.*\)'/\1/p" "$root/tests/.clang-tidy") ;;
+    esac
+    tidy+=(--config-file="$root/.clang-tidy" --checks="$checks")
     words=()
     for word in "$@"; do
       case $word in

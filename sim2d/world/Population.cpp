@@ -1,6 +1,7 @@
 #include "sim2d/world/Population.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "sim2d/base/Math.h"
@@ -99,7 +100,10 @@ bool Population::addCopy(Source& source, WorldModel& model, WorldState& state,
   Person person;
   person.key = source.like->key;
   person.plan = source.plan;
-  const int id = model.nextId;
+  if (model.lastId == std::numeric_limits<int>::max()) {
+    return false;
+  }
+  const int id = model.lastId + 1;
   Human copy = *source.like;
   copy.id = id;
   copy.name = area.name + "_" + std::to_string(source.arrived + 1);
@@ -118,7 +122,7 @@ bool Population::addCopy(Source& source, WorldModel& model, WorldState& state,
     person.constants.startTime = state.time;
     person.model = model.registries->models.find(person.constants.model)->make(person.constants);
     model.people.push_back(std::move(person));
-    ++model.nextId;
+    model.lastId = id;
     state.append(model.people.back());
     return true;
   }

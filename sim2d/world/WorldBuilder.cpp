@@ -63,7 +63,7 @@ void addPeople(const WorldSetup& setup, WorldModel& model, base::Diagnostics& pr
   std::map<std::pair<std::vector<int>, double>, std::shared_ptr<GoalPlan>> plans;
   std::vector<const Human*> listed;
   for (const Human& human : setup.scenario->humans) {
-    model.nextId = std::max(model.nextId, human.id + 1);
+    model.lastId = std::max(model.lastId, human.id);
     if (human.listed) {
       listed.push_back(&human);
     }

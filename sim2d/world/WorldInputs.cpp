@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim2d/world/WorldInside.h"
 
@@ -14,6 +15,21 @@ bool isUsable(const Input& input) {
   return isSmall(input.pose.position, base::kFarthest) && std::isfinite(input.pose.heading) &&
          isSmall(input.velocity, kFastest) && isSmall(input.desiredVelocity, kFastest) &&
          std::fabs(input.omega) <= kFastest;
+}
+
+/// `id` 0: the next free one. Numbers rise, as those of people from sources do.
+std::string takeId(int& id, int& lastId) {
+  if (id != 0 && id <= lastId) {
+    return "the id " + std::to_string(id) + " was given before";
+  }
+  if (id == 0) {
+    if (lastId == std::numeric_limits<int>::max()) {
+      return "no id is left";
+    }
+    id = lastId + 1;
+  }
+  lastId = id;
+  return {};
 }
 
 }  // namespace
@@ -99,7 +115,6 @@ std::string RunningWorld::setEntry(int human, const std::string& words) {
   return behavior_->setEntry(human, words.substr(0, equals), words.substr(equals + 1));
 }
 
-/// `id` 0: the next free one. Numbers rise, as those of people from sources do.
 std::string RunningWorld::addCopy(Input& input) {
   const auto like =
       std::find_if(model_.people.begin(), model_.people.end(),
@@ -107,11 +122,9 @@ std::string RunningWorld::addCopy(Input& input) {
   if (like == model_.people.end()) {
     return "there is no person '" + input.name + "' to copy";
   }
-  if (input.id != 0 && input.id < model_.nextId) {
-    return "the id " + std::to_string(input.id) + " was given before";
+  if (std::string refusal = takeId(input.id, model_.lastId); !refusal.empty()) {
+    return refusal;
   }
-  input.id = std::max(input.id, model_.nextId);
-  model_.nextId = input.id + 1;
   Person person = *like;
   if (person.copiedFrom < 0) {
     person.copiedFrom = static_cast<int>(like - model_.people.begin());

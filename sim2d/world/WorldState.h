@@ -77,7 +77,7 @@ struct WorldModel {
   std::vector<const Area*> areas;         // listed ones
   std::map<std::string, Human> patterns;  // whom the people of sources are like, by name
 
-  int nextId = 1;  // of the next person from a source
+  int lastId = 0;  // the greatest given; people from sources and copies get the ones after it
 };
 
 struct RobotState {

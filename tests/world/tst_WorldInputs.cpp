@@ -1,3 +1,5 @@
+#include <limits>
+
 #include <QtTest>
 
 #include "sim2d/trace/Recording.h"
@@ -14,6 +16,7 @@ class WorldInputsTest : public QObject {
   void step_doorOpened_letsPeopleThrough();
   void step_personMoved_goesOnFromThere();
   void step_personAdded_isACopyWithAnIdOfItsOwn();
+  void step_personAddedAfterTheLastId_isRefused();
   void step_personSet_movesAsTold();
   void step_personPushed_leavesTheWay();
   void step_personPushed_slowsDownByItself();
@@ -125,6 +128,16 @@ void WorldInputsTest::step_personAdded_isACopyWithAnIdOfItsOwn() {
   advance(*world, 300);
   QVERIFY((positionOf(world->frame(), 2) - Vec2(3.0, 0.5)).norm() < 1.5);
   QCOMPARE(world->header().humans.size(), std::size_t{4});
+}
+
+void WorldInputsTest::step_personAddedAfterTheLastId_isRefused() {
+  Scenario scenario;
+  addPerson(scenario, std::numeric_limits<int>::max(), {0.0, 0.0}, {});
+  const std::unique_ptr<World> world = make(scenario);
+  Input add = placing(InputKind::Add, 0, {2.0, 0.0});
+  add.name = "person" + std::to_string(std::numeric_limits<int>::max());
+  QVERIFY(!world->step({add}));
+  QCOMPARE(world->frame().humans.id.size(), std::size_t{1});
 }
 
 void WorldInputsTest::step_personSet_movesAsTold() {
