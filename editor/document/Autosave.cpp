@@ -157,7 +157,7 @@ Autosave::Autosave(ScenarioDocument& document, QString root, QObject* parent)
 
 Autosave::~Autosave() {
   document_.disconnect(this);
-  task_->finish();
+  task_->abandon();
   removeCopy();
   lock_.reset();
   if (!folder_.isEmpty()) {

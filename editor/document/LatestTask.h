@@ -17,7 +17,7 @@ namespace editor {
 /// Work beside the GUI thread where only the newest request counts: requests that come while one is
 /// being worked on replace each other. The work runs in a thread of its own, behind the window's,
 /// and holds copies of all that it needs; the result is handed over in the GUI thread. Destruction
-/// waits for the work. What ends by `base::Stopped` delivers nothing.
+/// waits for the work and delivers nothing. What ends by `base::Stopped` delivers nothing.
 template <class T>
 class LatestTask {
  public:
@@ -49,7 +49,17 @@ class LatestTask {
       take();
     }
   }
-  /// The same, but no longer than this; what is not done by then is delivered later.
+  /// Waits for what is being worked on; neither that nor what waits is delivered. For destructors
+  /// of owners, whose receivers may be half gone.
+  void abandon() {
+    poll_.stop();
+    waiting_ = nullptr;
+    if (running_.valid()) {
+      running_.wait();
+      running_ = {};
+    }
+  }
+  /// The same as `finish`, but no longer than this; what is not done by then is delivered later.
   void finishWithin(std::chrono::milliseconds patience) {
     const auto end = std::chrono::steady_clock::now() + patience;
     while (running_.valid() && running_.wait_until(end) == std::future_status::ready) {

@@ -74,7 +74,7 @@ CompareTable::CompareTable(PanelContext& context)
 
 CompareTable::~CompareTable() {
   stop_->stop();
-  task_.finish();
+  task_.abandon();
 }
 
 base::Result<app::MetricsSetup> CompareTable::setup() const {

@@ -130,8 +130,8 @@ MetricsFeed::MetricsFeed(const ScenarioDocument& document, SimulationRunner& run
 
 MetricsFeed::~MetricsFeed() {
   stopPast();
-  task_.finish();
-  pastTask_.finish();
+  task_.abandon();
+  pastTask_.abandon();
 }
 
 /// A recorded run tells itself how it is measured.

@@ -78,7 +78,7 @@ RunsPanel::RunsPanel(PanelContext& context)
 }
 
 RunsPanel::~RunsPanel() {
-  reading_.finish();
+  reading_.abandon();
 }
 
 QWidget* RunsPanel::makeHead() {

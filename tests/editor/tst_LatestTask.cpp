@@ -1,5 +1,7 @@
+#include <atomic>
 #include <memory>
 #include <stdexcept>
+#include <thread>
 
 #include <QtTest>
 
@@ -35,6 +37,22 @@ class LatestTaskTest : public QObject {
     task.finish();
     QVERIFY(delivered == std::vector<int>{2});
     QVERIFY(!task.isBusy());
+  }
+
+  void abandon_busy_waitsAndDeliversNothing() {
+    std::atomic<int> ended{0};
+    LatestTask<int> task([](int) { QFAIL("nothing was to be delivered"); });
+    for (int i = 0; i < 2; ++i) {
+      task.start([&ended] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        return ++ended;
+      });
+    }
+    task.abandon();
+    QCOMPARE(ended.load(), 1);  // the second had not begun
+    QVERIFY(!task.isBusy());
+    QTest::qWait(50);
+    QCOMPARE(ended.load(), 1);
   }
 
   /// The work ends only because it is told to.
