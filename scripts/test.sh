@@ -33,7 +33,6 @@ run_tests() {
 # and what it found before.
 fuzz() {
   local programs=() program corpus
-  need_packages "${packages_to_fuzz[@]}"
   build_preset fuzz fuzzers
   without_randomisation  # addresses steer the fuzzer
   mapfile -t programs < <(find "$build/fuzz/fuzzers" -maxdepth 1 -type f -name 'fuzz_*' -executable)
@@ -51,7 +50,6 @@ fuzz() {
       -reload=0 -max_total_time=$((fuzz_seconds / ${#programs[@]} + 1)) \
       -artifact_prefix="$build/fuzz/" "${folders[@]}"
   done
-  launcher=()
 }
 
 # Sets the launcher. ThreadSanitizer of gcc 12 fails under the address randomisation of newer kernels.
@@ -101,22 +99,36 @@ build_own_code() {
   fi
 }
 
-check_everything_else() {
-  unset HUNAV_ALL_TESTS  # the long ones ran in dev; under a sanitizer they would take hours
-  need_packages "${packages_to_check[@]}"
+check_sources_and_memory() {
   build_own_code
   build_preset asan  # clang-tidy looks at each source
   run_tests asan
-  play_monkey
+}
+
+check_threads() {
   without_randomisation  # the build runs a program of its own as well
   build_preset tsan core_tests thread_tests
   run_tests tsan -L '^(core|threads)$'
-  launcher=()
+}
+
+run_benchmarks() {
   build_preset bench benchmarks
-  if [ -d "$root/tests/bench" ]; then
-    run_tests bench -L '^bench$' --parallel 1
-    say "results of the benchmarks: $build/bench/bench/*.csv"
-  fi
+  run_tests bench -L '^bench$' --parallel 1
+  say "results of the benchmarks: $build/bench/bench/*.csv"
+}
+
+# stage COMMAND: in a shell of its own; after one that fails the others go on, and the end tells.
+failed=()
+stage() {
+  local status
+  set +e
+  (
+    set -e
+    "$@"
+  )
+  status=$?
+  set -e
+  [ "$status" -eq 0 ] || failed+=("$*")
 }
 
 all=no
@@ -133,11 +145,15 @@ need_packages "${packages_to_run[@]}" "${packages_to_test[@]}"
 check_format
 build_preset dev
 keep_home_clean
-run_tests dev | tee "$logs/tests-dev.log"
-
-if [ "$all" = yes ]; then
-  fuzz
-  check_everything_else
-  # The last word is that of the tests.
-  sed -n '/tests passed,/,$p' "$logs/tests-dev.log"
+if [ "$all" = no ]; then
+  run_tests dev
+  exit
 fi
+
+need_packages "${packages_to_fuzz[@]}" "${packages_to_check[@]}"
+stage run_tests dev
+unset HUNAV_ALL_TESTS  # under a sanitizer the long ones would take hours
+for command in fuzz check_sources_and_memory play_monkey check_threads run_benchmarks; do
+  stage "$command"
+done
+[ "${#failed[@]}" -eq 0 ] || fail "failed: ${failed[*]}"
