@@ -118,6 +118,21 @@ std::vector<Numbers> completeBlocks(const Study& study, std::size_t metric,
   return complete;
 }
 
+/// Per option: once at least, or success is not measured.
+std::vector<bool> succeedingOptions(const Study& study) {
+  const std::size_t key = study.results.keyAt("success");
+  if (key >= study.results.keys.size()) {
+    return std::vector<bool>(study.options.size(), true);
+  }
+  std::vector<bool> succeeds(study.options.size(), false);
+  for (std::size_t run = 0; run < study.runCount(); ++run) {
+    if (valueOf(study, key, run) > 0.0) {
+      succeeds[study.optionOf[run]] = true;
+    }
+  }
+  return succeeds;
+}
+
 void findBest(const Metric& metric, MetricComparison& comparison) {
   const std::vector<Estimate>& estimates = comparison.estimates;
   comparison.differs.assign(estimates.size(), false);
@@ -127,7 +142,7 @@ void findBest(const Metric& metric, MetricComparison& comparison) {
   bool isAnyOther = false;
   for (std::size_t option = 0; option < estimates.size(); ++option) {
     const double mean = estimates[option].mean;
-    if (std::isnan(mean)) {
+    if (std::isnan(mean) || !comparison.succeeds[option]) {
       continue;
     }
     const double lead =
@@ -241,6 +256,7 @@ MetricComparison compare(const Study& study, std::size_t metric,
           comparison.friedman->options, comparison.friedman->blocks, 1.0 - kSignificance);
     }
   }
+  comparison.succeeds = succeedingOptions(study);
   findBest(study.metrics[metric], comparison);
   return comparison;
 }

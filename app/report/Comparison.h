@@ -40,14 +40,16 @@ struct MetricComparison {
   std::size_t metric = 0;           // place in the study
   std::vector<Estimate> estimates;  // per option
   std::vector<PairResult> pairs;    // of all two options
+  std::vector<bool> succeeds;       // per option: once at least, or success is not measured
   std::optional<std::size_t> best;  // option; none: the metric is neutral, or all are equal
   std::vector<bool> differs;        // per option: significantly from the best
   std::optional<statistics::Friedman> friedman;  // three options and two complete blocks or more
   double criticalDifference = statistics::kUndefined;  // of mean ranks, Nemenyi
 
-  /// The best option, and each whose mean equals its.
+  /// The best option, and each whose mean equals its. One that never succeeds is no best: its short
+  /// way and time are those of a piece.
   bool leads(std::size_t option) const {
-    return best && estimates[option].mean == estimates[*best].mean;
+    return best && succeeds[option] && estimates[option].mean == estimates[*best].mean;
   }
   /// The pair of two options, whichever comes first; null: there is none.
   const PairResult* pairOf(std::size_t a, std::size_t b) const;

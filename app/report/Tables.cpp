@@ -194,6 +194,12 @@ Table resultsTable(const Study& study, const Comparisons& comparisons,
   table.caption = "Means (rates: shares of runs) with intervals of " + levelText(study) + ".";
   if (study.options.size() > 1) {
     table.caption += " Bold: best. †: differs from the best (p < 0.05, Holm over all pairs).";
+    const auto hasFailure = [](const MetricComparison& each) {
+      return std::find(each.succeeds.begin(), each.succeeds.end(), false) != each.succeeds.end();
+    };
+    if (std::any_of(comparisons.begin(), comparisons.end(), hasFailure)) {
+      table.caption += " What never succeeds is best in nothing.";
+    }
   }
   if (!weights.empty()) {
     table.caption += " Composite: " + weightsText(weights) +

@@ -159,6 +159,22 @@ class ReportPiecesTest : public QObject {
     QVERIFY(found.leads(0) && found.leads(1) && !found.leads(2));
   }
 
+  /// The way of the first option is shorter because it ends early.
+  void compare_optionThatNeverSucceeds_isNotBest() {
+    Study study = smallStudy();
+    study.results.keys.emplace_back("success");
+    study.metrics.push_back({"success", "Success", "-", true, 1});
+    study.results.metrics[0] = {1.0, 1.0, 9.0, 2.0, 3.0};
+    const auto bestWith = [&](const std::vector<double>& success) {
+      study.results.metrics.resize(1);
+      study.results.metrics.push_back(success);
+      return compare(study, 0, blocksOf(study)).best;
+    };
+    QVERIFY(bestWith({1.0, 0.0, 0.0, 1.0, 0.0}) == std::size_t{0});
+    QVERIFY(bestWith({0.0, 0.0, 0.0, 1.0, 0.0}) == std::size_t{1});
+    QVERIFY(!bestWith({0.0, 0.0, 0.0, 0.0, 0.0}));
+  }
+
   /// All three seeds differ in success: no difference that is known to no width.
   void compare_rates_haveTheIntervalOfPairs() {
     Study study = smallStudy();

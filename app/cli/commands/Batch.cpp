@@ -161,14 +161,17 @@ void addBatch(CommandRegistry& commands) {
   CLI::Option* const resume =
       command.add_flag("--resume", options.resume,
                        "Go on with a batch that was interrupted; begin it if there is none");
-  command
-      .add_flag("--force", options.force,
-                "Begin anew where a batch was interrupted; replace files of others")
-      ->excludes(resume);
-  command.add_flag("--rows", options.rows,
-                   "Print how many runs there are, then each finished one, as lines of JSON");
-  command.add_option("--shard", options.shard, "K/N: part K of N of the runs; see merge")
-      ->check(shardProblem);
+  CLI::Option* const force =
+      command
+          .add_flag("--force", options.force,
+                    "Begin anew where a batch was interrupted; replace files of others")
+          ->excludes(resume);
+  CLI::Option* const rows =
+      command.add_flag("--rows", options.rows,
+                       "Print how many runs there are, then each finished one, as lines of JSON");
+  CLI::Option* const shard =
+      command.add_option("--shard", options.shard, "K/N: part K of N of the runs; see merge")
+          ->check(shardProblem);
   command
       .add_option("--time-limit", options.timeLimit,
                   "Seconds of wall time after which a run has failed")
@@ -176,7 +179,8 @@ void addBatch(CommandRegistry& commands) {
   command
       .add_option("--script", options.script,
                   "Run nothing: print a script that splits the study by slurm or parallel")
-      ->check(oneOf({"slurm", "parallel"}));
+      ->check(oneOf({"slurm", "parallel"}))
+      ->excludes(resume, force, rows, shard);  // the script has its own
   command.add_option("--chunks", options.chunks, "Shards that the script makes (20)")
       ->check(CLI::Range(std::size_t{1}, std::size_t{100000}));
 }
