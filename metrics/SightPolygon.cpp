@@ -74,7 +74,7 @@ std::vector<Vec2> sightPolygon(const base::Pose2& eye, double halfAngle, double 
     seen.push_back({wall.a - eye.position, wall.b - eye.position});
   }
   Panorama panorama;
-  panorama.look(std::move(seen));
+  panorama.look(seen);
   const bool isAllAround = halfAngle >= base::kPi;
   const double from = isAllAround ? -base::kPi : eye.heading - halfAngle;
   const double width = isAllAround ? 2.0 * base::kPi : 2.0 * halfAngle;

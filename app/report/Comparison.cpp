@@ -133,25 +133,33 @@ std::vector<bool> succeedingOptions(const Study& study) {
   return succeeds;
 }
 
-void findBest(const Metric& metric, MetricComparison& comparison) {
-  const std::vector<Estimate>& estimates = comparison.estimates;
-  comparison.differs.assign(estimates.size(), false);
-  if (metric.sense == 0 || estimates.size() < 2) {
-    return;
-  }
-  bool isAnyOther = false;
-  for (std::size_t option = 0; option < estimates.size(); ++option) {
-    const double mean = estimates[option].mean;
-    if (std::isnan(mean) || !comparison.succeeds[option]) {
-      continue;
+/// None: nothing to compare, or all are equal.
+std::optional<std::size_t> bestOf(int sense, const MetricComparison& comparison) {
+  std::optional<std::size_t> best;
+  const auto meanOf = [&](std::size_t option) { return comparison.estimates[option].mean; };
+  const auto differs = [&](std::size_t option) {
+    return !std::isnan(meanOf(option)) &&
+           (!comparison.succeeds[option] || meanOf(option) != meanOf(*best));
+  };
+  std::size_t others = 0;
+  for (std::size_t option = 0; option < comparison.estimates.size(); ++option) {
+    if (comparison.succeeds[option] && !std::isnan(meanOf(option)) &&
+        (!best || (meanOf(option) - meanOf(*best)) * sense > 0.0)) {
+      best = option;
     }
-    const double lead =
-        comparison.best ? (mean - estimates[*comparison.best].mean) * metric.sense : 1.0;
-    isAnyOther = isAnyOther || (comparison.best && lead != 0.0);
-    comparison.best = lead > 0.0 ? option : comparison.best;
   }
-  if (!isAnyOther) {
-    comparison.best.reset();
+  for (std::size_t option = 0; best && option < comparison.estimates.size(); ++option) {
+    others += differs(option) ? 1 : 0;
+  }
+  return others > 0 ? best : std::nullopt;
+}
+
+void findBest(const Metric& metric, MetricComparison& comparison) {
+  comparison.differs.assign(comparison.estimates.size(), false);
+  if (metric.sense != 0) {
+    comparison.best = bestOf(metric.sense, comparison);
+  }
+  if (!comparison.best) {
     return;
   }
   for (const PairResult& pair : comparison.pairs) {

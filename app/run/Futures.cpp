@@ -103,8 +103,9 @@ using Working = std::vector<std::pair<WorkerProcess, int>>;
 Future brokenFuture(const FuturesOptions& options, int number, const std::string& why) {
   Future future;
   future.number = number;
-  future.seed = static_cast<long long>(static_cast<std::uint64_t>(options.seed) +
-                                       static_cast<std::uint64_t>(number));  // round the last one
+  const std::uint64_t seed =
+      static_cast<std::uint64_t>(options.seed) + static_cast<std::uint64_t>(number);
+  future.seed = static_cast<long long>(seed);  // round the last one
   future.failure = why;
   return future;
 }

@@ -46,7 +46,7 @@ base::Diagnostics wrongNav2Values(const sim2d::Scenario& scenario,
 }
 
 std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
-    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath,
+    const std::shared_ptr<const sim2d::Scenario>& scenario, const std::string& scenarioPath,
     base::Diagnostics& unread) {
   std::shared_ptr<sim2d::Scenario> changed;
   for (std::size_t i = 0; i < scenario->robots.size(); ++i) {

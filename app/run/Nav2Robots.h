@@ -21,7 +21,7 @@ base::Diagnostics wrongNav2Values(const sim2d::Scenario& scenario, const std::st
 /// file's goal checker. `unread`: why it is not known; of a file that can be read by the time its
 /// world is made, nobody else tells.
 std::shared_ptr<const sim2d::Scenario> withNav2GoalRadius(
-    std::shared_ptr<const sim2d::Scenario> scenario, const std::string& scenarioPath,
+    const std::shared_ptr<const sim2d::Scenario>& scenario, const std::string& scenarioPath,
     base::Diagnostics& unread);
 /// Trees that were not known when `inputs` were listed, as their parameter file could not be read.
 base::Diagnostics unlistedNav2Trees(const sim2d::Scenario& scenario,

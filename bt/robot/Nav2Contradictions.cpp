@@ -49,7 +49,7 @@ class Contradictions {
   /// In Main the keys of who drives may also lie below the shim's `primary_controller`.
   template <class T>
   T value(const std::string& key, T otherwise) const {
-    const T own = controllerValue(parameters_, key, otherwise);
+    T own = controllerValue(parameters_, key, otherwise);
     const std::size_t dot = key.find('.');
     if (parameters_.distro != Distro::Main || dot == std::string::npos) {
       return own;

@@ -105,7 +105,7 @@ void sortOnce(std::vector<std::string>& words) {
 std::string nav2ParamsFile(const std::string& named, const std::string& folder,
                            const Nav2Folders& shipped) {
   const std::string name = named.empty() ? kUsualNav2Params : named;
-  const std::string beside = inFolder(name, folder);
+  std::string beside = inFolder(name, folder);
   if (!named.empty() && isFile(beside)) {
     return beside;
   }
@@ -116,7 +116,7 @@ std::string nav2ParamsFile(const std::string& named, const std::string& folder,
 std::string nav2TreeFile(const std::string& named, const std::string& folder, Distro distro,
                          const Nav2Folders& shipped) {
   const std::string name = named.empty() ? kUsualNav2Tree : named;
-  const std::string beside = inFolder(name, folder);
+  std::string beside = inFolder(name, folder);
   if (!named.empty() && isFile(beside)) {
     return beside;
   }

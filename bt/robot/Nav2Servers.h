@@ -55,6 +55,10 @@ class Nav2Servers final : public NavigatorHost {
   /// Problems of costmaps, controllers and the rest; with errors there are no servers.
   static base::Result<std::unique_ptr<Nav2Servers>> make(Setup setup);
   ~Nav2Servers() override;
+  Nav2Servers(const Nav2Servers&) = delete;
+  Nav2Servers& operator=(const Nav2Servers&) = delete;
+  Nav2Servers(Nav2Servers&&) = delete;
+  Nav2Servers& operator=(Nav2Servers&&) = delete;
 
   /// Takes in the step's observation, which must live until `act` is done; costmaps are updated.
   void sense(const sim2d::Observation& observation);

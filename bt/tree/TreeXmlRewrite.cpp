@@ -228,6 +228,8 @@ class TreeRewriter {
   void findComments(const NodeSpec& node, const SourceElement& source, Position behind);
   const CommentedNode* commentedLike(const NodeSpec& node) const;
   std::string withItsComments(const NodeSpec& node, bool compact, const std::string& margin) const;
+  void findCommentsOfTrees(const TreeFile& before, const SourceElement& root);
+  void writeNewTrees(const TreeFile& before, const TreeFile& now, const std::string& margin);
   Position writeMainTree(const std::string& before, const std::string& now,
                          const SourceElement& root);
 
@@ -347,7 +349,6 @@ void TreeRewriter::writeChildren(const NodeSpec& before, const NodeSpec& now,
   const std::string own = marginOf(source.begin);
   const std::string margin =
       source.children.empty() ? own + "  " : marginOf(source.children.front().begin);
-  Position gap = source.body;  // behind the child before
   const auto behind = [&](int child) {
     return child < 0 ? source.body : source.children[static_cast<std::size_t>(child)].end;
   };
@@ -358,7 +359,7 @@ void TreeRewriter::writeChildren(const NodeSpec& before, const NodeSpec& now,
       continue;
     }
     const auto place = static_cast<std::size_t>(pair.before);
-    gap = behind(pair.before - 1);  // what is said of those that are gone goes with them
+    const Position gap = behind(pair.before - 1);  // what is said of those that are gone goes too
     result_ += part(gap, source.children[place].begin);
     write(before.children[place], child, source.children[place]);
   }
@@ -420,6 +421,34 @@ Position TreeRewriter::writeMainTree(const std::string& before, const std::strin
   return behindTag;
 }
 
+void TreeRewriter::findCommentsOfTrees(const TreeFile& before, const SourceElement& root) {
+  std::size_t place = 0;
+  for (const SourceElement& element : root.children) {
+    const bool isTree = element.tag == "BehaviorTree";
+    if (isTree && place < before.trees.size() && element.children.size() == 1) {
+      findComments(before.trees[place].root, element.children.front(), element.body);
+    }
+    place += isTree ? 1 : 0;
+  }
+}
+
+void TreeRewriter::writeNewTrees(const TreeFile& before, const TreeFile& now,
+                                 const std::string& margin) {
+  for (const TreeSpec& tree : now.trees) {
+    if (before.find(tree.id) != nullptr) {
+      continue;
+    }
+    std::string text = textOf(tree, catalogue_, margin);
+    const std::string plain = textOf(tree.root, catalogue_, false, margin + "  ");
+    const Position at = text.find(plain);
+    if (at != text.npos) {
+      text.replace(at, plain.size() - 1, withItsComments(tree.root, false, margin + "  "));
+    }
+    text.pop_back();
+    result_ += "\n" + text;
+  }
+}
+
 /// Trees that are gone leave with what stands before them; new ones stand behind the last.
 std::optional<std::string> TreeRewriter::rewrite(const TreeFile& before, const TreeFile& now) {
   const std::optional<SourceElement> root = SourceScanner(text_).root();
@@ -428,30 +457,9 @@ std::optional<std::string> TreeRewriter::rewrite(const TreeFile& before, const T
   if (!root || !isSame || root->isClosed) {
     return std::nullopt;
   }
-  std::size_t place = 0;
-  for (const SourceElement& element : root->children) {
-    const bool isTree = element.tag == "BehaviorTree";
-    if (isTree && place < before.trees.size() && element.children.size() == 1) {
-      findComments(before.trees[place].root, element.children.front(), element.body);
-    }
-    place += isTree ? 1 : 0;
-  }
+  findCommentsOfTrees(before, *root);
   std::size_t number = 0;
   Position from = writeMainTree(before.mainTree, now.mainTree, *root);
-  const auto addNew = [&](const std::string& margin) {
-    for (const TreeSpec& tree : now.trees) {
-      if (before.find(tree.id) == nullptr) {
-        std::string text = textOf(tree, catalogue_, margin);
-        const std::string plain = textOf(tree.root, catalogue_, false, margin + "  ");
-        const Position at = text.find(plain);
-        if (at != text.npos) {
-          text.replace(at, plain.size() - 1, withItsComments(tree.root, false, margin + "  "));
-        }
-        text.pop_back();
-        result_ += "\n" + text;
-      }
-    }
-  };
   for (const SourceElement& element : root->children) {
     if (element.tag != "BehaviorTree" || number >= before.trees.size()) {
       continue;
@@ -464,7 +472,7 @@ std::optional<std::string> TreeRewriter::rewrite(const TreeFile& before, const T
     }
     from = element.end;
     if (number == before.trees.size()) {
-      addNew(marginOf(element.begin));
+      writeNewTrees(before, now, marginOf(element.begin));
     }
   }
   result_ += part(from, text_.size());

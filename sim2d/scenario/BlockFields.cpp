@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -224,12 +226,8 @@ FieldOf<T> thickness(double usual, double step) {
       .orElse(usual);
 }
 
-}  // namespace
-
-Fields<Robot> robotFields() {
+Fields<Robot> driverFields() {
   using Resolved = ResolvedRobot;
-  constexpr Range kBodyRadius{0.0, 100.0, true};
-  constexpr Range kSpeed{0.0, 100.0, true};
   return {
       field("type", &Robot::type, "Kind of robot", {"Type"}).resolvedTo(&Resolved::type),
       field("planner", &Robot::planner, "What drives it to its goals", {"Planner"})
@@ -257,7 +255,12 @@ Fields<Robot> robotFields() {
       FieldOf<Robot>("nav2",
                      "Of planner nav2: values instead of those of its file, by node and name",
                      {"Nav2 values"})
-          .madeBy(readNav2, writeNav2, &Robot::nav2Values),
+          .madeBy(readNav2, writeNav2, &Robot::nav2Values)};
+}
+
+Fields<Robot> wayFields() {
+  using Resolved = ResolvedRobot;
+  return {
       FieldOf<Robot>("start", "Where it begins: `x`, `y` and heading `h`", {"Position"})
           .required()
           .madeBy(readStart, writeStart, &Robot::start),
@@ -272,34 +275,50 @@ Fields<Robot> robotFields() {
           .resolvedTo(&Resolved::goalRadius),
       field("start_time", &Robot::startTime, "When it sets off", {"Sets off at", 1, 1.0}, "s",
             kNotNegative)
-          .resolvedTo(&Resolved::startTime),
-      limit(field("radius", &Robot::radius, "Of the disc that the robot is",
-                  {"Radius", 2, 0.01, 1.0}, "m", kBodyRadius),
-            &Resolved::radius),
-      limit(field("mass", &Robot::mass, "Of the robot", {"Mass", 1, 1.0}, "kg", kPositive),
-            &Resolved::mass),
-      limit(field("max_vel", &Robot::maxVel, "Its speed at the most", {"Top speed", 2, 0.05, 2.0},
-                  "m/s", kSpeed),
-            &Resolved::maxVel),
-      limit(field("max_acc", &Robot::maxAcc, "How fast its speed changes",
-                  {"Acceleration", 2, 0.1, 3.0}, "m/s²", kPositive),
-            &Resolved::maxAcc),
-      limit(field("max_omega", &Robot::maxOmega, "Its turn rate at the most", {"Turn speed"},
-                  "rad/s", kPositive),
-            &Resolved::maxOmega),
-      limit(field("max_alpha", &Robot::maxAlpha, "How fast its turn rate changes", {"Turn accel."},
-                  "rad/s²", kPositive),
-            &Resolved::maxAlpha),
-      field("footprint_x", &Robot::footprintX,
-            "Corners in the robot's frame, instead of the disc: their x", {"Footprint"}, "m"),
-      field("footprint_y", &Robot::footprintY, "Their y, as many", {}, "m")
-          .with(&Field<Robot>::read, readFootprint),
-      kinematicsField(),
-      turningRadiusField(),
-      sensorField("lidar", &Robot::lidar, "Its lidar: keys below; absent: the type's"),
-      sensorField("detector", &Robot::detector, "How it knows of people and other robots"),
-      sensorField("odometry_noise", &Robot::odometryNoise,
-                  "How wrong it is about where it is; absent: it knows")};
+          .resolvedTo(&Resolved::startTime)};
+}
+
+Fields<Robot> bodyFields() {
+  using Resolved = ResolvedRobot;
+  constexpr Range kBodyRadius{0.0, 100.0, true};
+  constexpr Range kSpeed{0.0, 100.0, true};
+  return {limit(field("radius", &Robot::radius, "Of the disc that the robot is",
+                      {"Radius", 2, 0.01, 1.0}, "m", kBodyRadius),
+                &Resolved::radius),
+          limit(field("mass", &Robot::mass, "Of the robot", {"Mass", 1, 1.0}, "kg", kPositive),
+                &Resolved::mass),
+          limit(field("max_vel", &Robot::maxVel, "Its speed at the most",
+                      {"Top speed", 2, 0.05, 2.0}, "m/s", kSpeed),
+                &Resolved::maxVel),
+          limit(field("max_acc", &Robot::maxAcc, "How fast its speed changes",
+                      {"Acceleration", 2, 0.1, 3.0}, "m/s²", kPositive),
+                &Resolved::maxAcc),
+          limit(field("max_omega", &Robot::maxOmega, "Its turn rate at the most", {"Turn speed"},
+                      "rad/s", kPositive),
+                &Resolved::maxOmega),
+          limit(field("max_alpha", &Robot::maxAlpha, "How fast its turn rate changes",
+                      {"Turn accel."}, "rad/s²", kPositive),
+                &Resolved::maxAlpha),
+          field("footprint_x", &Robot::footprintX,
+                "Corners in the robot's frame, instead of the disc: their x", {"Footprint"}, "m"),
+          field("footprint_y", &Robot::footprintY, "Their y, as many", {}, "m")
+              .with(&Field<Robot>::read, readFootprint),
+          kinematicsField(),
+          turningRadiusField(),
+          sensorField("lidar", &Robot::lidar, "Its lidar: keys below; absent: the type's"),
+          sensorField("detector", &Robot::detector, "How it knows of people and other robots"),
+          sensorField("odometry_noise", &Robot::odometryNoise,
+                      "How wrong it is about where it is; absent: it knows")};
+}
+
+}  // namespace
+
+Fields<Robot> robotFields() {
+  Fields<Robot> fields = driverFields();
+  for (Fields<Robot> more : {wayFields(), bodyFields()}) {
+    std::move(more.begin(), more.end(), std::back_inserter(fields));
+  }
+  return fields;
 }
 
 Fields<Obstacle> obstacleFields() {

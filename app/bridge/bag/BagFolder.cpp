@@ -64,9 +64,9 @@ class FileRow final : public Bag {
     base::Diagnostics problems;
     for (std::size_t k = 0; k < files_.size(); ++k) {
       const std::vector<std::size_t>& places = places_[k];
-      std::vector<bool> wanted;
-      for (const std::size_t place : places) {
-        wanted.push_back(channels[place]);
+      std::vector<bool> wanted(places.size());
+      for (std::size_t own = 0; own < places.size(); ++own) {
+        wanted[own] = channels[places[own]];
       }
       base::append(problems, files_[k]->read(wanted, [&](std::size_t channel, std::int64_t time,
                                                          std::string_view bytes) {

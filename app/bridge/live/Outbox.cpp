@@ -28,7 +28,7 @@ Outbox::Place Outbox::firstWhole() {
   return pieces_.begin() + (begun_ > 0 ? 1 : 0);
 }
 
-Outbox::Place Outbox::leaveOut(Place piece) {
+Outbox::Place Outbox::leaveOut(const Place& piece) {
   messages_ -= piece->cost();
   ++leftOut_;
   return pieces_.erase(piece);

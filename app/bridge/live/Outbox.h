@@ -53,7 +53,7 @@ class Outbox {
   static constexpr std::size_t kEach = 128;  // [B] of memory beside the bytes
   using Place = std::deque<Piece>::iterator;
   Place firstWhole();
-  Place leaveOut(Place piece);
+  Place leaveOut(const Place& piece);
   void keepWithin();
   std::size_t& sumOf(Kind kind) { return kind == Kind::Message ? messages_ : answers_; }
 

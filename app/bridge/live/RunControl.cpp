@@ -113,7 +113,7 @@ Service RunControl::stepService() {
 }
 
 std::vector<Parameter> RunControl::parameters() {
-  const auto fact = [](const char* name, ParameterValue value) {
+  const auto fact = [](const char* name, const ParameterValue& value) {
     return Parameter{name, [value] { return value; }, nullptr};
   };
   return {{"/hunavsim.paused", [this] { return ParameterValue(isPaused_.load()); },

@@ -23,10 +23,9 @@ void CdrWriter::text(std::string_view text) {
 }
 
 void CdrWriter::numbers(const void* first, std::size_t size, std::size_t count) {
-  const std::size_t at = to_.size();
   to_.append(static_cast<const char*>(first), size * count);
   if constexpr (!kIsLittleEndianHost) {
-    swapEach(&to_[at], size, count);
+    swapEach(&to_[to_.size() - size * count], size, count);
   }
 }
 

@@ -70,8 +70,8 @@ const char* implementationName(Rmw rmw) {
   return rmw == Rmw::FastRtps ? "rmw_fastrtps_cpp" : "rmw_cyclonedds_cpp";
 }
 
-Node::Node(Participant& participant, const DomainSettings& settings, std::string space,
-           std::string name, Parameters parameters, Tell tell)
+Node::Node(Participant& participant, const DomainSettings& settings, const std::string& space,
+           const std::string& name, Parameters parameters, Tell tell)
     : participant_(participant),
       rmw_(settings.rmw),
       fullName_((space == "/" ? "/" : space + "/") + name),

@@ -36,8 +36,8 @@ class Node {
   using Parameters = std::vector<rcl_interfaces::Parameter>;
 
   /// `parameters`: all that the node has; others can set them to values of the same type.
-  Node(Participant& participant, const DomainSettings& settings, std::string space,
-       std::string name, Parameters parameters, Tell tell);
+  Node(Participant& participant, const DomainSettings& settings, const std::string& space,
+       const std::string& name, Parameters parameters, Tell tell);
   ~Node() = default;
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;

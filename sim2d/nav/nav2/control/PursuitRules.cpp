@@ -38,7 +38,7 @@ Vec2 carrotAt(const Path& path, double distance, bool interpolates, bool goesOn)
     return isBetween ? circleSegmentIntersection((far - 1)->position, far->position, distance)
                      : far->position;
   }
-  const Vec2 end = path.back().position;
+  Vec2 end = path.back().position;
   if (!goesOn || path.size() < 2) {
     return end;
   }

@@ -59,7 +59,7 @@ void freeRay(Costmap& costmap, Cell from, Cell to, const RayRange& range) {
 
 /// What a voxel layer is as an obstacle layer: the lidar in none of its voxels sees nothing.
 ObstacleLayerParameters flattened(const VoxelLayerParameters& voxels, double lidarHeight) {
-  ObstacleLayerParameters flat = voxels;
+  ObstacleLayerParameters flat = static_cast<const ObstacleLayerParameters&>(voxels);
   const double top = voxels.originZ + voxels.zResolution * std::min(voxels.zVoxels, kMostVoxels);
   for (ObservationSource& source : flat.sources) {
     source.clearing = source.clearing && lidarHeight >= voxels.originZ && lidarHeight < top;

@@ -83,10 +83,7 @@ double HybridSearch::estimate(const Node& node) {
   return std::max(round, curve);
 }
 
-PlanResult HybridSearch::find(const Pose2& start, const std::vector<Pose2>& goals) {
-  const SmacHybridParameters& given = setting_.parameters;
-  const SmacLimits limits = smacLimits(given, given.maxPlanningTime, kSmacHybridPerSecond);
-  const double tolerance = given.tolerance / setting_.costmap.resolution();
+void HybridSearch::begin(const Pose2& start, const std::vector<Pose2>& goals) {
   goals_ = goals;
   for (const Pose2& goal : goals) {
     goalNodes_.push_back(nodeAt(goal.position, setting_.motion.nearestBin(goal.heading)));
@@ -97,6 +94,13 @@ PlanResult HybridSearch::find(const Pose2& start, const std::vector<Pose2>& goal
   root.pose = {start.position, base::wrapToPi(bin * setting_.motion.binSize())};
   root.g = 0.0;
   open_.push(0.0, static_cast<std::size_t>(first));
+}
+
+PlanResult HybridSearch::find(const Pose2& start, const std::vector<Pose2>& goals) {
+  const SmacHybridParameters& given = setting_.parameters;
+  const SmacLimits limits = smacLimits(given, given.maxPlanningTime, kSmacHybridPerSecond);
+  const double tolerance = given.tolerance / setting_.costmap.resolution();
+  begin(start, goals);
   PlanResult result;
   int nearGoal = 0;
   while (!open_.isEmpty() && result.iterations < limits.most) {

@@ -47,6 +47,7 @@ class HybridSearch {
     int closest = 1 << 30;  // least estimate so far [cells]
   };
 
+  void begin(const Pose2& start, const std::vector<Pose2>& goals);
   int nodeAt(const Vec2& place, int bin);
   bool isInside(const Vec2& place) const;
   double estimate(const Node& node);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/PluginBlocks.h"
 
 namespace sim2d::nav2 {
@@ -76,6 +77,7 @@ void readBehavior(NodeReader& node, const std::string& name, BehaviorSettings& t
       break;
     default: {
       std::vector<std::string> known;
+      known.reserve(std::size(kBehaviors));
       for (const char* const behavior : kBehaviors) {
         known.push_back(std::string("nav2_behaviors::") + behavior);
       }
@@ -108,8 +110,8 @@ MonitorPolygon readShape(NodeReader& node, const std::string& name) {
       node.read(name + ".", monitorPolygonKeys(), idleCollisionMonitorKeys(), MonitorPolygon());
   shape.name = name;
   for (const std::string& sub : shape.velocityPolygons) {
-    VelocitySubPolygon part =
-        node.read(name + "." + sub + ".", velocitySubPolygonKeys(), {}, VelocitySubPolygon());
+    const std::string prefix = base::join({name, sub, ""}, ".");
+    VelocitySubPolygon part = node.read(prefix, velocitySubPolygonKeys(), {}, VelocitySubPolygon());
     part.name = sub;
     shape.subPolygons.push_back(std::move(part));
   }

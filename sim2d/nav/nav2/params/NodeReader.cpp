@@ -106,6 +106,19 @@ void NodeReader::note(const GivenParameter& parameter, KeyUse use, std::string w
                          parameter.value->column, use, std::move(why)});
 }
 
+std::optional<Nav2Value> NodeReader::soundValue(const GivenParameter& given,
+                                                const std::string& name,
+                                                const Nav2Value& fallback) {
+  std::optional<Nav2Value> value = rosValue(*given.value, fallback);
+  if (!value) {
+    tell(name, misfitOf(pathOf(name), fallback, *given.value));
+  } else if (auto excess = excessOf(pathOf(name), *value)) {
+    tell(name, *std::move(excess));
+    value.reset();
+  }
+  return value;
+}
+
 Nav2Block NodeReader::read(const std::string& prefix, const Nav2Keys& keys) {
   Nav2Block block;
   for (const Nav2Keys::Row& row : keys.rows) {
@@ -132,14 +145,8 @@ Nav2Block NodeReader::read(const std::string& prefix, const Nav2Keys& keys) {
       continue;
     }
     note(*given, KeyUse::Used, {});
-    if (auto value = rosValue(*given->value, row.fallback)) {
-      if (auto excess = excessOf(pathOf(name), *value)) {
-        tell(name, *std::move(excess));
-      } else {
-        block[row.name] = *std::move(value);
-      }
-    } else {
-      tell(name, misfitOf(pathOf(name), row.fallback, *given->value));
+    if (auto value = soundValue(*given, name, row.fallback)) {
+      block[row.name] = *std::move(value);
     }
   }
   for (const Nav2Keys::Idle& idle : keys.idle) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -124,6 +125,9 @@ class NodeReader {
         key.member);
   }
   void note(const GivenParameter& parameter, KeyUse use, std::string why);
+  /// The value as the kind of the fallback; what does not fit is told.
+  std::optional<Nav2Value> soundValue(const GivenParameter& given, const std::string& name,
+                                      const Nav2Value& fallback);
   std::string pathOf(const std::string& name) const { return parameters_.node + "." + name; }
 
   NodeParameters parameters_;

@@ -44,7 +44,7 @@ void tellAt(NodeReader& node, const base::Diagnostics& problems) {
     const std::string where = problem.value("where");
     std::string place = where.empty() ? std::string() : where + ".plugin";
     for (const auto& [hole, value] : problem.values) {
-      for (const std::string& key : {value, where + "." + value}) {
+      for (const std::string& key : {value, base::join({where, value}, ".")}) {
         place = node.has(key) ? key : place;
       }
     }

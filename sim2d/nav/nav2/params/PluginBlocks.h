@@ -44,10 +44,10 @@ void readAnswered(NodeReader& node, const std::string& name, Answer answer,
   std::visit(
       [&](auto& held) { held = node.read(name + ".", keysOf(held), idleKeysOf(held), held); },
       parameters);
-  base::Diagnostics wrong;
+  const std::string prefix = name + ".";
   for (const std::string& complaint : complaintsAbout(parameters)) {
     const std::string key = complaint.substr(0, complaint.find(' '));
-    node.tell(name + "." + key, base::error("nav2.bad-value", {name + "." + complaint}));
+    node.tell(prefix + key, base::error("nav2.bad-value", {prefix + complaint}));
   }
   to.emplace_back(name, std::move(parameters));
 }

@@ -191,6 +191,7 @@ std::string valueText(const Nav2Value& value) {
           return "\"" + held + "\"";
         } else if constexpr (std::is_same_v<T, std::vector<double>>) {
           std::vector<std::string> items;
+          items.reserve(held.size());
           for (const double item : held) {
             items.push_back(base::formatDecimals(item, 1));
           }

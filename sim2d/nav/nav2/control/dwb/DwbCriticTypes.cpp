@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/control/dwb/DwbCritic.h"
 
 namespace sim2d::nav2 {
@@ -34,7 +35,7 @@ const DwbCriticType* dwbCriticType(const std::string& name,
     return find(plugin);
   }
   for (const std::string& space : namespaces) {
-    if (const DwbCriticType* type = find(space + "::" + plugin)) {
+    if (const DwbCriticType* type = find(base::join({space, plugin}, "::"))) {
       return type;
     }
   }

@@ -39,7 +39,8 @@ void MapGrid::seed(Cell cell) {
 
 void MapGrid::push(std::int32_t cell, int dx, int dy) {
   const auto index = static_cast<std::size_t>(cell);
-  const auto pile = static_cast<std::size_t>(dx * dx + dy * dy);
+  const int squared = dx * dx + dy * dy;
+  const auto pile = static_cast<std::size_t>(squared);
   isFound_[index] = 1;
   entries_[index] = {piles_[pile], static_cast<std::int16_t>(dx), static_cast<std::int16_t>(dy)};
   piles_[pile] = cell;
