@@ -29,9 +29,10 @@ int bestColumns(std::size_t count, double width, double heightOverWidth, double 
   constexpr std::size_t kMostColumns = 4;
   std::size_t best = count;
   for (std::size_t columns = count; columns > 0; --columns) {
-    const auto rows = static_cast<double>((count + columns - 1) / columns);
+    const std::size_t rows = (count + columns - 1) / columns;
     const double cell = width / static_cast<double>(columns);
-    if (rows * (cell * heightOverWidth + titleHeight) <= kTallestStrip * width) {
+    if (static_cast<double>(rows) * (cell * heightOverWidth + titleHeight) <=
+        kTallestStrip * width) {
       best = columns;
     }
   }
@@ -59,6 +60,7 @@ std::vector<double> evenTimes(const sim2d::Trace& trace, int count) {
   const double first = trace.frames.empty() ? 0.0 : trace.frames.front().time;
   const double last = trace.frames.empty() ? 0.0 : trace.frames.back().time;
   std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(std::max(count, 0)));
   for (int k = 0; k < count; ++k) {
     times.push_back(count == 1 ? last : first + (last - first) * k / (count - 1));
   }
@@ -80,18 +82,19 @@ RunStrip::RunStrip(const sim2d::Trace& trace, const PictureLayout& layout,
   const double cell = (width - kCellGap * (columns_ - 1)) / columns_;
   cell_ = QSizeF(cell, cell * tall);
   map_.place(QRectF(QPointF(), cell_));
-  const auto rows = static_cast<double>((times_.size() + std::size_t(columns_) - 1) /
-                                        static_cast<std::size_t>(columns_));
-  size_ =
-      QSizeF(layout.width,
-             std::ceil(2.0 * measures_.margin() + rows * (cell_.height() + measures_.row() + 6.0) +
-                       measures_.foot() + key_.height(width) + legend_.heightBelow(width)));
+  const auto columns = static_cast<std::size_t>(columns_);
+  const std::size_t rows = (times_.size() + columns - 1) / columns;
+  const double heightOfRow = cell_.height() + measures_.row() + 6.0;
+  size_ = QSizeF(layout.width,
+                 std::ceil(2.0 * measures_.margin() + static_cast<double>(rows) * heightOfRow +
+                           measures_.foot() + key_.height(width) + legend_.heightBelow(width)));
 }
 
 QRectF RunStrip::cellOf(std::size_t k) const {
   const auto columns = static_cast<std::size_t>(columns_);
+  const std::size_t below = k / columns;
   const auto column = static_cast<double>(k % columns);
-  const auto row = static_cast<double>(k / columns);
+  const auto row = static_cast<double>(below);
   return {measures_.margin() + column * (cell_.width() + kCellGap),
           measures_.margin() + measures_.row() + row * (cell_.height() + measures_.row() + 6.0),
           cell_.width(), cell_.height()};

@@ -13,8 +13,8 @@ class RunStrip {
  public:
   /// `times` [s], in the order in which they are shown; at least one. The height follows.
   RunStrip(const sim2d::Trace& trace, const PictureLayout& layout, std::vector<double> times);
-  RunStrip(const RunStrip&) = delete;  // parts know each other
-  RunStrip& operator=(const RunStrip&) = delete;
+  ~RunStrip() = default;
+  Q_DISABLE_COPY_MOVE(RunStrip)  // parts know each other
 
   QSizeF size() const { return size_; }  // [px]
   void paint(QPainter& painter);

@@ -51,16 +51,19 @@ void FanLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     }
   }
   for (const app::Future& future : *futures_) {
-    if (!future.contact || !future.contact->where.allFinite()) {
-      continue;
+    if (future.contact && future.contact->where.allFinite()) {
+      paintContact(*painter, toScene(future.contact->where));
     }
-    const PixelFrame frame(*painter, toScene(future.contact->where));
-    for (const bool isHalo : {true, false}) {
-      const QColor color = isHalo ? theme().color(Role::Panel) : theme().color(Role::Error);
-      painter->setPen(QPen(color, isHalo ? 5.0 : 2.4, Qt::SolidLine, Qt::RoundCap));
-      painter->drawLine(QPointF(-kCrossPx, -kCrossPx), QPointF(kCrossPx, kCrossPx));
-      painter->drawLine(QPointF(-kCrossPx, kCrossPx), QPointF(kCrossPx, -kCrossPx));
-    }
+  }
+}
+
+void FanLayer::paintContact(QPainter& painter, const QPointF& where) const {
+  const PixelFrame frame(painter, where);
+  for (const bool isHalo : {true, false}) {
+    const QColor color = isHalo ? theme().color(Role::Panel) : theme().color(Role::Error);
+    painter.setPen(QPen(color, isHalo ? 5.0 : 2.4, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(QPointF(-kCrossPx, -kCrossPx), QPointF(kCrossPx, kCrossPx));
+    painter.drawLine(QPointF(-kCrossPx, kCrossPx), QPointF(kCrossPx, -kCrossPx));
   }
 }
 

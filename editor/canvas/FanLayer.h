@@ -19,6 +19,7 @@ class FanLayer : public FullLayer {
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
  private:
+  void paintContact(QPainter& painter, const QPointF& where) const;
   void paintPeople(QPainter& painter, const app::Future& future) const;
   void paintRobots(QPainter& painter, const app::Future& future) const;
 

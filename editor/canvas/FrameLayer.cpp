@@ -251,34 +251,45 @@ std::vector<QRectF> FrameLayer::solidParts() const {
 
 std::vector<Label> FrameLayer::labels() const {
   std::vector<Label> labels;
-  const bool showAll = options().names && frame_->humans.size() <= kMostNames;
   for (const Body& body : bodies_) {
-    const double radiusPx = figureRadiusPx(body, mapScene().pixelsPerMetre());
-    Label label;
-    label.text = body.agent->name;
-    label.centre = toScene(body.pose.position);
-    if (body.isRobot()) {
-      label.clearancePx = radiusPx + 5.0;
-      label.priority = 2;
-      if (options().robots && options().names) {
-        labels.push_back(label);
-      }
-      continue;
-    }
-    const bool chosen = isChosen(body);
-    label.mark = body.agent->look;
-    label.clearancePx = radiusPx + (chosen ? 9.0 : 4.0);
-    label.priority = chosen ? 3 : 1;
-    const bool isKnown = showAll && body.agent->entity;  // those who come and go only when chosen
-    const bool isShown = chosen || (isKnown && mapScene().pixelsPerMetre() >= kNameZoom);
-    if (options().thoughts && (chosen || showAll)) {
-      label.detail = mapScene().overlays().thoughtOf(body.id);
-    }
-    if (options().people && !label.text.isEmpty() && isShown) {
-      labels.push_back(label);
+    if (std::optional<Label> label = body.isRobot() ? robotLabel(body) : personLabel(body)) {
+      labels.push_back(*std::move(label));
     }
   }
   return labels;
+}
+
+std::optional<Label> FrameLayer::robotLabel(const Body& body) const {
+  if (!options().robots || !options().names) {
+    return std::nullopt;
+  }
+  Label label;
+  label.text = body.agent->name;
+  label.centre = toScene(body.pose.position);
+  label.clearancePx = figureRadiusPx(body, mapScene().pixelsPerMetre()) + 5.0;
+  label.priority = 2;
+  return label;
+}
+
+std::optional<Label> FrameLayer::personLabel(const Body& body) const {
+  const double scale = mapScene().pixelsPerMetre();
+  const bool showAll = options().names && frame_->humans.size() <= kMostNames;
+  const bool chosen = isChosen(body);
+  const bool isKnown = showAll && body.agent->entity;  // those who come and go only when chosen
+  const bool isShown = chosen || (isKnown && scale >= kNameZoom);
+  if (!options().people || !isShown || body.agent->name.isEmpty()) {
+    return std::nullopt;
+  }
+  Label label;
+  label.text = body.agent->name;
+  label.centre = toScene(body.pose.position);
+  label.mark = body.agent->look;
+  label.clearancePx = figureRadiusPx(body, scale) + (chosen ? 9.0 : 4.0);
+  label.priority = chosen ? 3 : 1;
+  if (options().thoughts) {
+    label.detail = mapScene().overlays().thoughtOf(body.id);
+  }
+  return label;
 }
 
 void FrameLayer::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {

@@ -84,6 +84,8 @@ class FrameLayer : public FullLayer {
   void meet(const sim2d::TraceHeader& header, const sim2d::Frame& frame);
   const Body* body(int id) const;
   const Agent& agent(int id) const;
+  std::optional<Label> robotLabel(const Body& body) const;
+  std::optional<Label> personLabel(const Body& body) const;
   bool isChosen(const Body& body) const;
   double figureRadiusPx(const Body& body, double pixelsPerMetre) const;
   PersonFigure figureOf(const Body& person, double pixelsPerMetre) const;

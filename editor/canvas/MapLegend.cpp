@@ -40,7 +40,7 @@ QString forWhom(const MapScene& scene, const QString& all, const QString& one,
   return person ? one.arg(scene.frameLayer().nameOf(*person)) : chosen;
 }
 
-LegendSample arrowSample(const Theme& theme, QColor color, double width) {
+LegendSample arrowSample(const Theme& theme, const QColor& color, double width) {
   return [&theme, color, width](QPainter& painter, const QRectF& box) {
     const QPointF tip(box.right(), box.center().y());
     painter.setPen(QPen(color, width));
@@ -107,7 +107,7 @@ LegendPart velocityPart(const MapScene& scene, double pixelsPerMetre) {
   return part;
 }
 
-LegendSample discSample(QColor color, double alpha) {
+LegendSample discSample(const QColor& color, double alpha) {
   return [color, alpha](QPainter& painter, const QRectF& box) {
     QColor fill = color;
     fill.setAlphaF(alpha);

@@ -26,6 +26,7 @@ class CompareTable : public QWidget {
   };
   explicit CompareTable(PanelContext& context);
   ~CompareTable() override;
+  Q_DISABLE_COPY_MOVE(CompareTable)
 
   void compare(std::vector<Run> runs);
   bool isBusy() const { return task_.isBusy(); }

@@ -23,6 +23,7 @@ class FuturesPanel : public QWidget {
  public:
   explicit FuturesPanel(PanelContext& context);
   ~FuturesPanel() override;
+  Q_DISABLE_COPY_MOVE(FuturesPanel)
 
   void start();  // from the moment that is shown
   void cancel();

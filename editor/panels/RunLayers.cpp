@@ -7,7 +7,6 @@
 
 #include <QHelpEvent>
 #include <QStringList>
-#include <QTimer>
 #include <QToolTip>
 
 #include "bt/human/ActiveBranch.h"
@@ -37,6 +36,8 @@ RunLayers::RunLayers(SimulationRunner& runner, const RunEvents& events, MapView&
   connect(&view_.mapScene(), &MapScene::guestChanged, this, &RunLayers::follow);
   connect(&view_.mapScene().document(), &ScenarioDocument::selectionChanged, this,
           &RunLayers::follow);
+  soon_.setSingleShot(true);
+  connect(&soon_, &QTimer::timeout, this, &RunLayers::follow);
   view_.viewport()->installEventFilter(this);
   follow();
 }
@@ -82,7 +83,7 @@ void RunLayers::readContacts() {
   overlays.setContacts(std::move(contacts));
   view_.mapScene().update();
   if (read_ < there) {
-    QTimer::singleShot(0, this, &RunLayers::follow);
+    soon_.start();
   }
 }
 

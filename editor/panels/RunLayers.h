@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <QTimer>
 
 #include "editor/canvas/MapView.h"
 #include "editor/panels/RunEvents.h"
@@ -38,6 +39,7 @@ class RunLayers : public QObject {
   SimulationRunner& runner_;
   const RunEvents& events_;
   MapView& view_;
+  QTimer soon_;             // goes on reading contacts
   RecordingPtr recording_;  // whose contacts are read
   std::size_t read_ = 0;    // of its events
   QElapsedTimer sinceThoughts_;

@@ -189,30 +189,8 @@ void RunsPanel::fillList() {
   int index = 0;
   for (const Row& row : all) {
     auto* item = new QTreeWidgetItem(list_);
-    item->setText(RunNameColumn, row.name);
     item->setData(RunNameColumn, kRowRole, index++);
-    const bool isA = isShown(row);
-    const int style = styleOf(row);
-    Qt::ItemFlags flags = item->flags() | Qt::ItemIsUserCheckable;
-    item->setFlags(row.branch >= 0 ? flags | Qt::ItemIsEditable : flags);
-    item->setCheckState(RunNameColumn, isA || style >= 0 ? Qt::Checked : Qt::Unchecked);
-    if (isA || style >= 0) {
-      item->setIcon(RunNameColumn, styleIcon(isA ? -1 : style, context_.theme()));
-    }
-    if (isA) {
-      QFont bold = item->font(RunNameColumn);
-      bold.setWeight(QFont::DemiBold);
-      item->setFont(RunNameColumn, bold);
-    }
-    for (const RunBranch& branch : context_.runner.branches()) {
-      if (branch.number == row.branch && branch.from >= 0) {
-        item->setText(LeftAtColumn, clockText(branch.leftAt));
-        item->setText(ChangedColumn, branch.changed.isEmpty() ? tr("nothing") : branch.changed);
-        item->setToolTip(ChangedColumn, branch.changed);
-      }
-    }
-    item->setToolTip(RunNameColumn,
-                     row.folder.isEmpty() ? tr("F2 gives it another name") : row.folder);
+    fillItem(*item, row);
     if (before && *before == row) {
       list_->setCurrentItem(item);
     }
@@ -223,6 +201,32 @@ void RunsPanel::fillList() {
   measure();
   showBeside();
   tellTimeline();
+}
+
+void RunsPanel::fillItem(QTreeWidgetItem& item, const Row& row) {
+  item.setText(RunNameColumn, row.name);
+  const bool isA = isShown(row);
+  const int style = styleOf(row);
+  Qt::ItemFlags flags = item.flags() | Qt::ItemIsUserCheckable;
+  item.setFlags(row.branch >= 0 ? flags | Qt::ItemIsEditable : flags);
+  item.setCheckState(RunNameColumn, isA || style >= 0 ? Qt::Checked : Qt::Unchecked);
+  if (isA || style >= 0) {
+    item.setIcon(RunNameColumn, styleIcon(isA ? -1 : style, context_.theme()));
+  }
+  if (isA) {
+    QFont bold = item.font(RunNameColumn);
+    bold.setWeight(QFont::DemiBold);
+    item.setFont(RunNameColumn, bold);
+  }
+  for (const RunBranch& branch : context_.runner.branches()) {
+    if (branch.number == row.branch && branch.from >= 0) {
+      item.setText(LeftAtColumn, clockText(branch.leftAt));
+      item.setText(ChangedColumn, branch.changed.isEmpty() ? tr("nothing") : branch.changed);
+      item.setToolTip(ChangedColumn, branch.changed);
+    }
+  }
+  item.setToolTip(RunNameColumn,
+                  row.folder.isEmpty() ? tr("F2 gives it another name") : row.folder);
 }
 
 /// Recorded runs have left none: their names have the room.

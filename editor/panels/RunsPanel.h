@@ -25,6 +25,7 @@ class RunsPanel : public QWidget {
  public:
   explicit RunsPanel(PanelContext& context);
   ~RunsPanel() override;
+  Q_DISABLE_COPY_MOVE(RunsPanel)
 
   QTreeWidget& list() const { return *list_; }
   CompareTable& comparison() const { return *table_; }
@@ -62,6 +63,7 @@ class RunsPanel : public QWidget {
   std::vector<Row> compared() const;
   int styleOf(const Row& row) const;
   void fillList();
+  void fillItem(QTreeWidgetItem& item, const Row& row);
   void takeCheck(QTreeWidgetItem* item, int column);
   void showChosen();
   void removeChosen();

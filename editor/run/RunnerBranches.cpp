@@ -150,11 +150,13 @@ void SimulationRunner::renameBranch(int number, const QString& name) {
 }
 
 void SimulationRunner::removeBranch(int number) {
-  if (number == branch_ || branchOf(number) == nullptr) {
+  const RunBranch* const gone = branchOf(number);
+  if (number == branch_ || gone == nullptr) {
     return;
   }
+  const int parent = gone->from;
   for (RunBranch& each : branches_) {
-    each.from = each.from == number ? branchOf(number)->from : each.from;
+    each.from = each.from == number ? parent : each.from;
   }
   branches_.erase(std::find_if(branches_.begin(), branches_.end(),
                                [&](const RunBranch& each) { return each.number == number; }));

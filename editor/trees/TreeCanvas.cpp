@@ -183,9 +183,10 @@ void TreeCanvas::paintEvent(QPaintEvent* /*event*/) {
   painter.fillRect(rect(), theme_.color(Role::Window));
   painter.setPen(theme_.color(Role::Line));
   const double step = kDots * std::max(1.0, std::round(1.0 / zoom_));
-  for (double x = std::fmod(origin_.x(), step); x < width(); x += step) {
-    for (double y = std::fmod(origin_.y(), step); y < height(); y += step) {
-      painter.drawPoint(QPointF(x, y));
+  const QPointF first(std::fmod(origin_.x(), step), std::fmod(origin_.y(), step));
+  for (int column = 0; first.x() + column * step < width(); ++column) {
+    for (int row = 0; first.y() + row * step < height(); ++row) {
+      painter.drawPoint(first + step * QPointF(column, row));
     }
   }
   painter.translate(origin_);

@@ -34,6 +34,8 @@ TreeEntries::TreeEntries(SimulationRunner& runner, const Theme& theme)
                           QAbstractItemView::AnyKeyPressed);
   auto* layout = arranged(new QVBoxLayout(this), {}, 0, {table_});
   layout->addWidget(words_, 1);
+  soon_.setSingleShot(true);
+  connect(&soon_, &QTimer::timeout, this, &TreeEntries::follow);
   connect(table_, &QTableWidget::cellChanged, this, &TreeEntries::take);
   connect(&runner_, &SimulationRunner::entriesChanged, this, &TreeEntries::follow);
   connect(&runner_, &SimulationRunner::frameShown, this, &TreeEntries::follow);
@@ -148,7 +150,7 @@ void TreeEntries::take(int row, int column) {
   runner_.give(std::move(input));
   Q_EMIT said(tr("%1 becomes %2 in the next step, as an input of the run")
                   .arg(QString::fromStdString(key), QString::fromStdString(value)));
-  QMetaObject::invokeMethod(this, &TreeEntries::follow, Qt::QueuedConnection);
+  soon_.start();
 }
 
 }  // namespace editor

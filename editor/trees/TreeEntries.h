@@ -8,6 +8,7 @@
 
 #include <QLabel>
 #include <QTableWidget>
+#include <QTimer>
 
 #include "editor/look/Theme.h"
 #include "editor/run/SimulationRunner.h"
@@ -41,6 +42,7 @@ class TreeEntries : public QWidget {
   std::optional<int> person_;
   QTableWidget* table_;
   QLabel* words_;
+  QTimer soon_;  // shows what was typed when the table is done with it
   bool showing_ = false;
   /// What was typed and has not acted yet, with the step that is shown meanwhile.
   std::map<std::string, std::pair<std::string, std::int64_t>> typed_;

@@ -35,7 +35,7 @@ QString nodeDetail(const bt::NodeSpec& node) {
   if (manifest == nullptr) {
     return QObject::tr("unknown node");
   }
-  const QString values = nodeValues(node);
+  QString values = nodeValues(node);
   if (!values.isEmpty()) {
     return values;
   }
@@ -284,8 +284,12 @@ int TreeGraph::beside(int number, Way way) const {
     const bool hasSeen = !childrenOf(number).empty() && !isFolded(number);
     return hasSeen ? childrenOf(number).front() : number;
   }
-  // the next of the level, whoever its parent is
-  const double sign = way == Way::Right || way == Way::Down ? 1.0 : -1.0;
+  return nextOnLevel(number, way == Way::Right || way == Way::Down ? 1.0 : -1.0);
+}
+
+/// Whoever its parent is; the node itself where there is none.
+int TreeGraph::nextOnLevel(int number, double sign) const {
+  const bool isDown = direction_ == TreeDirection::Down;
   const auto across = [&](int each) {
     return isDown ? box(each).center().x() : box(each).center().y();
   };
@@ -303,21 +307,22 @@ int TreeGraph::beside(int number, Way way) const {
   return best;
 }
 
-void TreeGraph::addPlacesBelow(int parent, std::vector<DropPlace>& places) const {
+DropPlace TreeGraph::onlyPlaceBelow(int parent) const {
   const bool isDown = direction_ == TreeDirection::Down;
-  const std::vector<int>& children = childrenOf(parent);
-  const auto mark = [&](const QPointF& at) {
-    const double half = 0.5 * kNodeHeight;
-    return isDown ? QLineF(at.x(), at.y() - half, at.x(), at.y() + half)
-                  : QLineF(at.x() - half, at.y(), at.x() + half, at.y());
-  };
-  if (children.empty()) {
-    const QPointF gap = isDown ? QPointF(0.0, 20.0) : QPointF(20.0, 0.0);
-    const QPointF at = outlet(parent) + gap;
-    const QPointF half = isDown ? QPointF(0.4 * box(parent).width(), 0.0) : QPointF(0.0, 18.0);
-    places.push_back({DropPlace::How::Below, parent, 0, QLineF(at - half, at + half), at});
+  const QPointF gap = isDown ? QPointF(0.0, 20.0) : QPointF(20.0, 0.0);
+  const QPointF at = outlet(parent) + gap;
+  const QPointF half = isDown ? QPointF(0.4 * box(parent).width(), 0.0) : QPointF(0.0, 18.0);
+  return {DropPlace::How::Below, parent, 0, QLineF(at - half, at + half), at};
+}
+
+void TreeGraph::addPlacesBelow(int parent, std::vector<DropPlace>& places) const {
+  if (childrenOf(parent).empty()) {
+    places.push_back(onlyPlaceBelow(parent));
     return;
   }
+  const bool isDown = direction_ == TreeDirection::Down;
+  const std::vector<int>& children = childrenOf(parent);
+  const QPointF half = 0.5 * kNodeHeight * (isDown ? QPointF(0.0, 1.0) : QPointF(1.0, 0.0));
   const auto edge = [&](int child, bool isEnd) {
     const QRectF& its = box(child);
     return isDown ? (isEnd ? its.right() : its.left()) : (isEnd ? its.bottom() : its.top());
@@ -330,7 +335,7 @@ void TreeGraph::addPlacesBelow(int parent, std::vector<DropPlace>& places) const
                               ? edge(children.back(), true) + kDropBeyond
                               : 0.5 * (edge(children[k - 1], true) + edge(children[k], false));
     const QPointF at = isDown ? QPointF(across, level.y()) : QPointF(level.x(), across);
-    places.push_back({DropPlace::How::Below, parent, index, mark(at), at});
+    places.push_back({DropPlace::How::Below, parent, index, QLineF(at - half, at + half), at});
   }
 }
 

@@ -34,8 +34,8 @@ class TreeGraph {
   static constexpr double kMargin = 24.0;  // around all
 
   explicit TreeGraph(const Theme& theme) : theme_(theme) {}
-  TreeGraph(const TreeGraph&) = delete;  // the nodes point into the tree
-  TreeGraph& operator=(const TreeGraph&) = delete;
+  ~TreeGraph() = default;
+  Q_DISABLE_COPY_MOVE(TreeGraph)  // the nodes point into the tree
 
   /// Folds stay by the names of the nodes.
   void setTree(const PersonTree& tree);
@@ -101,6 +101,8 @@ class TreeGraph {
   bool isBelow(int node, int above) const;  // or the same
   std::vector<DropPlace> dropPlaces(const bt::NodeSpec& what, const std::vector<int>& moving) const;
   bool hasRoom(int parent, const std::vector<int>& moving) const;
+  int nextOnLevel(int number, double sign) const;
+  DropPlace onlyPlaceBelow(int parent) const;
   void addPlacesBelow(int parent, std::vector<DropPlace>& places) const;
 
   const Theme theme_;  // for the widths of texts

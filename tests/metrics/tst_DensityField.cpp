@@ -51,6 +51,7 @@ class DensityFieldTest : public QObject {
 
   void field_atCentres_isTheSumOverAll() {
     std::vector<Vec2> people;
+    people.reserve(40);
     for (int k = 0; k < 40; ++k) {  // spread by the golden angle
       people.emplace_back(10.0 + 0.9 * std::sqrt(k) * std::cos(2.39996 * k),
                           8.0 + 0.9 * std::sqrt(k) * std::sin(2.39996 * k));

@@ -60,6 +60,11 @@ PlanResult planned(const Costmap& costmap, const Pose2& start, const Pose2& goal
   return planner.plan({costmap, start, goal});
 }
 
+std::size_t indexOf(int column, int row, int width) {
+  const int index = row * width + column;
+  return static_cast<std::size_t>(index);
+}
+
 /// Costs of NavFn between 50 and 251 with a few obstacles.
 std::vector<std::uint8_t> roughCosts(int width, int height, bool isRough, std::uint64_t seed) {
   Numbers numbers(seed);
@@ -67,7 +72,7 @@ std::vector<std::uint8_t> roughCosts(int width, int height, bool isRough, std::u
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       const double wave = 60.0 * (1.0 + std::sin(0.21 * column) * std::cos(0.17 * row));
-      auto& cost = costs[static_cast<std::size_t>(row * width + column)];
+      auto& cost = costs[indexOf(column, row, width)];
       cost = static_cast<std::uint8_t>(isRough ? 50.0 + wave : 50.0);
       if (numbers.next() < 0.04) {
         cost = 254;
@@ -82,9 +87,7 @@ std::vector<double> eikonal(int width, int height, const std::vector<std::uint8_
                             Cell seed) {
   constexpr double kNever = 1e10;
   std::vector<double> time(costs.size(), kNever);
-  const auto at = [&](int column, int row) {
-    return static_cast<std::size_t>(row * width + column);
-  };
+  const auto at = [&](int column, int row) { return indexOf(column, row, width); };
   time[at(seed.column, seed.row)] = 0.0;
   for (bool isChanged = true; isChanged;) {
     isChanged = false;
@@ -211,7 +214,7 @@ void Nav2NavfnTest::spread_everywhere_isNearTheEikonalSolution() {
     int reached = 0;
     for (int row = 1; row + 1 < kHeight; ++row) {
       for (int column = 1; column + 1 < kWidth; ++column) {
-        const double time = exact[static_cast<std::size_t>(row * kWidth + column)];
+        const double time = exact[indexOf(column, row, kWidth)];
         const double found = wave.potential({column, row});
         if ((found < 1e9) != (time < 1e9)) {
           QFAIL(qPrintable(QStringLiteral("%1 %2 is reached or not").arg(column).arg(row)));

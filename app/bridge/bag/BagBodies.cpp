@@ -135,8 +135,8 @@ void BagBodies::takeAgent(const hunav_msgs::Agent& agent, std::int64_t time,
   sample.heading = sample.pose.heading;
   sample.velocity = base::Vec2(agent.velocity.linear.x, agent.velocity.linear.y);
   sample.omega = agent.velocity.angular.z;
-  sample.group = agent.groupId;
-  sample.state = static_cast<int>(agent.behavior.state);
+  sample.group = agent.groupId;  // NOLINT(bugprone-signed-char-misuse): -1 is nobody's
+  sample.state = agent.behavior.state;
   if (!agent.goals.empty()) {
     sample.goal = base::Vec2(agent.goals.front().position.x, agent.goals.front().position.y);
   }

@@ -96,6 +96,15 @@ void HybridSearch::begin(const Pose2& start, const std::vector<Pose2>& goals) {
   open_.push(0.0, static_cast<std::size_t>(first));
 }
 
+/// By a curve, or because it lies there.
+std::optional<Path> HybridSearch::wayToGoal(int index) {
+  if (std::optional<Path> whole = curveToGoal(index)) {
+    return whole;
+  }
+  const bool isGoal = std::find(goalNodes_.begin(), goalNodes_.end(), index) != goalNodes_.end();
+  return isGoal ? std::optional(pathTo(index)) : std::nullopt;
+}
+
 PlanResult HybridSearch::find(const Pose2& start, const std::vector<Pose2>& goals) {
   const SmacHybridParameters& given = setting_.parameters;
   const SmacLimits limits = smacLimits(given, given.maxPlanningTime, kSmacHybridPerSecond);
@@ -118,12 +127,8 @@ PlanResult HybridSearch::find(const Pose2& start, const std::vector<Pose2>& goal
     }
     ++result.iterations;
     nodes_[node].isVisited = true;
-    if (auto whole = curveToGoal(index)) {
-      result.path = std::move(*whole);
-      return result;
-    }
-    if (std::find(goalNodes_.begin(), goalNodes_.end(), index) != goalNodes_.end()) {
-      result.path = pathTo(index);
+    if (auto whole = wayToGoal(index)) {
+      result.path = *std::move(whole);
       return result;
     }
     if (nearest_.estimate < tolerance && ++nearGoal >= limits.mostOnApproach) {

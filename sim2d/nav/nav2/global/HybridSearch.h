@@ -53,6 +53,7 @@ class HybridSearch {
   double estimate(const Node& node);
   void expand(int index);
   void enter(int from, std::size_t step);
+  std::optional<Path> wayToGoal(int index);
   std::optional<Path> curveToGoal(int index);
   std::optional<Path> curveFrom(const Node& node, const Pose2& goal) const;
   bool isTooCostly(const std::vector<std::uint8_t>& costs, double length) const;
