@@ -141,6 +141,20 @@ class GifMovie : public Movie {
   double frames_ = 0.0;
 };
 
+QStringList codecOf(const std::string& ending) {
+  if (ending == ".webm") {
+    return {QStringLiteral("-c:v"),    QStringLiteral("libvpx-vp9"), QStringLiteral("-b:v"),
+            QStringLiteral("0"),       QStringLiteral("-crf"),       QStringLiteral("32"),
+            QStringLiteral("-row-mt"), QStringLiteral("1")};
+  }
+  if (ending == ".webp") {
+    return {QStringLiteral("-c:v"), QStringLiteral("libwebp_anim"), QStringLiteral("-quality"),
+            QStringLiteral("80"),   QStringLiteral("-loop"),        QStringLiteral("0")};
+  }
+  return {QStringLiteral("-c:v"), QStringLiteral("libx264"),   QStringLiteral("-crf"),
+          QStringLiteral("20"),   QStringLiteral("-movflags"), QStringLiteral("+faststart")};
+}
+
 /// Through a pipe into ffmpeg, which writes a file beside until its end.
 class EncodedMovie : public Movie {
  public:
@@ -189,15 +203,6 @@ class EncodedMovie : public Movie {
 
  private:
   bool start(const QSize& size) {
-    const bool isWebm = endingOf(path_) == ".webm";
-    const QStringList codec =
-        isWebm ? QStringList{QStringLiteral("-c:v"),    QStringLiteral("libvpx-vp9"),
-                             QStringLiteral("-b:v"),    QStringLiteral("0"),
-                             QStringLiteral("-crf"),    QStringLiteral("32"),
-                             QStringLiteral("-row-mt"), QStringLiteral("1")}
-               : QStringList{QStringLiteral("-c:v"),      QStringLiteral("libx264"),
-                             QStringLiteral("-crf"),      QStringLiteral("20"),
-                             QStringLiteral("-movflags"), QStringLiteral("+faststart")};
     const QStringList from = {QStringLiteral("-loglevel"),
                               QStringLiteral("error"),
                               QStringLiteral("-y"),
@@ -218,10 +223,10 @@ class EncodedMovie : public Movie {
                             QStringLiteral("-flags:v"),
                             QStringLiteral("+bitexact"),
                             QStringLiteral("-f"),
-                            isWebm ? QStringLiteral("webm") : QStringLiteral("mp4"),
+                            QString::fromStdString(endingOf(path_).substr(1)),
                             QStringLiteral("file:") + QString::fromStdString(part_)};
     process_.setProcessChannelMode(QProcess::MergedChannels);
-    process_.start(QStringLiteral("ffmpeg"), from + codec + to);
+    process_.start(QStringLiteral("ffmpeg"), from + codecOf(endingOf(path_)) + to);
     return process_.waitForStarted();
   }
   base::Diagnostics failure() {
@@ -242,7 +247,7 @@ class EncodedMovie : public Movie {
 }  // namespace
 
 bool Movie::isName(const std::string& ending) {
-  return ending == ".gif" || ending == ".mp4" || ending == ".webm";
+  return ending == ".gif" || ending == ".mp4" || ending == ".webm" || ending == ".webp";
 }
 
 base::Result<std::unique_ptr<Movie>> Movie::begin(const std::string& path, double perSecond) {

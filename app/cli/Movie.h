@@ -14,8 +14,8 @@ namespace app {
 /// but the whole film after it. One thread.
 class Movie {
  public:
-  /// By the ending of the name: ".gif" by giflib, ".mp4" (H.264) and ".webm" (VP9) by the program
-  /// `ffmpeg`. Error: it is not installed, the folder cannot be written to.
+  /// By the ending of the name: ".gif" by giflib, ".mp4" (H.264), ".webm" (VP9) and ".webp" by the
+  /// program `ffmpeg`. Error: it is not installed, the folder cannot be written to.
   static base::Result<std::unique_ptr<Movie>> begin(const std::string& path, double perSecond);
   static bool isName(const std::string& ending);
 

@@ -292,42 +292,54 @@ namespace {
   std::_Exit(ExitRunFailed);  // in order the copy would go away
 }
 
+void requireScenario(const std::string& name, bool isForPicture,
+                     const std::vector<std::string>& commands) {
+  const QString scenario = QString::fromStdString(name);
+  if (name == "-") {
+    requireFine({base::error("option.window-input")}, ExitWrongCommandLine);
+  }
+  if (!scenario.isEmpty() && !QFileInfo::exists(scenario)) {
+    requireFine(
+        {unknownScenario(name, commands).value_or(base::error("file.not-there", {}, name))});
+  }
+  if (isForPicture && FileCommands::isImage(scenario)) {
+    requireFine({base::error("option.picture-of-image", {}, name)});
+  }
+}
+
+/// Once the application has its name.
+WindowSetup setupOf(const WindowOptions& options, const RunOptions& run) {
+  WindowSetup setup;
+  setup.theme = themeOf(options);
+  setup.followsSystem = options.theme.empty();
+  setup.remembers = options.screenshot.empty();
+  setup.shippedMaps = QString::fromStdString(shippedMapsFolder());
+  setup.demos = demos();
+  setup.options = run;
+  if (setup.remembers) {
+    setup.recoveryFolder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                           QStringLiteral("/recovery");
+  }
+  return setup;
+}
+
 int windowCommand(const Invocation& given, const RunOptions& run, const WindowOptions& options,
                   const std::vector<std::string>& commands) {
   base::Diagnostics wrongWords = checkWords(options);
   const base::Result<RunSettings> settings = runSettingsOf(run);
   base::append(wrongWords, settings.diagnostics());
   requireFine(wrongWords, ExitWrongCommandLine, base::Severity::Warning);
-  const QString scenario = QString::fromStdString(run.scenario);
-  if (run.scenario == "-") {
-    requireFine({base::error("option.window-input")}, ExitWrongCommandLine);
-  }
-  if (!scenario.isEmpty() && !QFileInfo::exists(scenario)) {
-    requireFine({unknownScenario(run.scenario, commands)
-                     .value_or(base::error("file.not-there", {}, run.scenario))});
-  }
   const bool picture = !options.screenshot.empty();
-  if (picture && FileCommands::isImage(scenario)) {
-    requireFine({base::error("option.picture-of-image", {}, run.scenario)});
-  }
+  requireScenario(run.scenario, picture, commands);
+  const QString scenario = QString::fromStdString(run.scenario);
   prepareScreen(options);
   int argc = given.argc;
   GuardedApplication application(argc, given.argv);
   std::setlocale(LC_NUMERIC, "C");
   QApplication::setApplicationName(QStringLiteral("HuNavSim Desktop"));
   QApplication::setApplicationVersion(QString::fromStdString(programVersion()));
-  WindowSetup setup;
-  setup.theme = themeOf(options);
-  setup.followsSystem = options.theme.empty();
-  setup.remembers = !picture;
-  setup.shippedMaps = QString::fromStdString(shippedMapsFolder());
-  setup.demos = demos();
-  setup.options = run;
+  WindowSetup setup = setupOf(options, run);
   setup.compatibility = settings->compatibility;
-  if (!picture) {
-    setup.recoveryFolder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
-                           QStringLiteral("/recovery");
-  }
   editor::dressApplication(setup.theme);
   MainWindow window(setup);
   requireFine(checkDocks(window.docks().names(), options.docks), ExitWrongCommandLine);

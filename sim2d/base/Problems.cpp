@@ -734,8 +734,8 @@ constexpr ProblemText kTexts[] = {
     {"option.unknown-body", "there is no person or robot '{found}'"},
     {"option.plot-series", "the metric '{key}' has no value over time"},
     {"option.picture-format",
-     "cannot draw '{found}' files (use a name that ends in .png, .svg, .pdf, .gif, .mp4, .webm or "
-     ".html)"},
+     "cannot draw '{found}' files (use a name that ends in .png, .svg, .pdf, .gif, .mp4, .webm, "
+     ".webp or .html)"},
     {"option.not-of-this-file", "{option} does nothing for such a file"},
     {"option.gif-rate", "a .gif is shown with 50 frames per second at most: take --fps 50"},
     {"movie.not-made", "the film cannot be made: {reason}"},

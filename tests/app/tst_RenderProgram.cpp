@@ -142,6 +142,23 @@ class RenderProgramTest : public QObject {
     QCOMPARE(QDir(folder_.path()).entryList({text("*.new-*")}).size(), 0);
   }
 
+  /// ffprobe of Debian 12 reads no moving WebP: its chunks are counted here.
+  void film_webp_framesAndSize() {
+    if (QStandardPaths::findExecutable(text("ffmpeg")).isEmpty()) {
+      QSKIP("ffmpeg is not installed");
+    }
+    const Finished made = render(text("film.webp"), {text("--fps"), text("10"), text("--speed"),
+                                                     text("2"), text("--width"), text("321")});
+    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    QFile file(path(text("film.webp")));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray bytes = file.readAll();
+    QVERIFY(bytes.startsWith("RIFF") && bytes.mid(8, 8) == "WEBPVP8X");
+    const auto byteAt = [&](int place) { return static_cast<unsigned char>(bytes[place]); };
+    QCOMPARE(byteAt(24) + 256 * byteAt(25) + 1, 322);  // width of the canvas, less one
+    QCOMPARE(bytes.count("ANMF"), 11);
+  }
+
   void wrongWords_areTold_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QStringList>("more");

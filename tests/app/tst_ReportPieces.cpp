@@ -164,7 +164,7 @@ class ReportPiecesTest : public QObject {
     Study study = smallStudy();
     study.results.keys.emplace_back("success");
     study.metrics.push_back({"success", "Success", "-", true, 1});
-    study.results.metrics[0] = {1.0, 1.0, 9.0, 2.0, 3.0};
+    study.results.metrics[0] = {1.0, 1.0, 1.5, 2.0, 3.0};
     const auto bestWith = [&](const std::vector<double>& success) {
       study.results.metrics.resize(1);
       study.results.metrics.push_back(success);

@@ -34,6 +34,7 @@ class TreeGroupsTest : public QObject {
   static QString shortOf(const bt::TreeFile& file) { return shortOf(file.trees.front().root); }
   static std::vector<TreePlace> at(const std::vector<bt::NodePath>& paths) {
     std::vector<TreePlace> places;
+    places.reserve(paths.size());
     for (const bt::NodePath& path : paths) {
       places.push_back({"Main", path});
     }

@@ -151,6 +151,7 @@ class TreeLayoutTest : public QObject {
     QCOMPARE(two.boxes[2].y, 0.0);
     QCOMPARE(two.boxes[2].x, 58.0);
     std::vector<LayoutNode> chain;
+    chain.reserve(100000);
     for (int k = 0; k < 100000; ++k) {  // nothing calls itself
       chain.push_back({k - 1, 10, 10});
     }

@@ -321,8 +321,8 @@ void addRender(CommandRegistry& commands) {
   command.add_option("run", options.run, "Folder of the run")->required();
   command
       .add_option("-o,--output", options.output,
-                  "Picture (.png, .svg, .pdf), film (.gif; .mp4 and .webm with ffmpeg), a page "
-                  "that plays the run (.html), or a bag for ROS 2 and Foxglove (.mcap)")
+                  "Picture (.png, .svg, .pdf), film (.gif; .mp4, .webm and .webp with ffmpeg), a "
+                  "page that plays the run (.html), or a bag for ROS 2 and Foxglove (.mcap)")
       ->required();
   command.add_option("--at", options.at, "The run up to this time alone [s]");
   command
