@@ -40,8 +40,7 @@ struct Running {
     process.kill();
     process.waitForFinished();
   }
-  Running(const Running&) = delete;
-  Running& operator=(const Running&) = delete;
+  Q_DISABLE_COPY_MOVE(Running)
 
   void read() {
     said += process.readAllStandardError();
@@ -123,6 +122,36 @@ void LiveProgramTest::run_watched_filesAreTheSame() {
   }
 }
 
+namespace {
+
+void comparePeople(const QJsonArray& people, const QString& folder) {
+  const std::vector<outside::Sample> samples =
+      outside::readTrajectory(folder + text("/trajectory.csv"));
+  QCOMPARE(static_cast<std::size_t>(people.size()), samples.back().people.size());
+  for (int i = 0; i < people.size(); ++i) {
+    const outside::Body& body = samples.back().people[static_cast<std::size_t>(i)];
+    const QJsonObject person = people[i].toObject();
+    QCOMPARE(person.value(QLatin1String("id")).toInt(), body.id);
+    QVERIFY(std::abs(person.value(QLatin1String("x")).toDouble() - body.x) < 1e-9);
+    QVERIFY(std::abs(person.value(QLatin1String("y")).toDouble() - body.y) < 1e-9);
+  }
+}
+
+void compareMetrics(const QJsonObject& seen, const QJsonObject& measured) {
+  int compared = 0;
+  for (const QString& key : seen.keys()) {
+    const double seenValue = seen.value(key).toDouble();
+    const QJsonValue known = measured.value(key).toObject().value(QLatin1String("value"));
+    const double written = known.isBool() ? (known.toBool() ? 1.0 : 0.0) : known.toDouble(-1e300);
+    QVERIFY2(std::abs(seenValue - written) <= 1e-9 * std::max(1.0, std::abs(written)),
+             qPrintable(key));
+    ++compared;
+  }
+  QVERIFY(compared > 20);
+}
+
+}  // namespace
+
 void LiveProgramTest::run_foxglovesOwnClient_readsAll_data() {
   QTest::addColumn<QString>("protocol");
   QTest::addColumn<QString>("how");
@@ -176,32 +205,12 @@ void LiveProgramTest::run_foxglovesOwnClient_readsAll() {
     QVERIFY2(counts.value(QLatin1String(topic)).toInt() > 0, topic);
   }
   // what was seen last is what was recorded last, and measured
-  const std::vector<outside::Sample> samples =
-      outside::readTrajectory(out + text("/trajectory.csv"));
-  const QJsonArray people = value("people").toArray();
-  QCOMPARE(static_cast<std::size_t>(people.size()), samples.back().people.size());
-  for (int i = 0; i < people.size(); ++i) {
-    const outside::Body& body = samples.back().people[static_cast<std::size_t>(i)];
-    const QJsonObject person = people[i].toObject();
-    QCOMPARE(person.value(QLatin1String("id")).toInt(), body.id);
-    QVERIFY(std::abs(person.value(QLatin1String("x")).toDouble() - body.x) < 1e-9);
-    QVERIFY(std::abs(person.value(QLatin1String("y")).toDouble() - body.y) < 1e-9);
-  }
+  comparePeople(value("people").toArray(), out);
   const QJsonObject map = value("map").toObject();
   QVERIFY(map.value(QLatin1String("cells")).toInt() > 0);
   QCOMPARE(map.value(QLatin1String("cells")).toInt(),
            map.value(QLatin1String("width")).toInt() * map.value(QLatin1String("height")).toInt());
-  const QJsonObject measured = outside::metricsOf(out);
-  int compared = 0;
-  for (const QString& key : value("metrics").toObject().keys()) {
-    const double seenValue = value("metrics").toObject().value(key).toDouble();
-    const QJsonValue known = measured.value(key).toObject().value(QLatin1String("value"));
-    const double written = known.isBool() ? (known.toBool() ? 1.0 : 0.0) : known.toDouble(-1e300);
-    QVERIFY2(std::abs(seenValue - written) <= 1e-9 * std::max(1.0, std::abs(written)),
-             qPrintable(key));
-    ++compared;
-  }
-  QVERIFY(compared > 20);
+  compareMetrics(value("metrics").toObject(), outside::metricsOf(out));
 }
 
 void LiveProgramTest::run_paused_ctrlCEndsIt() {

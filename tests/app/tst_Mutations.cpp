@@ -51,7 +51,7 @@ QStringList words(const char* line) {
   return text(line).split(QLatin1Char(' '));
 }
 
-const std::vector<Kind>& kinds() {
+const std::vector<Kind>& kinds() {  // NOLINT(readability-function-size): a table
   static const QStringList kRun = words("run s/two_workers_agents.yaml -q -o o --duration 0.3");
   static const QStringList kCheck = words("check s/two_workers_agents.yaml");
   static const QStringList kWindow =
@@ -134,7 +134,7 @@ QTemporaryDir& corpus() {
 
 /// Why the end of a command is none that users should see; empty: it is fine.
 QString faultOf(const Ended& ended, bool wantsJson) {
-  if (const QString signal = outside::signalOf(ended); !signal.isEmpty()) {
+  if (QString signal = outside::signalOf(ended); !signal.isEmpty()) {
     return signal;
   }
   const int code = WEXITSTATUS(ended.status);

@@ -36,7 +36,8 @@ class RunsAndFuturesTest : public QObject {
 
   void runDemo(double seconds = 8.0) {
     QVERIFY(window_->open(quiet::demoPath()));
-    sim2d::ScenarioSettings settings = window_->workspace().document().scenario();
+    auto settings =
+        static_cast<const sim2d::ScenarioSettings&>(window_->workspace().document().scenario());
     settings.desktop.duration = seconds;
     editor::pushEdit(window_->workspace().document(), {settings}, text("Duration"));
     runner().setSpeed(std::numeric_limits<double>::infinity());
