@@ -16,7 +16,8 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t kReserve = 65536;  // [bytes]; below what malloc maps by itself
+constexpr std::size_t kReserve =
+    std::size_t{64} * 1024;  // [bytes]; below what malloc maps by itself
 
 std::atomic<void*> reserve{nullptr};
 std::string lastLine;                        // written when nothing can be allocated any more

@@ -118,40 +118,43 @@ std::vector<Numbers> completeBlocks(const Study& study, std::size_t metric,
   return complete;
 }
 
-/// Per option: once at least, or success is not measured.
+/// Per option: success is not known of any of its runs, or one succeeds.
 std::vector<bool> succeedingOptions(const Study& study) {
+  std::vector<bool> succeeds(study.options.size(), true);
   const std::size_t key = study.results.keyAt("success");
   if (key >= study.results.keys.size()) {
-    return std::vector<bool>(study.options.size(), true);
+    return succeeds;
   }
-  std::vector<bool> succeeds(study.options.size(), false);
+  std::vector<double> most(study.options.size(), statistics::kUndefined);
   for (std::size_t run = 0; run < study.runCount(); ++run) {
-    if (valueOf(study, key, run) > 0.0) {
-      succeeds[study.optionOf[run]] = true;
+    if (study.results.runs[run].ok) {
+      double& known = most[study.optionOf[run]];
+      known = std::fmax(known, study.valuesOf(key)[run]);  // of a number and none the number
     }
   }
+  std::transform(most.begin(), most.end(), succeeds.begin(),
+                 [](double value) { return std::isnan(value) || value > 0.0; });
   return succeeds;
 }
 
 /// None: nothing to compare, or all are equal.
 std::optional<std::size_t> bestOf(int sense, const MetricComparison& comparison) {
-  std::optional<std::size_t> best;
   const auto meanOf = [&](std::size_t option) { return comparison.estimates[option].mean; };
-  const auto differs = [&](std::size_t option) {
-    return !std::isnan(meanOf(option)) &&
-           (!comparison.succeeds[option] || meanOf(option) != meanOf(*best));
-  };
-  std::size_t others = 0;
+  std::optional<std::size_t> best;
+  std::size_t defined = 0;
   for (std::size_t option = 0; option < comparison.estimates.size(); ++option) {
-    if (comparison.succeeds[option] && !std::isnan(meanOf(option)) &&
-        (!best || (meanOf(option) - meanOf(*best)) * sense > 0.0)) {
+    const double mean = meanOf(option);
+    defined += std::isnan(mean) ? 0 : 1;
+    if (comparison.succeeds[option] && !std::isnan(mean) &&
+        (!best || (mean - meanOf(*best)) * sense > 0.0)) {
       best = option;
     }
   }
+  std::size_t leaders = 0;
   for (std::size_t option = 0; best && option < comparison.estimates.size(); ++option) {
-    others += differs(option) ? 1 : 0;
+    leaders += comparison.succeeds[option] && meanOf(option) == meanOf(*best) ? 1 : 0;
   }
-  return others > 0 ? best : std::nullopt;
+  return leaders < defined ? best : std::nullopt;
 }
 
 void findBest(const Metric& metric, MetricComparison& comparison) {

@@ -40,7 +40,7 @@ struct MetricComparison {
   std::size_t metric = 0;           // place in the study
   std::vector<Estimate> estimates;  // per option
   std::vector<PairResult> pairs;    // of all two options
-  std::vector<bool> succeeds;       // per option: once at least, or success is not measured
+  std::vector<bool> succeeds;       // per option: once at least, or its success is not known
   std::optional<std::size_t> best;  // option; none: the metric is neutral, or all are equal
   std::vector<bool> differs;        // per option: significantly from the best
   std::optional<statistics::Friedman> friedman;  // three options and two complete blocks or more

@@ -173,6 +173,9 @@ class ReportPiecesTest : public QObject {
     QVERIFY(bestWith({1.0, 0.0, 0.0, 1.0, 0.0}) == std::size_t{0});
     QVERIFY(bestWith({0.0, 0.0, 0.0, 1.0, 0.0}) == std::size_t{1});
     QVERIFY(!bestWith({0.0, 0.0, 0.0, 0.0, 0.0}));
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // a crowd without a robot
+    QVERIFY(bestWith({kNone, kNone, kNone, kNone, kNone}) == std::size_t{0});
+    QVERIFY(bestWith({kNone, 0.0, kNone, 1.0, kNone}) == std::size_t{1});
   }
 
   /// All three seeds differ in success: no difference that is known to no width.
