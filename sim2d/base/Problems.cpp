@@ -586,6 +586,7 @@ constexpr ProblemText kTexts[] = {
     {"bag.compression", "a chunk is compressed by '{found}', which is unknown (zstd is known)"},
     {"bag.cut", "ends at byte {position} in the midst of a record: what is whole before it counts"},
     {"bag.damaged", "a {part} at byte {position} is damaged and left out"},
+    {"bag.unpacked", "its chunks unpack to more than {limit} bytes: no recording does"},
     {"bag.bad-database", "is no database of rosbag2: {reason}"},
     {"bag.no-topic", "has no topic '{found}' ({nearest?did you mean '%'? }there are: {known})"},
     {"bag.wrong-type", "topic {topic} is of type {found}, {wanted} is needed"},

@@ -346,6 +346,30 @@ class BagTest : public QObject {
     QCOMPARE(codesOf(told), std::string("bag.damaged"));
   }
 
+  /// A chunk of 1 MiB of nothing is some hundred bytes; of 4300 of them the last are not unpacked.
+  void open_chunksThatUnpackWithoutEnd_areRefused() {
+    McapWriter writer(path("bomb.mcap"));
+    const std::uint16_t channel = writer.addChannel({"/people", "t", "", {}});
+    writer.write(channel, 1, std::string(std::size_t{1} << 20U, '\0'));
+    QVERIFY(writer.finish().empty());
+    const std::string whole = bytes(path("bomb.mcap"));
+    std::string_view rest = std::string_view(whole).substr(kMcapMagic.size());
+    std::string beginning;
+    std::string chunk;
+    McapPiece piece;
+    for (std::string_view before = rest; chunk.empty() && nextRecord(rest, piece); before = rest) {
+      (piece.op == McapOp::Chunk ? chunk : beginning) +=
+          before.substr(0, before.size() - rest.size());
+    }
+    QVERIFY(!chunk.empty() && chunk.size() < 500);
+    std::string bomb = std::string(kMcapMagic) + beginning;
+    for (int k = 0; k < 4300; ++k) {
+      bomb += chunk;
+    }
+    QCOMPARE(codesOf(openBag(written("bombs.mcap", bomb)).diagnostics()),
+             std::string("bag.unpacked"));
+  }
+
   void open_chunksNamedTwice_areReadOnce() {
     std::string whole = bytes(bagFile());
     const std::size_t footer = whole.size() - kMcapMagic.size() - kRecordHead - 20;

@@ -12,6 +12,16 @@ constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 30U;  // [B] of one 
 
 }  // namespace
 
+/// False: all chunks together are too much, which is told; the file is given up then.
+bool McapReader::mayUnpack(std::uint64_t size) {
+  unpacked_ += size;
+  const bool isAllowed = unpacked_ <= mostUnpacked();
+  if (!isAllowed) {
+    problems_ = {base::error("bag.unpacked", {std::to_string(mostUnpacked())}, path_)};
+  }
+  return isAllowed;
+}
+
 /// The records of a chunk; none when it is damaged, which is told.
 std::optional<std::string> McapReader::unpacked(std::string_view chunk, std::uint64_t place) {
   McapFields fields(chunk);
@@ -29,6 +39,9 @@ std::optional<std::string> McapReader::unpacked(std::string_view chunk, std::uin
   }
   std::optional<std::string> records;
   if (!fields.hasFailed() && size <= kMostUnpacked) {
+    if (!mayUnpack(size)) {
+      return std::nullopt;
+    }
     records = compression.empty() ? std::optional(std::string(packed))
                                   : zstdUnpacked(packed, static_cast<std::size_t>(size));
   }
@@ -113,8 +126,10 @@ void McapReader::readChunk(const Chunk& chunk, const Visit& visit,
     damaged("message", chunk.place);
   }
 }
+
 base::Diagnostics McapReader::read(const std::vector<bool>& channels, const Visit& visit) {
   problems_.clear();
+  unpacked_ = 0;
   const auto isWanted = [&](std::uint16_t id) {
     const auto place = places_.find(id);
     return place != places_.end() && channels[place->second];
@@ -123,6 +138,9 @@ base::Diagnostics McapReader::read(const std::vector<bool>& channels, const Visi
     if (!isIndexed_ || chunk.channels.empty() ||
         std::any_of(chunk.channels.begin(), chunk.channels.end(), isWanted)) {
       readChunk(chunk, visit, channels);
+    }
+    if (unpacked_ > mostUnpacked()) {
+      break;
     }
   }
   return std::move(problems_);

@@ -199,6 +199,9 @@ void McapReader::scan() {
       return;
     }
     lookInto(*record);
+    if (unpacked_ > mostUnpacked()) {
+      return;
+    }
     place += kRecordHead + record->size;
     isOver = record->op == McapOp::DataEnd || record->op == McapOp::Footer;
   }
@@ -215,9 +218,12 @@ base::Result<std::unique_ptr<Bag>> McapReader::open(const std::string& path) {
   }
   base::Diagnostics told;  // what is damaged is told by read()
   for (const base::Diagnostic& each : std::exchange(reader->problems_, {})) {
-    if (each.code == "bag.cut") {
+    if (each.code == "bag.cut" || each.severity == base::Severity::Error) {
       told.push_back(each);
     }
+  }
+  if (base::hasErrors(told)) {
+    return told;
   }
   return {std::unique_ptr<Bag>(std::move(reader)), std::move(told)};
 }

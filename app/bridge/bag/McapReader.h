@@ -13,6 +13,11 @@
 
 namespace bridge {
 
+/// What the chunks of a file may unpack to [B]: a share of everyone, and so much per byte of the
+/// file. A small file could go on unpacking for hours otherwise.
+constexpr std::size_t kUnpackedOfAny = std::size_t{4} << 30U;
+constexpr std::uint64_t kUnpackedPerByte = 100;
+
 /// An MCAP file. With a summary only chunks that hold what is wanted are read; without one, or when
 /// the file is cut off, it is read from the beginning as far as it is whole.
 class McapReader final : public Bag {
@@ -45,6 +50,8 @@ class McapReader final : public Bag {
   void note(const McapPiece& piece);  // schema, channel, metadata
   std::size_t placeOf(const BagChannel& channel);
   void noteMetadata(std::string_view content);
+  std::uint64_t mostUnpacked() const { return kUnpackedOfAny + kUnpackedPerByte * size_; }
+  bool mayUnpack(std::uint64_t size);
   std::optional<std::string> unpacked(std::string_view chunk, std::uint64_t place);
   void keepBeginning(std::uint64_t place);
   std::string beginningOf(const Chunk& chunk);
@@ -57,6 +64,7 @@ class McapReader final : public Bag {
   std::string path_;
   std::ifstream file_;
   std::uint64_t size_ = 0;
+  std::uint64_t unpacked_ = 0;  // [B] so far, of one reading
   std::vector<BagChannel> channels_;
   std::map<std::uint16_t, std::size_t> places_;   // of channel ids in channels_
   std::map<std::uint16_t, std::string> schemas_;  // names by id
