@@ -29,23 +29,18 @@ std::string criticClass(const Nav2Block& block, const std::string& name) {
   return text != nullptr ? *text : name;
 }
 
-/// Numbers without which no trajectory can be made, or too many of them.
-void checkDwbNumbers(const DwbParameters& p, base::Diagnostics& problems) {
-  constexpr double kMostSteps = 10000.0, kMostSamples = 100000.0;
-  constexpr double kMostPoses = 10000000.0;  // of all trajectories of a cycle
-  const std::pair<const char*, double> positive[] = {{"sim_time", p.simTime},
-                                                     {"time_granularity", p.timeGranularity},
-                                                     {"linear_granularity", p.linearGranularity},
-                                                     {"angular_granularity", p.angularGranularity}};
-  for (const auto& [key, value] : positive) {
-    if (!(value > 0.0 && std::isfinite(value))) {
-      problems.push_back(base::error("nav2.wrong-value", {key, value, "above 0"}));
-    }
-  }
+/// At most, of one trajectory.
+double stepsOf(const DwbParameters& p) {
   const double speed =
       std::abs(p.maxVelX) + std::abs(p.minVelX) + std::abs(p.maxVelY) + std::abs(p.minVelY);
-  const double steps = p.simTime * (1.0 / p.timeGranularity + speed / p.linearGranularity +
-                                    std::abs(p.maxVelTheta) / p.angularGranularity);
+  return p.simTime * (1.0 / p.timeGranularity + speed / p.linearGranularity +
+                      std::abs(p.maxVelTheta) / p.angularGranularity);
+}
+
+void checkAmount(const DwbParameters& p, base::Diagnostics& problems) {
+  constexpr double kMostSteps = 10000.0, kMostSamples = 100000.0;
+  constexpr double kMostPoses = 10000000.0;  // of all trajectories of a cycle
+  const double steps = stepsOf(p);
   if (!base::hasErrors(problems) && !(steps < kMostSteps)) {
     problems.push_back(base::error("nav2.wrong-value",
                                    {"sim_time", p.simTime, "short enough for its granularities"}));
@@ -61,6 +56,20 @@ void checkDwbNumbers(const DwbParameters& p, base::Diagnostics& problems) {
     problems.push_back(base::error("nav2.wrong-value",
                                    {"sim_time", p.simTime, "short enough for so many samples"}));
   }
+}
+
+/// Numbers without which no trajectory can be made, or too many of them.
+void checkDwbNumbers(const DwbParameters& p, base::Diagnostics& problems) {
+  const std::pair<const char*, double> positive[] = {{"sim_time", p.simTime},
+                                                     {"time_granularity", p.timeGranularity},
+                                                     {"linear_granularity", p.linearGranularity},
+                                                     {"angular_granularity", p.angularGranularity}};
+  for (const auto& [key, value] : positive) {
+    if (!(value > 0.0 && std::isfinite(value))) {
+      problems.push_back(base::error("nav2.wrong-value", {key, value, "above 0"}));
+    }
+  }
+  checkAmount(p, problems);
 }
 
 /// Main turns them round; before, Nav2 takes them as they are.
