@@ -34,31 +34,54 @@ std::string counted(std::size_t count, const std::string& word) {
 class PageMaker {
  public:
   PageMaker(const Study& study, const std::vector<std::pair<std::string, double>>& weights,
-            const std::vector<std::string>& command)
-      : study_(study), weights_(weights), command_(command), blocks_(blocksOf(study)) {
-    for (const std::size_t metric : study.shown) {
-      comparisons_.push_back(compare(study, metric, blocks_));
-    }
-    findFailures();
-    pictures_ = readRunPictures(study, failures_);
-    report_.problems = pictures_.problems;
-  }
+            const std::vector<std::string>& command, const OnStep& onStep)
+      : study_(study), weights_(weights), command_(command), onStep_(onStep) {}
 
   Report make() {
-    writeTitle();
-    writeResults();
-    writeFigures();
-    writePairs();
-    writeCases();
-    writeRuns();
-    writeFailures();
-    writeMethods();
-    report_.moreTables.emplace_back("all_metrics", allMetricsCsv(study_));
-    report_.html = wholePage(study_.title, head_ + navigation() + body_, hasPlayer_);
+    struct Step {
+      const char* what;
+      void (PageMaker::*work)();
+    };
+    constexpr Step kSteps[] = {
+        {"comparing", &PageMaker::compareOptions}, {"reading runs", &PageMaker::readRuns},
+        {"results", &PageMaker::writeResults},     {"figures", &PageMaker::writeFigures},
+        {"pairs", &PageMaker::writePairs},         {"cases", &PageMaker::writeCases},
+        {"maps", &PageMaker::writeRuns},           {"failures", &PageMaker::writeFailures},
+        {"methods", &PageMaker::writeMethods},     {"tables", &PageMaker::writePage}};
+    for (const Step& step : kSteps) {
+      tell(step.what);
+      (this->*step.work)();
+    }
     return std::move(report_);
   }
 
  private:
+  void tell(const std::string& what) const {
+    if (onStep_) {
+      onStep_(what);
+    }
+  }
+
+  void compareOptions() {
+    blocks_ = blocksOf(study_);
+    for (const std::size_t metric : study_.shown) {
+      tell("comparing " + study_.metrics[metric].name);
+      comparisons_.push_back(compare(study_, metric, blocks_));
+    }
+  }
+
+  void readRuns() {
+    findFailures();
+    pictures_ = readRunPictures(study_, failures_);
+    report_.problems = pictures_.problems;
+    writeTitle();
+  }
+
+  void writePage() {
+    report_.moreTables.emplace_back("all_metrics", allMetricsCsv(study_));
+    report_.html = wholePage(study_.title, head_ + navigation() + body_, hasPlayer_);
+  }
+
   /// Runs that ended with an error, and those without success.
   void findFailures() {
     std::size_t key = study_.results.keyAt("success");
@@ -383,6 +406,7 @@ class PageMaker {
   const Study& study_;
   const std::vector<std::pair<std::string, double>>& weights_;
   const std::vector<std::string>& command_;
+  const OnStep& onStep_;
   std::vector<std::vector<std::size_t>> blocks_;
   Comparisons comparisons_;
   std::vector<std::size_t> failures_;
@@ -436,8 +460,8 @@ std::string playerPage(const sim2d::Trace& trace, const std::string& title) {
 }
 
 Report makeReport(const Study& study, const std::vector<std::pair<std::string, double>>& weights,
-                  const std::vector<std::string>& command) {
-  return PageMaker(study, weights, command).make();
+                  const std::vector<std::string>& command, const OnStep& onStep) {
+  return PageMaker(study, weights, command, onStep).make();
 }
 
 }  // namespace report

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,12 @@ struct Report {
   base::Diagnostics problems;                                   // warnings
 };
 
+/// Is told what is worked on.
+using OnStep = std::function<void(const std::string& what)>;
+
 /// The same study and words give the same bytes. `command`: the words that ask for this report.
 Report makeReport(const Study& study, const std::vector<std::pair<std::string, double>>& weights,
-                  const std::vector<std::string>& command);
+                  const std::vector<std::string>& command, const OnStep& onStep = {});
 
 /// A page that plays one run.
 std::string playerPage(const sim2d::Trace& trace, const std::string& title);

@@ -97,11 +97,14 @@ std::vector<base::FileContent> filesOf(const report::Report& report, bool withPd
 int reportCommand(const ReportOptions& options, const Invocation& given) {
   report::Wishes wishes = options.wishes;
   requireFine(readWords(options, wishes), ExitWrongCommandLine);
+  Progress progress(given.quiet || given.json);
+  progress.show("reading the results");
   const base::Result<report::Study> study = report::readStudy(wishes);
   requireFine(study.diagnostics());
   std::vector<std::string> words = given.words();
   words.front() = "hunavsim";
-  const report::Report report = report::makeReport(*study, wishes.weights, words);
+  const report::Report report = report::makeReport(
+      *study, wishes.weights, words, [&progress](const std::string& what) { progress.show(what); });
   requireFine(report.problems);
   const std::vector<base::FileContent> files = filesOf(report, !options.noPdf);
   requireFine(writeIntoOthers(options.wishes.folder, files, "report", options.force));
