@@ -8,6 +8,7 @@
 #include <QJsonObject>
 
 #include "metrics/MetricRegistry.h"
+#include "metrics/statistics/Bootstrap.h"
 #include "metrics/statistics/Rates.h"
 #include "metrics/statistics/Summary.h"
 
@@ -17,7 +18,8 @@ namespace {
 
 /// Columns before those of the values, and behind them before those of the metrics.
 enum FirstColumn { RunColumn, ScenarioColumn, SeedColumn, FirstColumns };
-constexpr int kEndColumns = 1;  // how it ended
+constexpr int kEndColumns = 1;               // how it ended
+constexpr std::size_t kMostResampled = 300;  // values; the table is made anew twice a second
 
 QString numberText(double value) {
   const double size = std::abs(value);
@@ -130,7 +132,9 @@ QString estimateText(const StudyMetric& metric, const std::vector<const StudyRow
     return {};
   }
   const QString mean = numberText(statistics::mean(values));
-  const statistics::Interval interval = statistics::meanInterval(values);
+  const statistics::Interval interval = values.size() <= kMostResampled
+                                            ? statistics::bootstrapMeanInterval(values)
+                                            : statistics::meanInterval(values);
   return !interval.isDefined()
              ? mean
              : QStringLiteral("%1 [%2, %3]")

@@ -47,8 +47,9 @@ struct StudyMetric {
 };
 const std::vector<StudyMetric>& studyMetrics();
 
-/// Mean of a metric over rows, with its 95 % interval: "12.3 [11.8, 12.9]". A failed run succeeds
-/// in nothing and has no other value. Empty: no row has one.
+/// Mean of a metric over rows, with its 95 % interval: "12.3 [11.8, 12.9]", for up to 300 values
+/// that of the report (BCa), beyond, where both are alike, Student's, which costs nothing. A failed
+/// run succeeds in nothing and has no other value. Empty: no row has one.
 QString estimateText(const StudyMetric& metric, const std::vector<const StudyRow*>& rows);
 
 /// The finished runs of a study by number, as they come: a row each. GUI thread.
