@@ -201,7 +201,9 @@ std::string tableHtml(const Table& table, const std::string& htmlClass) {
     }
     rows += element("tr", "", cells) + "\n";
   }
-  return "<div class=\"wide\"><table class=\"sortable " + htmlClass + "\">\n" +
+  constexpr std::size_t kMostOnPaper = 10;  // columns whose numbers stand in one line
+  const char* const many = table.columns.size() > kMostOnPaper ? " many" : "";
+  return "<div class=\"wide\"><table class=\"sortable " + htmlClass + many + "\">\n" +
          element("caption", "", escaped(table.caption)) +
          element("thead", "", element("tr", "", head)) + "\n<tbody>\n" + rows +
          "</tbody></table></div>\n";
