@@ -113,13 +113,13 @@ std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
   return files;
 }
 
-base::Diagnostics checkNav2File(const std::string& path) {
+base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch) {
   const auto file = sim2d::nav2::ParameterFile::read(path);
   base::Diagnostics found = file.diagnostics();
   if (!file) {
     return found;
   }
-  const sim2d::nav2::Nav2Reading reading = readNav2Parameters(*file);
+  const sim2d::nav2::Nav2Reading reading = readNav2Parameters(*file, {branch, {}});
   base::append(found, reading.problems);
   base::append(found, bt::nav2Contradictions(reading.parameters, nullptr));
   const bt::Nav2Masks masks = bt::loadNav2Masks(reading.parameters);
@@ -142,10 +142,9 @@ base::Diagnostics checkNav2File(const std::string& path) {
   return found;
 }
 
-/// Nothing in a tree tells its branch; Main has the nodes of all.
-base::Diagnostics checkNavigatorTree(const std::string& path) {
+base::Diagnostics checkNavigatorTree(const std::string& path, Nav2Branch branch) {
   sim2d::nav2::Nav2Parameters parameters;
-  parameters.distro = sim2d::nav2::Distro::Main;
+  parameters.distro = branch.value_or(sim2d::nav2::Distro::Main);
   return bt::loadNavigatorTree(path, parameters).problems;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bt/robot/Nav2Files.h"
+#include "sim2d/nav/nav2/Nav2Key.h"
 #include "sim2d/scenario/Scenario.h"
 
 /// What planner `nav2` needs beside the scenario: files, and values that only they know of.
@@ -59,9 +60,12 @@ sim2d::Robot withNav2Value(sim2d::Robot robot, const Nav2Parameter& parameter,
 std::string nav2ValueProblem(const sim2d::Robot& robot, const std::string& scenarioPath,
                              const Nav2Parameter& parameter, const std::string& yaml);
 
+using Nav2Branch = std::optional<sim2d::nav2::Distro>;
+
 /// A `nav2_params.yaml` by itself: everything that is wrong with it, and what deserves a word.
-base::Diagnostics checkNav2File(const std::string& path);
-/// A navigator's tree by itself.
-base::Diagnostics checkNavigatorTree(const std::string& path);
+/// Without a branch it is that which the file tells.
+base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch = {});
+/// A navigator's tree by itself. Nothing in a tree tells its branch: Main, which has all nodes.
+base::Diagnostics checkNavigatorTree(const std::string& path, Nav2Branch branch = {});
 
 }  // namespace app

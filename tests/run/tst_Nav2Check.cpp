@@ -20,13 +20,14 @@ class Nav2CheckTest : public QObject {
   void pursuitBehindAShim_isLookedAt_data();
   void pursuitBehindAShim_isLookedAt();
   void bothCostmaps_areTold();
+  void branch_thatIsGiven_isNotGuessed();
   void shippedTrees_haveNoProblems();
   void noFile_isAnError();
 
  private:
-  base::Diagnostics checked(const std::string& text) {
+  base::Diagnostics checked(const std::string& text, app::Nav2Branch branch = {}) {
     const std::string path = folder_.filePath(QStringLiteral("nav2_params.yaml")).toStdString();
-    return base::writeFileAtomically(path, text).empty() ? app::checkNav2File(path)
+    return base::writeFileAtomically(path, text).empty() ? app::checkNav2File(path, branch)
                                                          : base::Diagnostics();
   }
 
@@ -184,6 +185,20 @@ void Nav2CheckTest::bothCostmaps_areTold() {
     return each.code == std::string("nav2.inflation-cut");
   });
   QVERIFY2(cut == 2, wordsOf(found).c_str());
+}
+
+/// progress_checker_plugins is read since Jazzy, progress_checker_plugin in Humble.
+void Nav2CheckTest::branch_thatIsGiven_isNotGuessed() {
+  const std::string text = shippedText("generic");
+  const auto has = [](const base::Diagnostics& found, const std::string& words) {
+    return std::any_of(found.begin(), found.end(), [&](const base::Diagnostic& each) {
+      return each.text().find(words) != std::string::npos;
+    });
+  };
+  QVERIFY(has(checked(text), "taken for a file of jazzy"));
+  const base::Diagnostics found = checked(text, sim2d::nav2::Distro::Humble);
+  QVERIFY(!has(found, "taken for"));
+  QVERIFY(has(found, "progress_checker_plugins is a key of Jazzy and Main: humble"));
 }
 
 void Nav2CheckTest::shippedTrees_haveNoProblems() {

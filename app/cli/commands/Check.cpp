@@ -13,7 +13,9 @@
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "sim2d/nav/nav2/params/ParameterFile.h"
+#include "sim2d/scenario/Fields.h"
 
 namespace app {
 
@@ -22,6 +24,7 @@ namespace {
 struct CheckOptions {
   std::vector<std::string> files;
   RunOptions scenario;  // map, trees
+  std::string distro;   // of Nav2's files; empty = as they tell
 };
 
 enum class FileKind { Scenario, Tree, NavigatorTree, Map, Experiment, Nav2 };
@@ -85,13 +88,14 @@ base::Diagnostics checkFile(const std::string& fileOrName, const CheckOptions& o
   if (!text) {
     return text.diagnostics();
   }
+  const Nav2Branch branch = sim2d::nav2::distroNamed(options.distro);
   switch (kindOf(*text)) {
     case FileKind::Tree:
       return checkTree(path);
     case FileKind::NavigatorTree:
-      return checkNavigatorTree(path);
+      return checkNavigatorTree(path, branch);
     case FileKind::Nav2:
-      return checkNav2File(path);
+      return checkNav2File(path, branch);
     case FileKind::Map:
       return readMapFile(path, "humble", loadMapImage).diagnostics();
     case FileKind::Experiment:
@@ -139,6 +143,10 @@ void addCheck(CommandRegistry& commands) {
   command.add_option("files", options.files, "Files, or names of shipped scenarios")->required();
   command.add_option("--map", options.scenario.map, "Map of the scenarios");
   command.add_option("--trees", options.scenario.trees, "Folder with their trees");
+  command
+      .add_option("--nav2-distro", options.distro,
+                  "Of files of Nav2: humble, jazzy or main; else as they tell")
+      ->check(oneOf(sim2d::fieldOf<sim2d::Robot>("nav2_distro")->spec.choices));
 }
 
 }  // namespace app
