@@ -1,12 +1,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "sim2d/base/Text.h"
 #include "sim2d/world/WorldInside.h"
 
 /// What inputs from outside do to the world.
 namespace sim2d {
 namespace {
+
+constexpr double kReach = 1.0;  // [m] that somebody who is added may be moved
 
 bool isUsable(const Input& input) {
   const auto isSmall = [](const Vec2& value, double most) {
@@ -122,6 +126,12 @@ std::string RunningWorld::addCopy(Input& input) {
   if (like == model_.people.end()) {
     return "there is no person '" + input.name + "' to copy";
   }
+  const double radius = like->constants.radius;
+  const std::optional<Vec2> free = navigation_->nearestFit(radius, input.pose.position);
+  if (!free || (*free - input.pose.position).norm() > kReach) {
+    return "there is no room for them within " + base::formatDouble(kReach) + " m";
+  }
+  input.pose.position = *free;
   if (std::string refusal = takeId(input.id, model_.lastId); !refusal.empty()) {
     return refusal;
   }

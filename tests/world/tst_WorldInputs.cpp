@@ -17,6 +17,7 @@ class WorldInputsTest : public QObject {
   void step_personMoved_goesOnFromThere();
   void step_personAdded_isACopyWithAnIdOfItsOwn();
   void step_personAddedAfterTheLastId_isRefused();
+  void step_personAddedInAWall_standsBesideIt();
   void step_personSet_movesAsTold();
   void step_personPushed_leavesTheWay();
   void step_personPushed_slowsDownByItself();
@@ -139,6 +140,30 @@ void WorldInputsTest::step_personAddedAfterTheLastId_isRefused() {
   QVERIFY(world->step({add}));
   QCOMPARE(world->refused().size(), std::size_t{1});
   QCOMPARE(world->frame().humans.id.size(), std::size_t{1});
+}
+
+/// A wall from x = 1.5 to 3.5: who is added 0.2 m inside stands before it, in its middle nobody.
+void WorldInputsTest::step_personAddedInAWall_standsBesideIt() {
+  Scenario scenario;
+  addRoom(scenario, {-5.0, -3.0}, {5.0, 3.0});
+  addWall(scenario, {{2.5, -3.0}, {2.5, -0.5}}, 2.0);
+  addGoal(scenario, 1, -3.0, 0.5);
+  addPerson(scenario, 7, {-3.0, 0.0}, {1});
+  const std::unique_ptr<World> world = make(scenario);
+  QVERIFY(world != nullptr);
+  Input add = placing(InputKind::Add, 0, {1.7, -2.0});
+  add.name = "person7";
+  QVERIFY(world->step({add}));
+  const Input taken = world->frame().inputs.front();
+  QVERIFY(taken.pose.position.x() < 1.3 && taken.pose.position.x() > 0.7);
+  // As it was taken it is repeated.
+  const std::unique_ptr<World> again = make(scenario);
+  QVERIFY(again->step({taken}));
+  QCOMPARE(again->frame().inputs.front().pose.position, taken.pose.position);
+  QCOMPARE(positionOf(again->frame(), 1), positionOf(world->frame(), 1));
+  add.pose.position = {2.5, -1.8};
+  QVERIFY(world->step({add}));
+  QCOMPARE(world->refused().size(), std::size_t{1});
 }
 
 void WorldInputsTest::step_personSet_movesAsTold() {
