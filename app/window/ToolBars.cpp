@@ -180,13 +180,19 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
 
 namespace {
 
-/// In a run: what hands can do to people.
+/// In a run: what hands can do to people and robots.
 void offerHands(Workspace& workspace, const QPoint& at) {
   editor::MapView& view = workspace.view();
   const base::Vec2 place = view.worldAt(at);
   auto* menu = new QMenu(&view);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  workspace.hands().fillMenu(*menu, workspace.scene().frameLayer().agentAt(place), place);
+  const editor::FrameLayer& layer = workspace.scene().frameLayer();
+  const std::optional<int> agent = layer.agentAt(place);
+  if (agent && *agent < 0 && workspace.runner().isLive()) {
+    workspace.document().setSelection({layer.entityOf(*agent)});  // it is the one that is driven
+    menu->addAction(workspace.drive().toggle());
+  }
+  workspace.hands().fillMenu(*menu, agent, place);
   if (menu->isEmpty()) {
     delete menu;
     return;

@@ -64,6 +64,13 @@ class CanvasMenuTest : public QObject {
     QVERIFY(wordsOf(*menu).join(QLatin1Char(' ')).contains(QStringLiteral("Push ")));
     QVERIFY(wordsOf(*menu).join(QLatin1Char(' ')).contains(QStringLiteral("Stop ")));
     menu->close();
+    const sim2d::RobotColumns& robots = runner.newestFrame()->robots;
+    menu = menuAt(base::Vec2(robots.x[0], robots.y[0]));
+    QVERIFY(menu != nullptr);
+    QCOMPARE(document().selection(), document().entities(base::EntityKind::Robot));
+    QCOMPARE(wordsOf(*menu), QStringList{QStringLiteral("Drive by hand")});
+    QVERIFY(menu->actions().front()->isEnabled());
+    menu->close();
     runner.reset();
   }
 
