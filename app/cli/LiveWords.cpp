@@ -1,5 +1,6 @@
 #include "app/cli/LiveWords.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 
@@ -40,10 +41,14 @@ std::string urlOf(const std::string& address, std::uint16_t port) {
   return "ws://" + (isVersion6 ? "[" + address + "]" : address) + ":" + std::to_string(port);
 }
 
+bool isShown(const RunOptions& options) {
+  return options.live.port || options.groot.port;
+}
+
 /// As fast as it goes, unless somebody watches.
 double speedOf(const RunOptions& options) {
   if (options.speed.empty()) {
-    return options.live.port ? 1.0 : std::numeric_limits<double>::infinity();
+    return isShown(options) ? 1.0 : std::numeric_limits<double>::infinity();
   }
   return options.speed == kAtMost ? std::numeric_limits<double>::infinity()
                                   : base::parseDouble(options.speed).value_or(1.0);
@@ -53,8 +58,9 @@ double speedOf(const RunOptions& options) {
 
 void addLiveWords(CLI::App& command, RunOptions& options) {
   command
-      .add_option("--speed", options.speed,
-                  "Simulated seconds per second, or max; 1 with --foxglove or --ros2, else max")
+      .add_option(
+          "--speed", options.speed,
+          "Simulated seconds per second, or max; 1 with --foxglove, --groot2 or --ros2, else max")
       ->check(wrongSpeed);
   CLI::Option* const port =
       command
@@ -70,6 +76,15 @@ void addLiveWords(CLI::App& command, RunOptions& options) {
                   "Origin of a web page that may connect too (https://…)")
       ->allow_extra_args(false)
       ->needs(port);
+  CLI::Option* const groot =
+      command
+          .add_option(
+              "--groot2", options.groot.port,
+              "Port where Groot2 can watch a tree (it looks at 1667), and the one behind it")
+          ->check(wrongPort);
+  command
+      .add_option("--groot2-of", options.groot.person, "Whose tree; else that of the first person")
+      ->needs(groot);
 }
 
 std::unique_ptr<live::LiveRun> openLive(const RunOptions& options, const Bundle& bundle,
@@ -77,7 +92,7 @@ std::unique_ptr<live::LiveRun> openLive(const RunOptions& options, const Bundle&
                                         Session& session, sim2d::World& world) {
   live::LiveRunSettings settings;
   settings.speed = speedOf(options);
-  if (!options.speed.empty() || options.live.port) {  // else it stays as it is
+  if (!options.speed.empty() || isShown(options)) {  // else it stays as it is
     session.setSpeed(settings.speed);
   }
   if (!options.live.port) {
@@ -97,6 +112,32 @@ std::unique_ptr<live::LiveRun> openLive(const RunOptions& options, const Bundle&
   }
   printError("live view at " + urlOf(settings.address, (*opened)->port()) +
              " (Foxglove: Open connection, Foxglove WebSocket)");
+  return *std::move(opened);
+}
+
+std::unique_ptr<groot::GrootRun> openGroot(const RunOptions& options, const Bundle& bundle,
+                                           sim2d::World& world) {
+  if (!options.groot.port) {
+    return nullptr;
+  }
+  const std::vector<sim2d::Human>& people = bundle.scenario->humans;
+  const std::string& wanted = options.groot.person;
+  const auto person = std::find_if(people.begin(), people.end(), [&](const sim2d::Human& human) {
+    return human.listed && (wanted.empty() || human.name == wanted);
+  });
+  if (person == people.end()) {
+    requireFine({base::error("groot.no-person", {wanted})}, ExitBadInput);
+  }
+  const auto source = bundle.trees.find(person->name);
+  const auto tree =
+      bt::treeOf(*person, source == bundle.trees.end() ? bt::TreeSource() : source->second,
+                 *bundle.scenario, bundle.settings.compatibility);
+  requireFine(errorsOf(tree.diagnostics()));
+  auto opened = groot::GrootRun::open(static_cast<std::uint16_t>(*options.groot.port), world,
+                                      world.view().indexOf(person->id), *tree);
+  requireFine(opened.diagnostics());
+  printError("tree of " + person->name + " at 127.0.0.1:" + std::to_string((*opened)->port()) +
+             " (Groot2: Monitor, Connect)");
   return *std::move(opened);
 }
 

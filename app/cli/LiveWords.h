@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "app/bridge/groot/GrootRun.h"
 #include "app/bridge/live/LiveRun.h"
 #include "app/run/Bundle.h"
 #include "app/run/RunOptions.h"
@@ -13,7 +14,7 @@ class App;
 
 namespace app {
 
-/// --speed, --foxglove and what belongs to it.
+/// --speed, --foxglove, --groot2 and what belongs to them.
 void addLiveWords(CLI::App& command, RunOptions& options);
 
 /// Paces the session as the options say and, if they ask for it, opens the live view; null
@@ -22,5 +23,9 @@ void addLiveWords(CLI::App& command, RunOptions& options);
 std::unique_ptr<live::LiveRun> openLive(const RunOptions& options, const Bundle& bundle,
                                         const MetricsSetup& metrics, bool canDrive,
                                         Session& session, sim2d::World& world);
+
+/// The same for Groot2. Ends the command also when nobody has that name, or no tree.
+std::unique_ptr<groot::GrootRun> openGroot(const RunOptions& options, const Bundle& bundle,
+                                           sim2d::World& world);
 
 }  // namespace app

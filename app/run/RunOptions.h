@@ -19,6 +19,12 @@ struct LiveWords {
   std::vector<std::string> origins;  // of pages that may connect beside the usual ones
 };
 
+/// The words about Groot2.
+struct GrootWords {
+  std::optional<int> port;  // none: it cannot watch; 0: any that is free
+  std::string person;       // whose tree; empty: of the first
+};
+
 /// The options of `run`, as given; also of the window.
 struct RunOptions {
   std::string scenario;
@@ -41,6 +47,7 @@ struct RunOptions {
   std::string compat;
   std::string speed;  // simulated seconds per second, "max"; empty: as it is usual
   LiveWords live;
+  GrootWords groot;
   bool allowCode = false;  // programs and libraries that the scenario names may start
   bool force = false;      // files of others in the output folder may be replaced
   std::string record;      // "mcap": a rosbag2 folder too; empty: nothing more

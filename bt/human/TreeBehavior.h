@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "bt/tree/TreeSpec.h"
 #include "sim2d/base/Result.h"
 #include "sim2d/scenario/Scenario.h"
 #include "sim2d/world/HumanBehavior.h"
@@ -46,6 +47,11 @@ std::shared_ptr<KnownTrees> makeKnownTrees();
 std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(
     const sim2d::Scenario& scenario, const TreeFiles& files, base::Diagnostics& diagnostics,
     const sim2d::Compatibility& quirks = {}, const std::shared_ptr<KnownTrees>& known = nullptr);
+
+/// The tree that such a run gives a person, with all that it includes.
+base::Result<TreeTable> treeOf(const sim2d::Human& human, const TreeSource& source,
+                               const sim2d::Scenario& scenario,
+                               const sim2d::Compatibility& quirks = {});
 
 /// Loads and checks one person's tree (engine, then meaning): what makeTreeBehavior would say.
 base::Diagnostics checkAgentTreeFile(const std::string& path, const sim2d::Human& human,

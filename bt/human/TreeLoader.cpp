@@ -81,6 +81,19 @@ std::string placeOfNew(const std::string& folder) {
   return (std::filesystem::path(folder) / "own.xml").string();
 }
 
+TreeTable generatedTable(const sim2d::Scenario& scenario, const sim2d::Human& human,
+                         const sim2d::Compatibility& quirks) {
+  const sim2d::DesktopSettings& settings = scenario.desktop;
+  sim2d::Human drawn = human;
+  drawn.goals = sim2d::firstGoalOf(settings.variation, human, settings.seed.value_or(1)).goals;
+  return makeTable(scenario, drawn, quirks);
+}
+
+/// Where relative includes begin.
+std::string placeOf(const TreeSource& source) {
+  return source.path.empty() && !source.folder.empty() ? placeOfNew(source.folder) : source.path;
+}
+
 const sim2d::Human* prototypeOf(const sim2d::Scenario& scenario, const sim2d::Area& area) {
   const bool isSource = area.kind == sim2d::AreaKind::Source && area.listed && area.like;
   return isSource ? scenario.human(*area.like) : nullptr;
@@ -142,6 +155,16 @@ base::Result<TreeTable> loadPersonTrees(base::Result<TreeFile> file) {
   return {*std::move(table), std::move(warnings)};
 }
 
+base::Result<TreeTable> treeOf(const sim2d::Human& human, const TreeSource& source,
+                               const sim2d::Scenario& scenario,
+                               const sim2d::Compatibility& quirks) {
+  if (source.isGenerated()) {
+    return generatedTable(scenario, human, quirks);
+  }
+  return loadPersonTrees(source.text ? readTreeText(*source.text, placeOf(source))
+                                     : readTree(source.path));
+}
+
 std::shared_ptr<KnownTrees> makeKnownTrees() {
   return std::make_shared<KnownTrees>();
 }
@@ -168,10 +191,7 @@ std::shared_ptr<const PersonProgram> TreeLoader::load(const sim2d::Human& human,
   if (!source.isGenerated()) {
     return loadWritten(human, source, diagnostics);
   }
-  const sim2d::DesktopSettings& settings = scenario_.desktop;
-  sim2d::Human drawn = human;
-  drawn.goals = sim2d::firstGoalOf(settings.variation, human, settings.seed.value_or(1)).goals;
-  const TreeTable table = makeTable(scenario_, drawn, quirks_);
+  const TreeTable table = generatedTable(scenario_, human, quirks_);
   std::shared_ptr<const PersonProgram>& program =
       known_->generated[contentOf(table, library_.catalogue())];
   if (!program) {
@@ -198,10 +218,8 @@ std::shared_ptr<const PersonProgram> TreeLoader::loadWritten(const sim2d::Human&
     }
     text = &*file->second;
   }
-  const bool isInNone = path.empty();
-  const LoadedTree& loaded =
-      look(*text, isInNone && !source.folder.empty() ? placeOfNew(source.folder) : path);
-  if (isInNone) {
+  const LoadedTree& loaded = look(*text, placeOf(source));
+  if (path.empty()) {
     base::append(diagnostics, toldByPerson(human, renamed(loaded.found, loaded.path, path)));
   } else if (told_.insert(path).second) {
     base::append(diagnostics, renamed(loaded.found, loaded.path, path));

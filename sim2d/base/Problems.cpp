@@ -578,6 +578,9 @@ constexpr ProblemText kTexts[] = {
     {"live.page-refused",
      "a page of {origin} wanted to connect and was refused (--foxglove-origin {origin} lets it)"},
 
+    {"groot.no-person", "there is no person{found? '%'} whose tree Groot2 could watch"},
+    {"groot.too-many", "the tree has {count} nodes, Groot2 tells {most} apart"},
+
     // Bags: MCAP files and folders of rosbag2.
     {"bag.no-bag", "is no bag: neither an MCAP file nor a folder of rosbag2 with metadata.yaml"},
     {"bag.bad-metadata", "tells no files of a bag"},

@@ -25,8 +25,9 @@ set(allowed_app_bridge_dds "sim2d/base;app/bridge/messages")
 set(allowed_app_bridge_agents "${core};app/bridge/messages")
 set(allowed_app_bridge_nodes "${core};app/bridge/messages;app/bridge/dds;app/bridge/agents;app/bridge/topics;app/bridge/bag")
 set(allowed_app_bridge_live "${core};app/bridge/messages;app/bridge/topics")
+set(allowed_app_bridge_groot "${core}")
 list(APPEND core app/bridge/messages app/bridge/topics app/bridge/bag app/bridge/dds app/bridge/agents
-     app/bridge/nodes app/bridge/live)  # all that knows no Qt
+     app/bridge/nodes app/bridge/live app/bridge/groot)  # all that knows no Qt
 set(allowed_editor_look "${below_editor}")
 set(allowed_editor_document "${below_editor};editor/look")
 set(allowed_editor_canvas "${allowed_editor_document};editor/document")
@@ -39,7 +40,7 @@ set(allowed_app_cli "${core};${rooms}")
 set(allowed_app_window "${core};${rooms};app/cli")
 set(allowed_app "app/cli;app/window")
 
-set(third_party "include *<((yaml-cpp|box2d|nlohmann|openssl|Random123|CLI|xsimd|boost|fastdds|fastrtps|fastcdr)/|(tinyxml2|hdf5|sqlite3|zstd)\\.h)")
+set(third_party "include *<((yaml-cpp|box2d|nlohmann|openssl|Random123|CLI|xsimd|boost|fastdds|fastrtps|fastcdr)/|(tinyxml2|hdf5|sqlite3|zstd|zmq)\\.h)")
 
 # Sets `complaint` in the caller; empty = allowed.
 function(check_include folder name line)

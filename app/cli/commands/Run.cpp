@@ -35,6 +35,7 @@ struct Watchers {
   RunAgain* again = nullptr;
   RunOnRos2* ros2 = nullptr;
   live::LiveRun* live = nullptr;
+  groot::GrootRun* groot = nullptr;
 };
 
 FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::World& world,
@@ -50,6 +51,9 @@ FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::Wo
     }
     if (watchers.live != nullptr) {
       watchers.live->show(frame);
+    }
+    if (watchers.groot != nullptr) {
+      watchers.groot->show(frame);
     }
     if (watchers.again != nullptr) {
       watchers.again->look(frame, world, session);
@@ -293,8 +297,10 @@ int runCommand(const RunCommandOptions& options, const Invocation& given) {
       RunOnRos2::open(options.onRos2, *bundle.scenario, world, session);
   const std::unique_ptr<live::LiveRun> live =
       openLive(options, bundle, verdict.metrics, ros2 == nullptr, session, world);
-  FinishedRun run = simulateShown(session, verdict.scenarioMetrics, world, writer,
-                                  {prepared.again.get(), ros2.get(), live.get()}, given);
+  const std::unique_ptr<groot::GrootRun> groot = openGroot(options, bundle, world);
+  FinishedRun run =
+      simulateShown(session, verdict.scenarioMetrics, world, writer,
+                    {prepared.again.get(), ros2.get(), live.get(), groot.get()}, given);
   if (live) {
     live->finish(world.frame(), "the run is over: " + run.result.reason);
   }

@@ -1,0 +1,141 @@
+#include "app/bridge/groot/GrootServer.h"
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <zmq.h>
+
+namespace groot {
+
+namespace {
+
+constexpr int kPatience = 100;                       // [ms] until the thread looks up
+constexpr std::int64_t kWatchedFor = 5'000'000'000;  // [ns] after the last request
+constexpr std::size_t kMostParts = 8;                // of a request
+constexpr std::int64_t kLargestRequest = 1 << 20;    // [B] of a part
+constexpr int kTrials = 20;                          // for two free ports side by side
+
+std::int64_t now() {
+  return std::chrono::steady_clock::now().time_since_epoch().count();
+}
+
+struct CloseContext {
+  void operator()(void* context) const { zmq_ctx_term(context); }
+};
+struct CloseSocket {
+  void operator()(void* socket) const { zmq_close(socket); }
+};
+using Context = std::unique_ptr<void, CloseContext>;
+using Socket = std::unique_ptr<void, CloseSocket>;
+
+std::string addressOf(int port) {
+  return "tcp://127.0.0.1:" + (port == 0 ? std::string("*") : std::to_string(port));
+}
+
+int portOf(void* socket) {
+  char address[64] = {};
+  std::size_t size = sizeof(address);
+  zmq_getsockopt(socket, ZMQ_LAST_ENDPOINT, address, &size);
+  const std::string text(address);
+  return std::stoi(text.substr(text.rfind(':') + 1));
+}
+
+Socket socketOf(void* context, int kind) {
+  Socket socket(zmq_socket(context, kind));
+  const int linger = 0;
+  zmq_setsockopt(socket.get(), ZMQ_LINGER, &linger, sizeof(linger));
+  zmq_setsockopt(socket.get(), ZMQ_RCVTIMEO, &kPatience, sizeof(kPatience));
+  zmq_setsockopt(socket.get(), ZMQ_SNDTIMEO, &kPatience, sizeof(kPatience));
+  zmq_setsockopt(socket.get(), ZMQ_MAXMSGSIZE, &kLargestRequest, sizeof(kLargestRequest));
+  return socket;
+}
+
+/// A request with all its parts; empty: none came.
+Message received(void* socket) {
+  Message parts;
+  int more = 1;
+  while (more != 0) {
+    zmq_msg_t part;
+    zmq_msg_init(&part);
+    if (zmq_msg_recv(&part, socket, 0) < 0) {
+      zmq_msg_close(&part);
+      return {};
+    }
+    if (parts.size() < kMostParts) {
+      parts.emplace_back(static_cast<const char*>(zmq_msg_data(&part)), zmq_msg_size(&part));
+    }
+    more = zmq_msg_more(&part);
+    zmq_msg_close(&part);
+  }
+  return parts;
+}
+
+void send(void* socket, const Message& message) {
+  for (std::size_t k = 0; k < message.size(); ++k) {
+    const int flags = k + 1 < message.size() ? ZMQ_SNDMORE : 0;
+    zmq_send(socket, message[k].data(), message[k].size(), flags);
+  }
+}
+
+}  // namespace
+
+struct GrootServer::Sockets {
+  Context context{zmq_ctx_new()};
+  Socket answers, breakpoints;
+
+  bool bind(int port) {
+    answers = socketOf(context.get(), ZMQ_REP);
+    breakpoints = socketOf(context.get(), ZMQ_PUB);
+    return zmq_bind(answers.get(), addressOf(port).c_str()) == 0 &&
+           zmq_bind(breakpoints.get(), addressOf(portOf(answers.get()) + 1).c_str()) == 0;
+  }
+};
+
+base::Result<std::unique_ptr<GrootServer>> GrootServer::listen(std::uint16_t port, WatchedRun run) {
+  auto sockets = std::make_unique<Sockets>();
+  bool isBound = sockets->bind(port);
+  for (int trial = 0; !isBound && port == 0 && trial < kTrials; ++trial) {
+    isBound = sockets->bind(port);
+  }
+  if (!isBound) {
+    return base::error("live.no-port",
+                       {"127.0.0.1", std::to_string(port), zmq_strerror(zmq_errno())});
+  }
+  const auto bound = static_cast<std::uint16_t>(portOf(sockets->answers.get()));
+  return std::unique_ptr<GrootServer>(
+      new GrootServer(std::move(sockets), bound, std::move(run)));  // NOLINT: private constructor
+}
+
+GrootServer::GrootServer(std::unique_ptr<Sockets> sockets, std::uint16_t port, WatchedRun run)
+    : sockets_(std::move(sockets)),
+      port_(port),
+      run_(std::move(run)),
+      thread_([this] { serve(); }) {}
+
+GrootServer::~GrootServer() {
+  isOver_ = true;
+  thread_.join();
+}
+
+bool GrootServer::isWatched() const {
+  return asked_ != 0 && now() - asked_ < kWatchedFor;
+}
+
+void GrootServer::serve() {
+  while (!isOver_) {
+    answerOne();
+  }
+}
+
+void GrootServer::answerOne() {
+  const Message request = received(sockets_->answers.get());
+  if (request.empty()) {
+    return;
+  }
+  asked_ = now();
+  Message answer;
+  change([&](WatchedRun& run) { answer = run.answer(request); });
+  send(sockets_->answers.get(), answer);
+}
+
+}  // namespace groot
