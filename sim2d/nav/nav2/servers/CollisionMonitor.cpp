@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "sim2d/base/Math.h"
@@ -217,7 +218,8 @@ CollisionMonitor::CollisionMonitor(const CollisionMonitorParameters& parameters,
     if (distro == Distro::Humble && keys.maxPoints >= 0) {
       shape.keys.minPoints = std::min(keys.maxPoints, kMostPoints) + 1;
     }
-    shape.corners = keys.type == "polygon" ? shapeCorners(keys, footprint) : Polygon{};
+    shape.isCircle = keys.type == "circle";
+    setCorners(shape, keys.type == "polygon" ? shapeCorners(keys, footprint) : Polygon{});
     for (const VelocitySubPolygon& part : keys.subPolygons) {
       const base::Result<Polygon> corners = readPolygon(part.points);
       shape.choices.push_back(corners ? *corners : Polygon{});
@@ -283,28 +285,52 @@ bool CollisionMonitor::gatherPoints(const Observation& observation) {
 void CollisionMonitor::choose(Shape& shape, const BodyTwist& command) {
   for (std::size_t i = 0; i < shape.choices.size(); ++i) {
     if (isInRange(shape.keys.subPolygons[i], command, shape.keys.holonomic)) {
-      shape.corners = shape.choices[i];
+      setCorners(shape, shape.choices[i]);
       return;
     }
   }
 }
 
-bool CollisionMonitor::isInside(const Shape& shape, const Vec2& point) {
-  return shape.keys.type == "circle" ? point.squaredNorm() < shape.keys.radius * shape.keys.radius
-                                     : !shape.corners.empty() && isInPolygon(point, shape.corners);
+void CollisionMonitor::setCorners(Shape& shape, const Polygon& corners) {
+  shape.corners = corners;
+  shape.reach = shape.isCircle ? std::fabs(shape.keys.radius) : 0.0;
+  for (const Vec2& corner : corners) {
+    shape.reach = std::max(shape.reach, corner.norm());
+  }
 }
 
 bool CollisionMonitor::isTriggered(const Shape& shape, const std::vector<Vec2>& points) {
   int inside = 0;
-  for (const Vec2& point : points) {
-    inside += isInside(shape, point) ? 1 : 0;
+  if (shape.isCircle) {
+    const double most = shape.keys.radius * shape.keys.radius;
+    inside =
+        static_cast<int>(std::count_if(points.begin(), points.end(), [most](const Vec2& point) {
+          return point.squaredNorm() < most;
+        }));
+  } else if (!shape.corners.empty()) {
+    inside = static_cast<int>(std::count_if(points.begin(), points.end(), [&](const Vec2& point) {
+      return isInPolygon(point, shape.corners);
+    }));
   }
   return inside >= shape.keys.minPoints;
 }
 
+/// Those that the shape may meet if the command goes on for its time; the others are farther away
+/// than it comes.
+void CollisionMonitor::findNear(const Shape& shape, const BodyTwist& command) {
+  constexpr double kSlack = 0.001;  // [m] more than the rounding of the way
+  const double time = shape.keys.timeBeforeCollision + 2.0 * shape.keys.simulationTimeStep;
+  const double most =
+      shape.reach + std::hypot(command.linear, command.lateral) * std::max(time, 0.0) + kSlack;
+  near_.clear();
+  std::copy_if(points_.begin(), points_.end(), std::back_inserter(near_),
+               [most](const Vec2& point) { return point.squaredNorm() <= most * most; });
+}
+
 /// Until enough points lie inside, if the command goes on [s]; below 0: not within the time.
 double CollisionMonitor::timeToCollision(const Shape& shape, const BodyTwist& command) {
-  if (isTriggered(shape, points_)) {
+  findNear(shape, command);
+  if (isTriggered(shape, near_)) {
     return 0.0;
   }
   const double step = shape.keys.simulationTimeStep;
@@ -319,7 +345,7 @@ double CollisionMonitor::timeToCollision(const Shape& shape, const BodyTwist& co
                     velocity.x() * turn.sin + velocity.y() * turn.cos);
     const Vec2 ahead = pose.direction();
     moved_.clear();
-    for (const Vec2& point : points_) {
+    for (const Vec2& point : near_) {
       const Vec2 offset = point - pose.position;
       moved_.emplace_back(ahead.dot(offset), base::cross(ahead, offset));
     }

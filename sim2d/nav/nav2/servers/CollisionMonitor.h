@@ -85,20 +85,23 @@ class CollisionMonitor {
  private:
   struct Shape {
     MonitorPolygon keys;
-    Polygon corners;               // now
+    bool isCircle = false;
+    Polygon corners;               // now; none of a circle
+    double reach = 0.0;            // [m] of the radius or the farthest corner
     std::vector<Polygon> choices;  // of keys.subPolygons
   };
   bool gatherPoints(const Observation& observation);
   static void choose(Shape& shape, const BodyTwist& command);
-  static bool isInside(const Shape& shape, const Vec2& point);
+  static void setCorners(Shape& shape, const Polygon& corners);
   static bool isTriggered(const Shape& shape, const std::vector<Vec2>& points);
+  void findNear(const Shape& shape, const BodyTwist& command);
   double timeToCollision(const Shape& shape, const BodyTwist& command);
   BodyTwist safe(const Shape& shape, const BodyTwist& command, MonitorAction& action);
 
   CollisionMonitorParameters parameters_;
   std::vector<Shape> shapes_;
   Distro distro_;
-  std::vector<Vec2> points_, moved_;  // robot frame [m]
+  std::vector<Vec2> points_, near_, moved_;  // robot frame [m]
 };
 
 }  // namespace sim2d::nav2
