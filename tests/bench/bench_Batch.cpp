@@ -41,7 +41,7 @@ void BatchBench::episode() {
   const std::string file = folder.filePath(QStringLiteral("e.yaml")).toStdString();
   const std::string text = "hunavsim_experiment: 1\nscenarios: [" SOURCE_DIR
                            "/maps/corner_cafe/corner_cafe_agents.yaml]\nduration: 60.0\nseeds: " +
-                           std::to_string(kRuns) + "\n" + values.toStdString();
+                           std::to_string(kRuns + 1) + "\n" + values.toStdString();
   QVERIFY(base::writeFileAtomically(file, text).empty());
   const app::Experiment experiment = *app::readExperiment(file);
   app::ExperimentRunner runner(experiment, folder.path().toStdString() + "/runs", {});
