@@ -126,12 +126,14 @@ std::unique_ptr<groot::GrootRun> openGroot(const RunOptions& options, const Bund
     return human.listed && (wanted.empty() || human.name == wanted);
   });
   if (person == people.end()) {
-    requireFine({base::error("groot.no-person", {wanted})}, ExitBadInput);
+    std::vector<std::string> names;
+    for (const sim2d::Human& human : people) {
+      names.push_back(human.name);
+    }
+    requireFine({base::error("groot.no-person", {wanted, base::nearestName(wanted, names)})});
   }
-  const auto source = bundle.trees.find(person->name);
   const auto tree =
-      bt::treeOf(*person, source == bundle.trees.end() ? bt::TreeSource() : source->second,
-                 *bundle.scenario, bundle.settings.compatibility);
+      bt::treeOf(*person, bundle.trees, *bundle.scenario, bundle.settings.compatibility);
   requireFine(errorsOf(tree.diagnostics()));
   auto opened = groot::GrootRun::open(static_cast<std::uint16_t>(*options.groot.port), world,
                                       world.view().indexOf(person->id), *tree);

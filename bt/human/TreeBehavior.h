@@ -49,7 +49,7 @@ std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(
     const sim2d::Compatibility& quirks = {}, const std::shared_ptr<KnownTrees>& known = nullptr);
 
 /// The tree that such a run gives a person, with all that it includes.
-base::Result<TreeTable> treeOf(const sim2d::Human& human, const TreeSource& source,
+base::Result<TreeTable> treeOf(const sim2d::Human& human, const TreeFiles& files,
                                const sim2d::Scenario& scenario,
                                const sim2d::Compatibility& quirks = {});
 

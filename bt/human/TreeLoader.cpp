@@ -89,6 +89,11 @@ TreeTable generatedTable(const sim2d::Scenario& scenario, const sim2d::Human& hu
   return makeTable(scenario, drawn, quirks);
 }
 
+TreeSource sourceOf(const sim2d::Human& human, const TreeFiles& files) {
+  const auto file = files.find(human.name);
+  return file == files.end() ? TreeSource() : file->second;
+}
+
 /// Where relative includes begin.
 std::string placeOf(const TreeSource& source) {
   return source.path.empty() && !source.folder.empty() ? placeOfNew(source.folder) : source.path;
@@ -155,9 +160,10 @@ base::Result<TreeTable> loadPersonTrees(base::Result<TreeFile> file) {
   return {*std::move(table), std::move(warnings)};
 }
 
-base::Result<TreeTable> treeOf(const sim2d::Human& human, const TreeSource& source,
+base::Result<TreeTable> treeOf(const sim2d::Human& human, const TreeFiles& files,
                                const sim2d::Scenario& scenario,
                                const sim2d::Compatibility& quirks) {
+  const TreeSource source = sourceOf(human, files);
   if (source.isGenerated()) {
     return generatedTable(scenario, human, quirks);
   }
@@ -262,9 +268,7 @@ PersonPrograms TreeLoader::loadAll(const TreeFiles& files, Diagnostics& diagnost
     if (!human.listed && pattern == patterns.end()) {
       continue;
     }
-    const auto file = files.find(human.name);
-    const auto program =
-        load(human, file == files.end() ? TreeSource() : file->second, diagnostics);
+    const auto program = load(human, sourceOf(human, files), diagnostics);
     if (human.listed) {
       result.ofPeople.emplace_back(human.id, program);
     }

@@ -578,7 +578,8 @@ constexpr ProblemText kTexts[] = {
     {"live.page-refused",
      "a page of {origin} wanted to connect and was refused (--foxglove-origin {origin} lets it)"},
 
-    {"groot.no-person", "there is no person{found? '%'} whose tree Groot2 could watch"},
+    {"groot.no-person",
+     "there is no person{found? '%'} whose tree Groot2 could watch{nearest? (did you mean '%'?)}"},
     {"groot.too-many", "the tree has {count} nodes, Groot2 tells {most} apart"},
 
     // Bags: MCAP files and folders of rosbag2.

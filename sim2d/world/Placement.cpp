@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kNotMoved = 1e-9;  // [m]
 constexpr double kOverlap = 0.01;   // [m] that starts may stand in each other
-constexpr double kReach = 1.0;      // [m] that a start may be moved
 constexpr double kRing = 0.05;      // [m] between the places tried
 constexpr int kPlacesOnRing = 24;
 constexpr int kMostCrowded = 1000;  // starts that stay in others: each pair is pushed apart
@@ -117,7 +116,7 @@ class PlacedStarts {
 std::optional<Vec2> nearestFree(const PlacedStarts& placed, const Start& start,
                                 const NavigationMap& navigation) {
   double distance = kRing;
-  while (distance <= kReach) {
+  while (distance <= kPlaceReach) {
     for (int k = 0; k < kPlacesOnRing; ++k) {
       const double angle = 2.0 * base::kPi * k / kPlacesOnRing;
       const Vec2 place = *start.position + distance * Vec2(base::cos(angle), base::sin(angle));

@@ -4,13 +4,12 @@
 #include <optional>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/world/Placement.h"
 #include "sim2d/world/WorldInside.h"
 
 /// What inputs from outside do to the world.
 namespace sim2d {
 namespace {
-
-constexpr double kReach = 1.0;  // [m] that somebody who is added may be moved
 
 bool isUsable(const Input& input) {
   const auto isSmall = [](const Vec2& value, double most) {
@@ -128,8 +127,8 @@ std::string RunningWorld::addCopy(Input& input) {
   }
   const double radius = like->constants.radius;
   const std::optional<Vec2> free = navigation_->nearestFit(radius, input.pose.position);
-  if (!free || (*free - input.pose.position).norm() > kReach) {
-    return "there is no room for them within " + base::formatDouble(kReach) + " m";
+  if (!free || (*free - input.pose.position).norm() > kPlaceReach) {
+    return "there is no room for them within " + base::formatDouble(kPlaceReach) + " m";
   }
   input.pose.position = *free;
   if (std::string refusal = takeId(input.id, model_.lastId); !refusal.empty()) {

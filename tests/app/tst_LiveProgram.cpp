@@ -85,6 +85,8 @@ class LiveProgramTest : public QObject {
   void run_foreignPage_isRefusedAndTold();
   void run_teleop_isDrivenAndRecorded();
   void run_again_ignoresTheseWords();
+  void run_forGroot2_filesAreTheSame();
+  void run_forGroot2_ofNobody_isToldAndNothingIsWritten();
 
  private:
   QString path(const char* name) const { return folder_.filePath(text(name)); }
@@ -250,6 +252,8 @@ void LiveProgramTest::run_wrongWords_areRefused_data() {
   row("--foxglove abc");
   row("--foxglove-address ::1");
   row("--foxglove-origin https://lab.example");
+  row("--groot2 65536");
+  row("--groot2-of Ana");
   row("--speed 0");
   row("--speed 0.05");
   row("--speed 101");
@@ -349,6 +353,33 @@ void LiveProgramTest::run_again_ignoresTheseWords() {
   QVERIFY2(again.exitCode == 0, qPrintable(again.err));
   QVERIFY(!again.err.contains(text("live view")));
   QVERIFY(bytesOf(path("before/trajectory.csv")) == bytesOf(path("after/trajectory.csv")));
+}
+
+void LiveProgramTest::run_forGroot2_filesAreTheSame() {
+  const Finished alone = outside::runProgram(QStringList{text("run")} + cafe(path("plain"), 3.0));
+  QCOMPARE(alone.exitCode, 0);
+  const Finished watched =
+      outside::runProgram(QStringList{text("run")} + cafe(path("groot"), 3.0) +
+                          QStringList{text("--speed"), text("max"), text("--groot2"), text("0"),
+                                      text("--groot2-of"), text("Greta")});
+  QVERIFY2(watched.exitCode == 0, qPrintable(watched.err));
+  QVERIFY(watched.err.contains(text("tree of Greta at 127.0.0.1:")));
+  for (const char* name : kSameFiles) {
+    const QByteArray bytes = bytesOf(path("plain") + QLatin1Char('/') + text(name));
+    QVERIFY2(!bytes.isEmpty(), name);
+    QVERIFY2(bytes == bytesOf(path("groot") + QLatin1Char('/') + text(name)), name);
+  }
+}
+
+void LiveProgramTest::run_forGroot2_ofNobody_isToldAndNothingIsWritten() {
+  const Finished run = outside::runProgram(
+      QStringList{text("run")} + cafe(path("nobody"), 1.0) +
+      QStringList{text("--groot2"), text("0"), text("--groot2-of"), text("Grete")});
+  QCOMPARE(run.exitCode, 2);
+  QVERIFY2(run.err.contains(text("there is no person 'Grete' whose tree Groot2 could watch (did "
+                                 "you mean 'Greta'?)")),
+           qPrintable(run.err));
+  QVERIFY(!QFileInfo::exists(path("nobody")));
 }
 
 QTEST_GUILESS_MAIN(LiveProgramTest)

@@ -147,11 +147,7 @@ struct Scene {
   }
   sim2d::World& world() { return *verdict.world; }
   const sim2d::Human& person() const { return bundle.scenario->humans.front(); }
-  bt::TreeTable tree() const {
-    const auto source = bundle.trees.find(person().name);
-    return *bt::treeOf(person(), source == bundle.trees.end() ? bt::TreeSource() : source->second,
-                       *bundle.scenario);
-  }
+  bt::TreeTable tree() const { return *bt::treeOf(person(), bundle.trees, *bundle.scenario); }
 
   app::Bundle bundle;
   app::Verdict verdict;
@@ -314,6 +310,16 @@ class GrootTest : public QObject {
     const auto second = GrootServer::listen((*first)->port(), WatchedRun(tree, nameOf('b')));
     QVERIFY(!second);
     QCOMPARE(std::string(second.diagnostics().front().code), std::string("live.no-port"));
+    // The port in front is free, the one behind it is not: that one is named.
+    const int taken = (*first)->port();
+    const auto third =
+        GrootServer::listen(static_cast<std::uint16_t>(taken - 1), WatchedRun(tree, nameOf('c')));
+    QVERIFY(!third);
+    const std::string words = third.diagnostics().front().message;
+    if (words.find("port " + std::to_string(taken - 1)) != std::string::npos) {
+      QSKIP("another program has the port in front");
+    }
+    QVERIFY2(words.find("port " + std::to_string(taken)) != std::string::npos, words.c_str());
   }
 };
 

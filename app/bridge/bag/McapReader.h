@@ -13,8 +13,8 @@
 
 namespace bridge {
 
-/// What the chunks of a file may unpack to [B]: a share of everyone, and so much per byte of the
-/// file. A small file could go on unpacking for hours otherwise.
+/// What all chunks of a file together may unpack to [B]: so much, and the second for each byte of
+/// the file. A small file could go on unpacking for hours otherwise.
 constexpr std::size_t kUnpackedOfAny = std::size_t{4} << 30U;
 constexpr std::uint64_t kUnpackedPerByte = 100;
 

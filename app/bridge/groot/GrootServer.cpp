@@ -1,6 +1,7 @@
 #include "app/bridge/groot/GrootServer.h"
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <utility>
 #include <zmq.h>
@@ -83,23 +84,27 @@ struct GrootServer::Sockets {
   Context context{zmq_ctx_new()};
   Socket answers, breakpoints;
 
-  bool bind(int port) {
+  /// The port that is not to be had; none: both are bound.
+  std::optional<int> bind(int port) {
     answers = socketOf(context.get(), ZMQ_REP);
     breakpoints = socketOf(context.get(), ZMQ_PUB);
-    return zmq_bind(answers.get(), addressOf(port).c_str()) == 0 &&
-           zmq_bind(breakpoints.get(), addressOf(portOf(answers.get()) + 1).c_str()) == 0;
+    if (zmq_bind(answers.get(), addressOf(port).c_str()) != 0) {
+      return port;
+    }
+    const int behind = portOf(answers.get()) + 1;
+    const bool isBound = zmq_bind(breakpoints.get(), addressOf(behind).c_str()) == 0;
+    return isBound ? std::nullopt : std::optional(behind);
   }
 };
 
 base::Result<std::unique_ptr<GrootServer>> GrootServer::listen(std::uint16_t port, WatchedRun run) {
   auto sockets = std::make_unique<Sockets>();
-  bool isBound = sockets->bind(port);
-  for (int trial = 0; !isBound && port == 0 && trial < kTrials; ++trial) {
-    isBound = sockets->bind(port);
+  std::optional<int> taken = sockets->bind(port);
+  for (int trial = 0; taken && port == 0 && trial < kTrials; ++trial) {
+    taken = sockets->bind(port);
   }
-  if (!isBound) {
-    return base::error("live.no-port",
-                       {"127.0.0.1", std::to_string(port), zmq_strerror(zmq_errno())});
+  if (taken) {
+    return base::error("live.no-port", {"127.0.0.1", *taken, zmq_strerror(zmq_errno())});
   }
   const auto bound = static_cast<std::uint16_t>(portOf(sockets->answers.get()));
   return std::unique_ptr<GrootServer>(
