@@ -180,6 +180,22 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
 
 namespace {
 
+/// Driven is who is selected. Another is selected when the word is chosen: the map may make room
+/// for its legend then, which would move it away from under the menu.
+void offerToDrive(QMenu& menu, Workspace& workspace, base::EntityId robot) {
+  QAction* const toggle = workspace.drive().toggle();
+  if (workspace.document().isSelected(robot)) {
+    menu.addAction(toggle);
+    return;
+  }
+  QAction* const drive =
+      menu.addAction(toggle->icon(), toggle->text(), toggle, [&workspace, robot, toggle] {
+        workspace.document().setSelection({robot});
+        toggle->setChecked(true);
+      });
+  drive->setToolTip(toggle->toolTip());
+}
+
 /// In a run: what hands can do to people and robots.
 void offerHands(Workspace& workspace, const QPoint& at) {
   editor::MapView& view = workspace.view();
@@ -189,8 +205,7 @@ void offerHands(Workspace& workspace, const QPoint& at) {
   const editor::FrameLayer& layer = workspace.scene().frameLayer();
   const std::optional<int> agent = layer.agentAt(place);
   if (agent && *agent < 0 && workspace.runner().isLive()) {
-    workspace.document().setSelection({layer.entityOf(*agent)});  // it is the one that is driven
-    menu->addAction(workspace.drive().toggle());
+    offerToDrive(*menu, workspace, layer.entityOf(*agent));
   }
   workspace.hands().fillMenu(*menu, agent, place);
   if (menu->isEmpty()) {

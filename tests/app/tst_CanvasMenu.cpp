@@ -67,9 +67,14 @@ class CanvasMenuTest : public QObject {
     const sim2d::RobotColumns& robots = runner.newestFrame()->robots;
     menu = menuAt(base::Vec2(robots.x[0], robots.y[0]));
     QVERIFY(menu != nullptr);
-    QCOMPARE(document().selection(), document().entities(base::EntityKind::Robot));
     QCOMPARE(wordsOf(*menu), QStringList{QStringLiteral("Drive by hand")});
-    QVERIFY(menu->actions().front()->isEnabled());
+    menu->actions().front()->trigger();
+    menu->close();
+    QCOMPARE(document().selection(), document().entities(base::EntityKind::Robot));
+    const QAction& drive = *window_->workspace().drive().toggle();
+    QVERIFY(drive.isChecked());
+    menu = menuAt(base::Vec2(robots.x[0], robots.y[0]));
+    QCOMPARE(menu->actions().front(), &drive);  // lets go again
     menu->close();
     runner.reset();
   }
