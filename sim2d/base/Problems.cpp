@@ -47,6 +47,7 @@ constexpr ProblemText kTexts[] = {
     {"source.like-unknown", "there is no person '{found}' to copy"},
     {"source.no-rate", "without a 'rate' nobody arrives"},
     {"source.until-before-from", "'until' is before 'from', nobody arrives"},
+    {"source.no-ids", "after id {found} too few ids are left for those who arrive"},
 
     // One person, one shape.
     {"person.out-of-range",

@@ -148,6 +148,13 @@ void checkSource(const Area& area, const Scenario& scenario, CheckReport& report
   if (area.until && *area.until < area.from.value_or(0.0)) {
     report.warning(area, "source.until-before-from");
   }
+  int greatest = 0;
+  for (const Human& human : scenario.humans) {
+    greatest = std::max(greatest, human.id);
+  }
+  if (std::numeric_limits<int>::max() - greatest < area.count.value_or(1)) {
+    report.warning(area, "source.no-ids", {std::to_string(greatest)});
+  }
 }
 
 struct Limits {

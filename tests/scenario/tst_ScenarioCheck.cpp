@@ -68,6 +68,25 @@ class ScenarioCheckTest : public QObject {
     QVERIFY2(said.empty(), qPrintable(shown(said)));
   }
 
+  void check_sourceWithoutIds_told() {
+    Scenario scenario = oneWalker({1.0, 1.0}, {4.0, 8.0});
+    Area door;
+    door.key = {base::EntityKind::Area, 60};
+    door.name = "door";
+    door.kind = AreaKind::Source;
+    door.points = {{1.0, 1.0}, {2.0, 1.0}, {2.0, 2.0}};
+    door.like = "anna";
+    door.rate = 1.0;
+    door.count = 3;
+    scenario.areas.push_back(door);
+    scenario.humans[0].id = 2147483644;  // three are left
+    QVERIFY(!shown(check(scenario)).contains(QStringLiteral("ids are left")));
+    scenario.humans[0].id = 2147483645;
+    QVERIFY(shown(check(scenario))
+                .contains(QStringLiteral("warning: door: after id 2147483645 too few ids are left "
+                                         "for those who arrive")));
+  }
+
   void check_places_data() {
     QTest::addColumn<QPointF>("start");
     QTest::addColumn<QPointF>("goal");
