@@ -127,6 +127,7 @@ std::unique_ptr<groot::GrootRun> openGroot(const RunOptions& options, const Bund
   });
   if (person == people.end()) {
     std::vector<std::string> names;
+    names.reserve(people.size());
     for (const sim2d::Human& human : people) {
       names.push_back(human.name);
     }

@@ -272,7 +272,7 @@ void MutationsTest::damaged_isReadOrRefused() {
   const QStringList given = qEnvironmentVariable("HUNAV_MUTATIONS").split(QLatin1Char(' '));
   const bool isLong = qEnvironmentVariableIsSet("HUNAV_ALL_TESTS");
   const std::uint64_t first = given.size() == 2 ? given[0].toULongLong() : 1;
-  const std::uint64_t count = given.size() == 2 ? given[1].toULongLong() : (isLong ? 14000 : 200);
+  const std::uint64_t count = given.size() == 2 ? given[1].toULongLong() : (isLong ? 70000 : 200);
   int faults = 0;
   for (std::uint64_t number = first; number < first + count && faults < 20; ++number) {
     const QString fault = faultOfMutation(number);
