@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <grp.h>
 #include <malloc.h>
@@ -8,6 +9,7 @@
 #include <QAbstractScrollArea>
 #include <QComboBox>
 #include <QDesktopServices>
+#include <QDrag>
 #include <QFileDialog>
 #include <QMenu>
 #include <QScrollBar>
@@ -180,7 +182,9 @@ class Monkey : public QObject {
       return;  // it is leaving: nobody would close what this opened
     }
     diary_.begin(left_);
-    if (what < 5) {
+    if (isDragging() && what < 7) {
+      drop();  // as long as something is dragged, no button of the mouse can be pressed
+    } else if (what < 5) {
       click();
     } else if (what < 6) {
       drag();
@@ -282,6 +286,18 @@ class Monkey : public QObject {
     if (part) {
       send(*part, QEvent::MouseButtonRelease, at, Qt::LeftButton, {}, keys);
     }
+  }
+
+  static bool isDragging() {
+    const QWidgetList windows = QApplication::topLevelWidgets();
+    return std::any_of(windows.begin(), windows.end(), [](const QWidget* window) {
+      return window->findChild<QDrag*>() != nullptr;
+    });
+  }
+
+  void drop() {
+    QWidget* const part = target();
+    send(*part, QEvent::MouseButtonRelease, placeIn(*part), Qt::LeftButton, {}, modifiers());
   }
 
   void turnWheel() {
