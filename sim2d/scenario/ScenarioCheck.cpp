@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <set>
@@ -148,13 +149,21 @@ void checkSource(const Area& area, const Scenario& scenario, CheckReport& report
   if (area.until && *area.until < area.from.value_or(0.0)) {
     report.warning(area, "source.until-before-from");
   }
+}
+
+/// Whoever arrives gets the id after the greatest so far.
+void checkIdsLeft(const Scenario& scenario, CheckReport& report) {
   int greatest = 0;
   for (const Human& human : scenario.humans) {
     greatest = std::max(greatest, human.id);
   }
-  if (std::numeric_limits<int>::max() - greatest < area.count.value_or(1)) {
-    report.warning(area, "source.no-ids", {std::to_string(greatest)});
-  }
+  std::int64_t left = std::int64_t{std::numeric_limits<int>::max()} - greatest;
+  forEachListed(scenario.areas, [&](const Area& area) {
+    left -= area.kind == AreaKind::Source ? area.count.value_or(1) : 0;
+    if (area.kind == AreaKind::Source && left < 0) {
+      report.warning(area, "source.no-ids", {std::to_string(greatest)});
+    }
+  });
 }
 
 struct Limits {
@@ -266,6 +275,7 @@ void checkReferences(const Scenario& scenario, const KnownNames& names, CheckRep
     }
   });
   forEachListed(scenario.areas, [&](const Area& area) { checkSource(area, scenario, report); });
+  checkIdsLeft(scenario, report);
 }
 
 void checkPeople(const Scenario& scenario, CheckReport& report) {

@@ -182,7 +182,7 @@ class Monkey : public QObject {
       return;  // it is leaving: nobody would close what this opened
     }
     diary_.begin(left_);
-    if (isDragging() && what < 7) {
+    if (isDragging() && what < 6) {
       drop();  // as long as something is dragged, no button of the mouse can be pressed
     } else if (what < 5) {
       click();

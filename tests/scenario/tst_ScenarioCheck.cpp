@@ -85,6 +85,14 @@ class ScenarioCheckTest : public QObject {
     QVERIFY(shown(check(scenario))
                 .contains(QStringLiteral("warning: door: after id 2147483645 too few ids are left "
                                          "for those who arrive")));
+    scenario.humans[0].id = 2147483643;  // four, of which the first door takes three
+    door.name = "gate";
+    door.key = {base::EntityKind::Area, 61};
+    door.count = 2;
+    scenario.areas.push_back(door);
+    const QString said = shown(check(scenario));
+    QVERIFY(!said.contains(QStringLiteral("door: after id")));
+    QVERIFY2(said.contains(QStringLiteral("gate: after id 2147483643")), qPrintable(said));
   }
 
   void check_places_data() {
