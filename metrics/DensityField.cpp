@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kKernel = 1.0 / (base::kPi * kDensityRadius * kDensityRadius);  // at its middle
 constexpr double kReach = 3.0 * kDensityRadius;
+constexpr double kMostAlong = 4096.0;  // cells of a side, of long narrow boxes
 
 /// Which cells of one axis a person reaches, and the person's share in each of them.
 struct AxisShares {
@@ -51,7 +52,7 @@ DensityField densityField(const std::vector<Vec2>& people, const Vec2& low, cons
   const Vec2 size = (high - low).cwiseMax(0.0);
   const double least = std::sqrt(size.x() * size.y() / static_cast<double>(mostCells));
   field.low = low;
-  field.cell = std::max(cell, least);
+  field.cell = std::max({cell, least, size.maxCoeff() / kMostAlong});
   field.columns = std::max(1, static_cast<int>(std::ceil(size.x() / field.cell)));
   field.rows = std::max(1, static_cast<int>(std::ceil(size.y() / field.cell)));
   const auto columns = static_cast<std::size_t>(field.columns);

@@ -2,13 +2,37 @@
 
 #include <QAbstractItemView>
 #include <QAction>
+#include <QFileSystemModel>
 #include <QLineEdit>
 #include <QShortcut>
+#include <QStyledItemDelegate>
+#include <QTimer>
 #include <QToolButton>
 
 namespace editor {
 
 namespace {
+
+/// Names files a moment later. What cannot be done is told in a dialog, in whose time the editor
+/// may go: Qt 5.15 would read freed memory afterwards.
+class NamingDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void setModelData(QWidget* editor, QAbstractItemModel* model,
+                    const QModelIndex& index) const override {
+    const auto* const line = qobject_cast<QLineEdit*>(editor);
+    auto* const files = qobject_cast<QFileSystemModel*>(model);
+    if (line == nullptr || files == nullptr) {
+      QStyledItemDelegate::setModelData(editor, model, index);
+      return;
+    }
+    // By its path: the model may have read the folder again.
+    QTimer::singleShot(0, files, [files, name = line->text(), path = files->filePath(index)] {
+      files->setData(files->index(path), name);
+    });
+  }
+};
 
 /// The name that is being typed in the list of files, of a new folder, is taken as it is.
 void takeName(const QAbstractItemView& files) {
@@ -38,6 +62,7 @@ void keepFiles(QFileDialog& dialog, bool makesFolders) {
       files->setEditTriggers(
           QAbstractItemView::NoEditTriggers);  // a new folder is named all the same
       files->setDragDropMode(QAbstractItemView::NoDragDrop);
+      files->setItemDelegate(new NamingDelegate(files));
       // Qt 5.15 reads freed memory when the folder is left meanwhile.
       for (QToolButton* button : dialog.findChildren<QToolButton*>()) {
         QObject::connect(button, &QToolButton::pressed, files, [files] { takeName(*files); });

@@ -149,6 +149,43 @@ class FileDialogsTest : public QObject, protected quiet::InFolder {
     }
   }
 
+  /// The dialog that tells it runs when nothing uses the editor any more, which may be gone by
+  /// then.
+  void dialogs_forWriting_namesThatCannotBe_areToldAfterwards() {
+    QTemporaryDir top;
+    QFileDialog dialog(nullptr, {}, top.path());
+    dialog.setOption(QFileDialog::DontUseNativeDialog);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setViewMode(QFileDialog::Detail);
+    editor::keepFiles(dialog, true);
+    dialog.show();
+    const auto* files = dialog.findChild<QAbstractItemView*>(QStringLiteral("treeView"));
+    const auto editors = [files] { return files->viewport()->findChildren<QLineEdit*>(); };
+    QTest::mouseClick(dialog.findChild<QToolButton*>(QStringLiteral("newFolderButton")),
+                      Qt::LeftButton);
+    QTRY_COMPARE(editors().size(), 1);
+    editors().front()->setText(QStringLiteral("a/b"));
+    bool isPressing = true;
+    bool wasTold = false;
+    bool wasInUse = false;
+    QTimer look;
+    QObject::connect(&look, &QTimer::timeout, &look, [&] {
+      if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+        wasTold = true;
+        wasInUse = wasInUse || isPressing || !editors().isEmpty();
+        box->accept();
+      }
+    });
+    look.start(1);
+    QTest::mousePress(dialog.findChild<QToolButton*>(QStringLiteral("toParentButton")),
+                      Qt::LeftButton);
+    isPressing = false;
+    QTRY_VERIFY(wasTold);
+    QVERIFY(!wasInUse);
+    QTest::mouseRelease(dialog.findChild<QToolButton*>(QStringLiteral("toParentButton")),
+                        Qt::LeftButton);
+  }
+
   void treeDialogs_beginWithTheUsersFiles_data() {
     QTest::addColumn<QString>("button");
     QTest::addColumn<bool>("isReading");

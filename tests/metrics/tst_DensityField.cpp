@@ -82,6 +82,13 @@ class DensityFieldTest : public QObject {
     QVERIFY(field.values.size() <= 10500);
     QVERIFY(std::abs(field.cell - std::sqrt(80.0)) < 1e-9);
   }
+
+  /// Of a record with a place that cannot be.
+  void field_longNarrowBox_hasFewCells() {
+    const DensityField field = metrics::densityField({{0.0, 0.0}}, {0.0, 0.0}, {2.8e11, 10.0});
+    QVERIFY(field.columns <= 4097);
+    QCOMPARE(field.rows, 1);
+  }
 };
 
 QTEST_APPLESS_MAIN(DensityFieldTest)
