@@ -52,7 +52,8 @@ DensityField densityField(const std::vector<Vec2>& people, const Vec2& low, cons
   const Vec2 size = (high - low).cwiseMax(0.0);
   const double least = std::sqrt(size.x() * size.y() / static_cast<double>(mostCells));
   field.low = low;
-  field.cell = std::max({cell, least, size.maxCoeff() / kMostAlong});
+  const double mostAlong = std::min(kMostAlong, static_cast<double>(mostCells));
+  field.cell = std::max({cell, least, size.maxCoeff() / mostAlong});
   field.columns = std::max(1, static_cast<int>(std::ceil(size.x() / field.cell)));
   field.rows = std::max(1, static_cast<int>(std::ceil(size.y() / field.cell)));
   const auto columns = static_cast<std::size_t>(field.columns);

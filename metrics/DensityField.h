@@ -33,8 +33,8 @@ struct DensityField {
   double peak() const;  // 0 without cells
 };
 
-/// Over the box from `low` to `high`, of at most `mostCells` cells: those grow where there would be
-/// more.
+/// Over the box from `low` to `high`, of at most about `mostCells` cells, and 4096 along a side:
+/// they grow where there would be more.
 DensityField densityField(const std::vector<base::Vec2>& people, const base::Vec2& low,
                           const base::Vec2& high, double cell = 0.25,
                           std::size_t mostCells = std::size_t{1} << 18);

@@ -88,6 +88,9 @@ class DensityFieldTest : public QObject {
     const DensityField field = metrics::densityField({{0.0, 0.0}}, {0.0, 0.0}, {2.8e11, 10.0});
     QVERIFY(field.columns <= 4097);
     QCOMPARE(field.rows, 1);
+    const DensityField few =
+        metrics::densityField({{0.0, 0.0}}, {0.0, 0.0}, {1000.0, 0.001}, 0.25, 100);
+    QVERIFY(few.values.size() <= 101);
   }
 };
 
