@@ -14,6 +14,7 @@ namespace bridge {
 namespace {
 
 constexpr int kAnnouncementPeriodMs = 200;
+constexpr int kHeartbeatPeriodMs = 250;  // what was lost is asked for again so soon
 constexpr unsigned kFirstPort = 7400, kPortsPerDomain = 250, kUnicastOffset = 10;
 constexpr unsigned kPeers = 40;     // participants that are looked for on this machine
 constexpr int kUsualSamples = 400;  // as Fast DDS has it
@@ -107,17 +108,20 @@ void MetReaders::on_publication_matched(efd::DataWriter* /*writer*/,
       met_.erase(reader);
     }
   }
-  changed_.notify_all();
+  bell_.ring();
 }
 
-bool MetReaders::waitFor(const rtps::GUID_t& reader, Milliseconds atMost) {
-  std::unique_lock<std::mutex> lock(mutex_);
-  return changed_.wait_for(lock, atMost, [&] { return met_.count(reader) > 0; });
-}
-
-int MetReaders::count() {
+bool MetReaders::has(const rtps::GUID_t& reader) {
+  if (reader == rtps::GUID_t::unknown()) {
+    return true;
+  }
   const std::lock_guard<std::mutex> lock(mutex_);
-  return static_cast<int>(met_.size());
+  if (reader.entityId != rtps::EntityId_t::unknown()) {
+    return met_.count(reader) > 0;
+  }
+  return std::any_of(met_.begin(), met_.end(), [&](const rtps::GUID_t& each) {
+    return each.guidPrefix == reader.guidPrefix;
+  });
 }
 
 std::shared_ptr<DdsEntities> DdsEntities::create(const DomainSettings& settings) {
@@ -177,6 +181,8 @@ efd::DataWriter* DdsEntities::makeWriter(const std::string& topic, const std::st
   efd::DataWriterQos wanted = publisher_->get_default_datawriter_qos();
   apply(qos, userData, wanted);
   wanted.publish_mode().kind = efd::SYNCHRONOUS_PUBLISH_MODE;
+  wanted.reliable_writer_qos().times.heartbeatPeriod =
+      eprosima::fastrtps::Duration_t(0, kHeartbeatPeriodMs * 1000000U);
   if (qos.lifespan > 0.0) {
     wanted.lifespan().duration = eprosima::fastrtps::Duration_t(qos.lifespan);
   }

@@ -49,17 +49,18 @@ class Bell : public efd::DataReaderListener {
   std::uint64_t count_ = 0;
 };
 
-/// Which readers of others a writer has met.
+/// Which readers of others a writer has met; rings when there is a new one.
 class MetReaders : public efd::DataWriterListener {
  public:
+  explicit MetReaders(Bell& bell) : bell_(bell) {}
   void on_publication_matched(efd::DataWriter* writer,
                               const efd::PublicationMatchedStatus& status) override;
-  bool waitFor(const rtps::GUID_t& reader, Milliseconds atMost);
-  int count();
+  /// Where the entity is unknown: any reader of this participant; as a whole unknown: yes.
+  bool has(const rtps::GUID_t& reader);
 
  private:
+  Bell& bell_;
   std::mutex mutex_;
-  std::condition_variable changed_;
   std::set<rtps::GUID_t> met_;
 };
 

@@ -2,6 +2,7 @@
 #include <fastdds/rtps/common/WriteParams.h>
 #include <utility>
 
+#include "app/bridge/dds/AnswerWriter.h"
 #include "app/bridge/dds/DdsInside.h"
 
 /// Calls of services in both ways of writing who asked. rmw_fastrtps has it beside the sample
@@ -11,10 +12,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr Milliseconds kReaderWait(100);  // for the client's reader, as rmw_fastrtps waits
-constexpr Milliseconds kSettled(500);     // until a server knows both ends of a client
-constexpr std::size_t kHeader = 4;        // [bytes] of CDR
-constexpr std::size_t kCallId = 16;       // guid, then number
+constexpr Milliseconds kSettled(500);  // until a server knows both ends of a client
+constexpr std::size_t kHeader = 4;     // [bytes] of CDR
+constexpr std::size_t kCallId = 16;    // guid, then number
 constexpr std::uint8_t kReaderBit = 0x04;
 
 struct CallId {
@@ -91,16 +91,14 @@ class DdsServer : public Server, public Source {
   DdsServer(DdsPtr dds, int node, efd::DataReader* requests, efd::DataWriter* replies,
             std::unique_ptr<MetReaders> met, Participant::Answer answer)
       : dds_(std::move(dds)),
-        met_(std::move(met)),
         answer_(std::move(answer)),
         requests_(dds_, node, requests),
-        replies_(dds_, node, replies) {
+        replies_(dds_, node, replies, std::move(met)) {
     dds_->sources.push_back(this);
   }
   ~DdsServer() override {
     std::vector<Source*>& all = dds_->sources;
     all.erase(std::remove(all.begin(), all.end(), this), all.end());
-    replies_->set_listener(nullptr);
   }
   DdsServer(const DdsServer&) = delete;
   DdsServer& operator=(const DdsServer&) = delete;
@@ -108,6 +106,7 @@ class DdsServer : public Server, public Source {
   DdsServer& operator=(DdsServer&&) = delete;
 
   bool handOutOne() override {
+    replies_.sendKept();
     ServiceRequest request;
     efd::SampleInfo info;
     if (!requests_.take(request.bytes, info)) {
@@ -116,7 +115,7 @@ class DdsServer : public Server, public Source {
     const bool isFast = isKnown(info.related_sample_identity.writer_guid());
     request.writtenFor = isFast ? Rmw::FastRtps : Rmw::CycloneDds;
     if (dds_->settings.rmw == Rmw::CycloneDds) {
-      answerInBody(request);
+      answerInBody(request, rtps::iHandle2GUID(info.publication_handle));
     } else {
       answerBeside(request, info);
     }
@@ -124,12 +123,12 @@ class DdsServer : public Server, public Source {
   }
 
  private:
-  void answerInBody(ServiceRequest& request) {
+  void answerInBody(ServiceRequest& request, const rtps::GUID_t& writer) {
     const std::optional<CallId> id = takeCallId(request.bytes);
     const Bytes reply = answer_(request);
     if (id) {
-      rtps::WriteParams none;
-      replies_.write(withCallId(reply, *id), none);
+      const rtps::GUID_t anyReader(writer.guidPrefix, rtps::EntityId_t::unknown());
+      replies_.send(anyReader, withCallId(reply, *id), {});
     }
   }
 
@@ -139,19 +138,16 @@ class DdsServer : public Server, public Source {
     if (request.writtenFor == Rmw::FastRtps) {
       caller.writer_guid(info.related_sample_identity.writer_guid());
     }
-    if ((caller.writer_guid().entityId.value[3] & kReaderBit) != 0) {
-      met_->waitFor(caller.writer_guid(), kReaderWait);
-    }
+    const bool isReader = (caller.writer_guid().entityId.value[3] & kReaderBit) != 0;
     rtps::WriteParams parameters;
     parameters.related_sample_identity(caller);
-    replies_.write(reply, parameters);
+    replies_.send(isReader ? caller.writer_guid() : rtps::GUID_t::unknown(), reply, parameters);
   }
 
   DdsPtr dds_;
-  std::unique_ptr<MetReaders> met_;
   Participant::Answer answer_;
   OwnedReader requests_;
-  OwnedWriter replies_;
+  AnswerWriter replies_;
 };
 
 class DdsClient : public Client {
@@ -241,7 +237,7 @@ std::unique_ptr<Server> makeServer(const DdsPtr& dds, int node, const ServiceNam
                                    const Qos& qos, Participant::Answer answer) {
   const bool tellsId = dds->settings.rmw == Rmw::CycloneDds;
   const std::string id = tellsId ? idText("serviceid", callerGuid(*dds)) : std::string();
-  auto met = std::make_unique<MetReaders>();
+  auto met = std::make_unique<MetReaders>(dds->bell);
   efd::DataWriter* const replies =
       dds->makeWriter(names.replyTopic, names.replyType, qos, id, met.get());
   efd::DataReader* const requests =
