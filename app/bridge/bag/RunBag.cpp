@@ -1,6 +1,5 @@
 #include "app/bridge/bag/RunBag.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "app/bridge/messages/TypeTable.h"
@@ -16,17 +15,12 @@ RunTopicsOptions withoutClock(RunTopicsOptions options) {
 
 }  // namespace
 
-RunBag::RunBag(const std::string& path, const sim2d::TraceHeader& header, RunTopicsOptions options,
-               HeaderSource newest)
+RunBag::RunBag(const std::string& path, const sim2d::TraceHeader& header, RunTopicsOptions options)
     : topics_(header, withoutClock(std::move(options))),
       writer_(path),
-      newest_(std::move(newest)),
       recordEvery_(header.recordEvery),
       dt_(header.dt),
       events_(sim2d::headLine(sim2d::kEventColumns)) {
-  for (const sim2d::TraceHuman& human : header.humans) {
-    known_.insert(human.id);
-  }
   for (const Topic& topic : topics_.topics()) {
     const KnownType* const type = findType(topic.type);
     channels_.push_back(writer_.addChannel(
@@ -35,20 +29,6 @@ RunBag::RunBag(const std::string& path, const sim2d::TraceHeader& header, RunTop
          type->definition,
          {{"offered_qos_profiles", offeredQos(topic)}, {"topic_type_hash", ""}}}));
   }
-}
-
-/// Somebody came from a source.
-void RunBag::meet(const sim2d::Frame& frame) {
-  const std::vector<int>& ids = frame.humans.id;
-  if (!newest_ ||
-      std::all_of(ids.begin(), ids.end(), [this](int id) { return known_.count(id) > 0; })) {
-    return;
-  }
-  sim2d::TraceHeader header = newest_();
-  for (const sim2d::TraceHuman& human : header.humans) {
-    known_.insert(human.id);
-  }
-  topics_.setHeader(std::move(header));
 }
 
 void RunBag::addEvent(std::int64_t step, const sim2d::Event& event) {
@@ -60,10 +40,9 @@ void RunBag::append(const sim2d::Frame& frame) {
   for (const sim2d::Event& event : frame.events) {
     addEvent(frame.step, event);
   }
-  if (frame.step % recordEvery_ != 0) {
+  if (!isRecorded(frame.step)) {
     return;
   }
-  meet(frame);
   const std::int64_t time = nanosecondsOf(frame.time);
   topics_.tell(frame, [&](std::size_t topic, const std::string& bytes) {
     writer_.write(channels_[topic], time, bytes);
@@ -89,7 +68,7 @@ std::string RunBag::metadata(const std::string& name) const {
 base::Diagnostics writeRunBag(const std::string& path, const sim2d::Recording& recording,
                               const std::vector<sim2d::RecordedScan>& scans) {
   const sim2d::TraceHeader header = *recording.header();
-  RunBag bag(path, header, {}, {});
+  RunBag bag(path, header, {});
   std::size_t event = 0;
   auto scan = scans.begin();
   for (std::size_t k = recording.first(); k < recording.size() && !bag.hasFailed(); ++k) {

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/bridge/bag/BagTopics.h"
@@ -21,11 +20,10 @@ constexpr const char* kRunMetadata = "hunavsim";
 /// but /clock, into one MCAP file, beside its place until finish().
 class RunBag : public sim2d::FrameSink {
  public:
-  /// The newest header; asked when somebody is met who is not in the one before.
-  using HeaderSource = std::function<sim2d::TraceHeader()>;
-
-  RunBag(const std::string& path, const sim2d::TraceHeader& header, RunTopicsOptions options,
-         HeaderSource newest);
+  RunBag(const std::string& path, const sim2d::TraceHeader& header, RunTopicsOptions options);
+  /// Somebody came from a source: before the first frame with them.
+  void setHeader(sim2d::TraceHeader header) { topics_.setHeader(std::move(header)); }
+  bool isRecorded(std::int64_t step) const { return step % recordEvery_ == 0; }
   void append(const sim2d::Frame& frame) override;  // with its events
   void addEvent(std::int64_t step, const sim2d::Event& event);
 
@@ -38,13 +36,9 @@ class RunBag : public sim2d::FrameSink {
   std::string metadata(const std::string& name) const;
 
  private:
-  void meet(const sim2d::Frame& frame);
-
   RunTopics topics_;
   McapWriter writer_;
   std::vector<std::uint16_t> channels_;  // by topic
-  HeaderSource newest_;
-  std::set<int> known_;  // people of the header
   int recordEvery_;
   double dt_;
   std::string events_;  // rows of events.csv

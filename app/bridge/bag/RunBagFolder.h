@@ -1,6 +1,14 @@
 #pragma once
 
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <set>
 #include <string>
+#include <thread>
 
 #include "app/bridge/bag/RunBag.h"
 #include "app/run/RunFolder.h"
@@ -12,19 +20,45 @@ namespace bridge {
 constexpr const char* kBagFiles[] = {"bag/bag_0.mcap", "bag/metadata.yaml",
                                      "bag/foxglove_layout.json"};
 
-/// Makes the bag of a run beside its other files.
+/// Makes the bag of a run beside its other files, in a thread of its own: the run goes on while
+/// messages are made, compressed and written, and waits only when many states are still to be
+/// taken. All calls come from the thread of the run.
 class RunBagFolder final : public app::RunCompanion {
  public:
   /// `staging`: of the run's output. The world must outlive this.
   RunBagFolder(const std::string& staging, const sim2d::Scenario& scenario,
                const sim2d::World& world);
+  ~RunBagFolder() override;
+  RunBagFolder(const RunBagFolder&) = delete;
+  RunBagFolder& operator=(const RunBagFolder&) = delete;
+  RunBagFolder(RunBagFolder&&) = delete;
+  RunBagFolder& operator=(RunBagFolder&&) = delete;
 
-  void append(const sim2d::Frame& frame) override { bag_.append(frame); }
-  bool hasFailed() const override { return bag_.hasFailed(); }
+  /// Throws what the thread has met (out of memory).
+  void append(const sim2d::Frame& frame) override;
+  bool hasFailed() const override { return hasFailed_; }
   base::Diagnostics finish(app::OutputFolder& output, const sim2d::TraceHeader& header) override;
 
  private:
-  RunBag bag_;
+  struct Taken {
+    sim2d::Frame frame;
+    std::optional<sim2d::TraceHeader> header;  // a newer one
+  };
+  bool meetsSomebody(const sim2d::Frame& frame);
+  void work();
+  std::optional<Taken> next();
+  void end();
+
+  const sim2d::World& world_;
+  std::set<int> known_;  // people of the header
+  RunBag bag_;           // of the thread, until it has ended
+  std::atomic<bool> hasFailed_ = false;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Taken> taken_;
+  bool isOver_ = false;
+  std::exception_ptr thrown_;
+  std::thread thread_;
 };
 
 }  // namespace bridge
