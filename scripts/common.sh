@@ -21,7 +21,7 @@ packages_to_run=(
   fonts-dejavu-core
 )
 packages_to_test=(clang-format-14 mold xvfb xauth xdotool imagemagick locales
-  cyclonedds-dev cyclonedds-tools)
+  cyclonedds-dev cyclonedds-tools tshark)
 packages_to_compare=(parallel slurmctld slurmd slurm-client munge chromium ffmpeg)  # what tests run beside us
 packages_to_fuzz=(clang-14 libclang-rt-14-dev)
 packages_to_check=(clang-14 clang-tidy-14 libclang-14-dev llvm-14)  # llvm-14: lines of a report
@@ -76,6 +76,24 @@ need_packages() {
   if ! run_apt install -y --no-install-recommends "${missing[@]}"; then
     tail -n 5 "$logs/apt.log" >&2
     fail "could not install: ${missing[*]} (log: $logs/apt.log)"
+  fi
+}
+
+# Readers of others (npm, tests/peers) into build/peers; without npm or the net their tests skip.
+need_peers() {
+  local folder=$build/peers
+  if [ -n "${HUNAV_PEERS:-}" ] || ! command -v npm >/dev/null ||
+    cmp -s "$root/tests/peers/package-lock.json" "$folder/installed.json"; then
+    return 0
+  fi
+  say "installing the readers of tests/peers"
+  rm -rf "$folder"
+  mkdir -p "$folder"
+  cp "$root"/tests/peers/package*.json "$folder"
+  if npm ci --prefix "$folder" --ignore-scripts --no-audit --no-fund >"$logs/npm.log" 2>&1; then
+    cp "$folder/package-lock.json" "$folder/installed.json"
+  else
+    say "npm could not install them (log: $logs/npm.log): their tests skip"
   fi
 }
 

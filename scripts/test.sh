@@ -142,6 +142,7 @@ done
 lock_build
 need_packages "${packages_to_run[@]}" "${packages_to_test[@]}"
 [ "$all" = no ] || need_packages "${packages_to_compare[@]}"
+need_peers
 check_format
 build_preset dev
 keep_home_clean

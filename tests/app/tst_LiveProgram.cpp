@@ -178,7 +178,7 @@ void LiveProgramTest::run_foxglovesOwnClient_readsAll() {
     words << text("--experimental-websocket");
   }
   node.start(text("node"),
-             words + QStringList{text(SOURCE_DIR "/tests/bridge/live_peer.js"), peers,
+             words + QStringList{text(SOURCE_DIR "/tests/peers/live_peer.js"), peers,
                                  text("ws://127.0.0.1:%1").arg(run.port), protocol, how});
   const Finished seen = outside::finishedOf(node);
   QCOMPARE(run.finish().exitCode, 0);

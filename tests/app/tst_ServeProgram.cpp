@@ -118,7 +118,7 @@ void ServeProgramTest::serve_interrupted_endsCleanly() {
 }
 
 void ServeProgramTest::serve_peerOnCyclone_isAnswered() {
-  const QString peer = text(TEST_OUTPUT_DIR "/ros2/cyclone_peer");
+  const QString peer = text(TEST_OUTPUT_DIR "/ros2/cyclone_compute");
   if (!speaksRos2() || !QFile::exists(peer)) {
     QSKIP("this build does not speak to ROS 2, or Cyclone DDS is not installed");
   }

@@ -181,7 +181,7 @@ void LiveRunTest::run_foxglovesOwnClient_readsAll() {
   }
   Scene scene;
   const int port = scene.watch(1.0);
-  QStringList words{QStringLiteral(SOURCE_DIR "/tests/bridge/live_peer.js"), peers,
+  QStringList words{QStringLiteral(SOURCE_DIR "/tests/peers/live_peer.js"), peers,
                     QStringLiteral("ws://127.0.0.1:%1").arg(port), protocol, how};
   if (!how.isEmpty()) {
     words.prepend(QStringLiteral("--experimental-websocket"));

@@ -1,39 +1,11 @@
-/* A client of compute_agents and subscriber of human_states made of Eclipse Cyclone DDS alone, as
-   rmw_cyclonedds would be: nothing of it is ours but the names.
-   cyclone_peer DOMAIN CALLS: one agent (id 1) walks along x with 20 steps a second; prints one line
+/* A client of compute_agents and subscriber of human_states.
+   cyclone_compute DOMAIN CALLS: one agent (id 1) walks along x with 20 steps a second; prints one line
    "answer K X VX FRAME" per call and "states K X" per sample of human_states. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "dds/dds.h"
-#include "hunav.h"
-
-static dds_topic_descriptor_t renamed(const dds_topic_descriptor_t* from, const char* name) {
-  dds_topic_descriptor_t copy = *from;
-  copy.m_typename = name;
-  return copy;
-}
-
-static dds_entity_t topic(dds_entity_t participant, const dds_topic_descriptor_t* type,
-                          const char* name) {
-  const dds_entity_t made = dds_create_topic(participant, type, name, NULL, NULL);
-  if (made < 0) {
-    fprintf(stderr, "topic %s: %s\n", name, dds_strretcode(-made));
-    exit(1);
-  }
-  return made;
-}
-
-static int isMatched(dds_entity_t writer, dds_entity_t reader, dds_entity_t states) {
-  dds_publication_matched_status_t met;
-  dds_subscription_matched_status_t replies;
-  dds_subscription_matched_status_t published;
-  dds_get_publication_matched_status(writer, &met);
-  dds_get_subscription_matched_status(reader, &replies);
-  dds_get_subscription_matched_status(states, &published);
-  return met.current_count > 0 && replies.current_count > 0 && published.current_count > 0;
-}
+#include "peer.h"
 
 static void fillAgent(hunav_msgs_msg_Agent* agent, int id, int type, char* name) {
   memset(agent, 0, sizeof *agent);
@@ -57,27 +29,18 @@ int main(int argc, char** argv) {
     return 64;
   }
   const int calls = atoi(argv[2]);
-  const dds_entity_t participant = dds_create_participant((dds_domainid_t)atoi(argv[1]), NULL, NULL);
-  if (participant < 0) {
-    fprintf(stderr, "participant: %s\n", dds_strretcode(-participant));
-    return 1;
-  }
-  const dds_topic_descriptor_t request = renamed(&hunav_msgs_srv_ComputeAgentsRequest_desc,
-                                                 "hunav_msgs::srv::dds_::ComputeAgents_Request_");
-  const dds_topic_descriptor_t response = renamed(&hunav_msgs_srv_ComputeAgentsResponse_desc,
-                                                  "hunav_msgs::srv::dds_::ComputeAgents_Response_");
-  const dds_topic_descriptor_t agents =
-      renamed(&hunav_msgs_msg_Agents_desc, "hunav_msgs::msg::dds_::Agents_");
-  dds_qos_t* qos = dds_create_qos();
-  dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
-  dds_qset_history(qos, DDS_HISTORY_KEEP_LAST, 10);
-  const dds_entity_t writer = dds_create_writer(
-      participant, topic(participant, &request, "rq/compute_agentsRequest"), qos, NULL);
-  const dds_entity_t reader = dds_create_reader(
-      participant, topic(participant, &response, "rr/compute_agentsReply"), qos, NULL);
-  const dds_entity_t states = dds_create_reader(
-      participant, topic(participant, &agents, "rt/human_states"), qos, NULL);
-  for (int wait = 0; wait < 2000 && !isMatched(writer, reader, states); ++wait) {
+  const dds_entity_t participant = peerParticipant(argv[1]);
+  const PeerService service = peerClient(
+      participant, "compute_agents", "hunav_msgs::srv::dds_::ComputeAgents",
+      &hunav_msgs_srv_ComputeAgentsRequest_desc, &hunav_msgs_srv_ComputeAgentsResponse_desc);
+  const dds_entity_t writer = service.writer;
+  const dds_entity_t reader = service.reader;
+  const PeerQos plain = {true, false, 10};
+  const dds_entity_t states = peerReader(participant, &hunav_msgs_msg_Agents_desc,
+                                         "hunav_msgs::msg::dds_::Agents_", "rt/human_states", plain);
+  for (int wait = 0; wait < 2000 && (peerReaders(writer) == 0 || peerWriters(reader) == 0 ||
+                                     peerWriters(states) == 0);
+       ++wait) {
     dds_sleepfor(DDS_MSECS(10));
   }
   dds_sleepfor(DDS_MSECS(500)); /* the other side sees both ends a little later */
@@ -137,7 +100,6 @@ int main(int argc, char** argv) {
       dds_return_loan(states, &sample, 1);
     }
   }
-  dds_delete_qos(qos);
   dds_delete(participant);
   return answers == calls ? 0 : 1;
 }
