@@ -8,10 +8,16 @@
 
 namespace bridge {
 
+namespace {
+
+constexpr int kLevel = 1;  // the fastest that is not much larger: a run goes on beside it
+
+}  // namespace
+
 std::string zstdPacked(std::string_view bytes) {
   std::string packed(ZSTD_compressBound(bytes.size()), '\0');
   const std::size_t size =
-      ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), ZSTD_CLEVEL_DEFAULT);
+      ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), kLevel);
   if (ZSTD_isError(size) != 0U) {  // there is room, so it is memory that is missing
     throw std::bad_alloc();
   }

@@ -98,7 +98,7 @@ Marker outlineMarker(double seconds, const std::string& kind, int id,
 void addPeople(MarkerArray& to, const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
   const sim2d::HumanColumns& humans = frame.humans;
   for (std::size_t k = 0; k < humans.size(); ++k) {
-    const sim2d::TraceHuman* const human = header.human(humans.id[k]);
+    const sim2d::TraceHuman* const human = humanOf(header, humans, k);
     Body body;
     body.kind = "people";
     body.id = humans.id[k];
@@ -139,6 +139,7 @@ void addRobots(MarkerArray& to, const sim2d::TraceHeader& header, const sim2d::F
 
 MarkerArray bodyMarkersOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
   MarkerArray all;
+  all.markers.reserve(1 + 3 * frame.humans.size() + 4 * frame.robots.size());
   all.markers.push_back(eraser(frame.time));
   addPeople(all, header, frame);
   addRobots(all, header, frame);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 namespace bridge {
@@ -15,9 +16,9 @@ float floatOf(double value) {
 }
 
 /// A resolved number of a person; 0 when the record does not have it.
-double parameterOf(const sim2d::TraceHuman& human, const char* key) {
+double parameterOf(const sim2d::TraceHuman& human, std::string_view key) {
   for (const auto& [name, value] : human.parameters) {
-    if (name == key) {
+    if (std::string_view(name) == key) {
       return value;
     }
   }
@@ -59,14 +60,26 @@ hunav_msgs::AgentBehavior behaviorOf(const sim2d::TraceHuman& human, std::uint8_
   behavior.type = static_cast<std::uint8_t>(human.behavior);
   behavior.state = state;
   behavior.configuration = static_cast<std::uint8_t>(human.configuration);
-  behavior.duration = floatOf(parameterOf(human, "duration"));
-  behavior.once = parameterOf(human, "once") != 0.0;
-  behavior.vel = floatOf(parameterOf(human, "vel"));
-  behavior.dist = floatOf(parameterOf(human, "dist"));
-  behavior.socialForceFactor = floatOf(parameterOf(human, "social_force_factor"));
-  behavior.goalForceFactor = floatOf(parameterOf(human, "goal_force_factor"));
-  behavior.obstacleForceFactor = floatOf(parameterOf(human, "obstacle_force_factor"));
-  behavior.otherForceFactor = floatOf(parameterOf(human, "other_force_factor"));
+  for (const auto& [key, value] : human.parameters) {
+    const std::string_view name = key;  // compares lengths first
+    if (name == "duration") {
+      behavior.duration = floatOf(value);
+    } else if (name == "once") {
+      behavior.once = value != 0.0;
+    } else if (name == "vel") {
+      behavior.vel = floatOf(value);
+    } else if (name == "dist") {
+      behavior.dist = floatOf(value);
+    } else if (name == "social_force_factor") {
+      behavior.socialForceFactor = floatOf(value);
+    } else if (name == "goal_force_factor") {
+      behavior.goalForceFactor = floatOf(value);
+    } else if (name == "obstacle_force_factor") {
+      behavior.obstacleForceFactor = floatOf(value);
+    } else if (name == "other_force_factor") {
+      behavior.otherForceFactor = floatOf(value);
+    }
+  }
   return behavior;
 }
 
@@ -77,7 +90,7 @@ hunav_msgs::Agent agentOf(const sim2d::TraceHeader& header, const sim2d::HumanCo
   agent.type = hunav_msgs::Agent::kPerson;
   agent.groupId = static_cast<std::int8_t>(std::clamp(humans.group[at], -1, 127));
   setMotion(humans, at, agent);
-  if (const sim2d::TraceHuman* const human = header.human(humans.id[at])) {
+  if (const sim2d::TraceHuman* const human = humanOf(header, humans, at)) {
     agent.name = human->name;
     agent.desiredVelocity = floatOf(human->desiredSpeed);
     agent.radius = floatOf(human->radius);
@@ -97,6 +110,12 @@ const sim2d::TraceRobot* robotIn(const sim2d::TraceHeader& header, int id) {
 }
 
 }  // namespace
+
+const sim2d::TraceHuman* humanOf(const sim2d::TraceHeader& header,
+                                 const sim2d::HumanColumns& humans, std::size_t at) {
+  const bool isThere = at < header.humans.size() && header.humans[at].id == humans.id[at];
+  return isThere ? &header.humans[at] : header.human(humans.id[at]);
+}
 
 std::int64_t nanosecondsOf(double seconds) {
   return std::llround(seconds * static_cast<double>(kNanoseconds));
@@ -144,6 +163,7 @@ base::Pose2 poseIn(const sim2d::BodyColumns& bodies, std::size_t at) {
 hunav_msgs::Agents agentsOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
   hunav_msgs::Agents all;
   all.header = headerOf(frame.time);
+  all.agents.reserve(frame.humans.size());
   for (std::size_t k = 0; k < frame.humans.size(); ++k) {
     all.agents.push_back(agentOf(header, frame.humans, k));
   }
@@ -172,8 +192,9 @@ people_msgs::People peopleOf(const sim2d::TraceHeader& header, const sim2d::Fram
   people_msgs::People all;
   all.header = headerOf(frame.time);
   const sim2d::HumanColumns& humans = frame.humans;
+  all.people.reserve(humans.size());
   for (std::size_t k = 0; k < humans.size(); ++k) {
-    const sim2d::TraceHuman* const human = header.human(humans.id[k]);
+    const sim2d::TraceHuman* const human = humanOf(header, humans, k);
     people_msgs::Person person;
     person.name = human != nullptr ? human->name : std::to_string(humans.id[k]);
     person.position = {humans.x[k], humans.y[k], humans.heading[k]};

@@ -22,7 +22,10 @@ builtin_interfaces::Time stampOf(double seconds);
 double secondsOf(const builtin_interfaces::Time& stamp);
 std_msgs::Header headerOf(double seconds, const std::string& frame = kMapFrame);
 
-geometry_msgs::Quaternion turnOf(double heading);      // about z, [rad]
+geometry_msgs::Quaternion turnOf(double heading);  // about z, [rad]
+/// Of the record; null: it does not have that one. Mostly they stand there in the same order.
+const sim2d::TraceHuman* humanOf(const sim2d::TraceHeader& header,
+                                 const sim2d::HumanColumns& humans, std::size_t at);
 double headingOf(const geometry_msgs::Quaternion& q);  // about z, (-pi, pi]
 geometry_msgs::Pose poseOf(const base::Pose2& pose);
 geometry_msgs::Pose poseOf(const base::Vec2& point);  // not turned

@@ -198,7 +198,7 @@ void RunTopics::tellTransforms(const Telling& telling) {
           transform(frame.time, odometry, robots_[k].frames + kFootprint, believed));
     }
     for (std::size_t k = 0; k < frame.humans.size(); ++k) {
-      const sim2d::TraceHuman* const human = header_.human(frame.humans.id[k]);
+      const sim2d::TraceHuman* const human = humanOf(header_, frame.humans, k);
       all.transforms.push_back(
           transform(frame.time, kMapFrame,
                     human != nullptr ? human->name : "agent" + std::to_string(frame.humans.id[k]),
