@@ -21,6 +21,8 @@ class RobotDrive {
   /// In the next `command` instead of what the planner says.
   /// A planner that is driven from outside takes it as the newest word.
   void steer(std::size_t robot, const BodyTwist& command);
+  /// It was put somewhere else and takes itself to be there, at rest.
+  void relocate(std::size_t robot, const Pose2& pose) { sensors_.relocate(robot, pose); }
   /// Commands of this step, within the limits of speed and acceleration. Emits `replan`.
   const std::vector<BodyTwist>& command(const FrozenWorld& world, WorldState& state);
   /// From now on the robot drives by the planner and the limits that it has there.

@@ -22,6 +22,9 @@ class RobotSensors {
   /// looks at its scan.
   void update(const FrozenWorld& world, const std::vector<char>& isScanRead);
 
+  /// It was put there, at rest: errors of odometry add up from here.
+  void relocate(std::size_t robot, const Pose2& pose) { robots_[robot].odometry.reset(pose); }
+
   /// Errors are drawn by another seed from now on; people walk on with their legs as they do.
   void reseed(std::uint64_t seed);
 

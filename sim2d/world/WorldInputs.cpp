@@ -83,7 +83,31 @@ std::string RunningWorld::take(Input& input) {
     }
     return {};
   }
+  if (input.kind == InputKind::Move && input.id < 0) {
+    return putRobot(input);
+  }
   return input.kind == InputKind::Add ? addCopy(input) : takeForPerson(input);
+}
+
+/// Somewhere else, at rest; it takes itself to be there.
+std::string RunningWorld::putRobot(Input& input) {
+  const auto robot = static_cast<std::size_t>(-1 - input.id);  // -1, -2 …
+  if (robot >= model_.robots.size()) {
+    return "there is no robot " + std::to_string(input.id);
+  }
+  const std::optional<Vec2> free =
+      navigation_->nearestFit(robotReaches_[robot], input.pose.position);
+  if (!free || (*free - input.pose.position).norm() > kPlaceReach) {
+    return "there is no room for it within " + base::formatDouble(kPlaceReach) + " m";
+  }
+  input.pose = {*free, base::wrapToPi(input.pose.heading)};
+  RobotState& now = state_.robots[robot];
+  now.pose = input.pose;
+  now.velocity.setZero();
+  now.linear = now.lateral = now.omega = 0.0;
+  physics_.place(static_cast<int>(robot), now.pose);
+  robots_.relocate(robot, now.pose);
+  return {};
 }
 
 std::string RunningWorld::takeForPerson(const Input& input) {

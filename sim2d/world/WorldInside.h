@@ -101,6 +101,7 @@ class RunningWorld : public World {
   /// What is wrong with the input; empty: it acts.
   std::string take(Input& input);
   std::string takeForPerson(const Input& input);
+  std::string putRobot(Input& input);
   std::string setEntry(int human, const std::string& words);
   void holdStopped();
   std::string addCopy(Input& input);

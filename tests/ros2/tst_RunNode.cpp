@@ -18,6 +18,7 @@ class RunNodeTest : public QObject {
   void run_commandsOfOthers_driveTheRobot_data();
   void run_commandsOfOthers_driveTheRobot();
   void run_badCommand_isLeftOutAndTold();
+  void run_initialPose_putsTheRobotThere();
 };
 
 namespace {
@@ -165,6 +166,34 @@ void RunNodeTest::run_badCommand_isLeftOutAndTold() {
     QVERIFY(drive.step());
   }
   QCOMPARE(drive.told.size(), before);
+}
+
+void RunNodeTest::run_initialPose_putsTheRobotThere() {
+  Drive drive(false);
+  QVERIFY(drive.run && drive.verdict.world);
+  using Pose = geometry_msgs::PoseWithCovarianceStamped;
+  const auto poses = drive.other->publisher(drive.node, "/initialpose", Pose::kType, Qos());
+  Pose pose;
+  pose.header.frameId = "odom";
+  pose.pose.pose.position = {1.0, -2.0, 0.0};
+  pose.pose.pose.orientation = {0.0, 0.0, std::sin(0.6), std::cos(0.6)};
+  const auto until = std::chrono::steady_clock::now() + kLong;
+  const auto publishUntil = [&](const std::function<bool()>& isDone) {
+    while (!isDone() && std::chrono::steady_clock::now() < until) {
+      (*poses)->publish(encode(pose));
+      drive.other->spin(Milliseconds(5));
+      QVERIFY(drive.step());
+    }
+  };
+  publishUntil([&] { return !drive.told.empty(); });
+  QVERIFY(agentstest::hasRemark(drive.told, "ros2.bad-message"));
+  QCOMPARE(drive.robotX(), -3.0);
+  pose.header.frameId = "map";
+  publishUntil([&] { return drive.robotX() > 0.0; });
+  const sim2d::RobotColumns& robots = drive.verdict.world->frame().robots;
+  QCOMPARE(robots.x[0], 1.0);
+  QCOMPARE(robots.y[0], -2.0);
+  QVERIFY(std::fabs(robots.heading[0] - 1.2) < 1e-12);
 }
 
 QTEST_APPLESS_MAIN(RunNodeTest)

@@ -15,6 +15,8 @@ class WorldInputsTest : public QObject {
   void step_robotCommand_replacesThePlannersForThatStep();
   void step_doorOpened_letsPeopleThrough();
   void step_personMoved_goesOnFromThere();
+  void step_robotMoved_standsThereAndGoesOn();
+  void step_robotMovedIntoAWall_isRefused();
   void step_personAdded_isACopyWithAnIdOfItsOwn();
   void step_personAddedAfterTheLastId_isRefused();
   void step_personAddedInAWall_standsBesideIt();
@@ -108,6 +110,52 @@ void WorldInputsTest::step_personMoved_goesOnFromThere() {
   const auto reached = ofKind(advance(*world, 200), EventKind::Goal);
   QVERIFY(std::any_of(reached.begin(), reached.end(),
                       [](const Recorded& recorded) { return recorded.event.id == 7; }));
+}
+
+void WorldInputsTest::step_robotMoved_standsThereAndGoesOn() {
+  Scenario scenario;
+  addRobot(scenario, {0.0, 0.0}, {9.0, 0.0});
+  scenario.robots[0].odometryNoise.alpha1 = 0.02;
+  scenario.robots[0].odometryNoise.alpha3 = 0.02;
+  const std::unique_ptr<World> world = make(scenario);
+  QVERIFY(world != nullptr);
+  world->tellSenses(true);
+  advance(*world, 40);
+  const RobotColumns before = world->frame().robots;
+  QVERIFY(before.x[0] > 0.5);
+  Input move = placing(InputKind::Move, -1, {4.0, 3.0});
+  move.pose.heading = 1.0;
+  QVERIFY(world->step({move}));
+  const Frame& frame = world->frame();
+  const base::Pose2 there = {{frame.robots.x[0], frame.robots.y[0]}, frame.robots.heading[0]};
+  QVERIFY((there.position - Vec2(4.0, 3.0)).norm() < 0.01);  // it has begun to drive
+  QVERIFY(std::fabs(there.heading - 1.0) < 0.1);
+  QVERIFY(Vec2(frame.robots.vx[0], frame.robots.vy[0]).norm() < 0.1);
+  QCOMPARE(frame.inputs.size(), std::size_t{1});
+  const base::Pose2 believed = frame.senses->front().believed;  // in the step that led here
+  QVERIFY((believed.position - Vec2(4.0, 3.0)).norm() < 1e-9);
+  QVERIFY(std::fabs(believed.heading - 1.0) < 1e-9);
+  advance(*world, 200);  // 5.8 m at 1 m/s; where it arrives is as far off as it believes
+  const RobotColumns& after = world->frame().robots;
+  QVERIFY2((Vec2(after.x[0], after.y[0]) - Vec2(9.0, 0.0)).norm() < 2.0,
+           qPrintable(QString::number(after.x[0]) + QLatin1Char(32) + QString::number(after.y[0])));
+}
+
+/// A wall 2 m thick.
+void WorldInputsTest::step_robotMovedIntoAWall_isRefused() {
+  Scenario scenario;
+  addRoom(scenario, {-5.0, -3.0}, {5.0, 3.0});
+  addWall(scenario, {{2.5, -3.0}, {2.5, -0.5}}, 2.0);
+  addRobot(scenario, {-3.0, 2.0}, {-3.0, -2.0});
+  const std::unique_ptr<World> world = make(scenario);
+  QVERIFY(world != nullptr);
+  for (const Input& move :
+       {placing(InputKind::Move, -1, {2.5, -1.8}), placing(InputKind::Move, -2, {0.0, 0.0})}) {
+    QVERIFY(world->step({move}));
+    QCOMPARE(world->refused().size(), std::size_t{1});
+    QVERIFY(world->frame().inputs.empty());
+  }
+  QVERIFY(std::fabs(world->frame().robots.x[0] + 3.0) < 0.1);
 }
 
 void WorldInputsTest::step_personAdded_isACopyWithAnIdOfItsOwn() {

@@ -45,6 +45,7 @@ class DdsRunNode final : public RunNode {
   void waitForCommand();
   void takeCommand(const geometry_msgs::Twist& twist);
   void takeStamped(const geometry_msgs::TwistStamped& command);
+  void takePose(const geometry_msgs::PoseWithCovarianceStamped& message);
   void tellOnce(const base::Diagnostic& said) {
     if (told_.insert(causeOf(said)).second) {
       if (hasStarted_) {
@@ -65,6 +66,7 @@ class DdsRunNode final : public RunNode {
   Node node_;
   std::vector<std::unique_ptr<Publisher>> publishers_;  // by topic
   std::optional<geometry_msgs::Twist> command_;         // not given to a step yet
+  std::optional<sim2d::Input> moved_;                   // idem
   std::uint64_t commands_ = 0;
   const Subscription* driver_ = nullptr;
   std::unique_ptr<GoalSender> goals_;
@@ -82,6 +84,8 @@ base::Diagnostics DdsRunNode::start(bool hasRobot) {
   }
   if (hasRobot) {
     subscribeCommands();
+    node_.subscribe<geometry_msgs::PoseWithCovarianceStamped>(
+        "/initialpose", Qos(), [this](const auto& pose) { takePose(pose); });
   }
   if (hasRobot && settings_.sendsGoals) {
     auto made = GoalSender::create(*participant_, node_.number(), settings_.domain.distro,
@@ -128,17 +132,41 @@ void DdsRunNode::takeCommand(const geometry_msgs::Twist& twist) {
   ++commands_;
 }
 
+void DdsRunNode::takePose(const geometry_msgs::PoseWithCovarianceStamped& message) {
+  const std::string& frame = message.header.frameId;
+  const geometry_msgs::Pose& pose = message.pose.pose;
+  const geometry_msgs::Quaternion& q = pose.orientation;
+  const bool isUsable = std::isfinite(pose.position.x) && std::isfinite(pose.position.y) &&
+                        std::isfinite(q.x + q.y + q.z + q.w);
+  if (!isUsable || (!frame.empty() && frame != kMapFrame)) {
+    tellOnce(base::problem(
+        base::Severity::Warning, "ros2.bad-message",
+        {"/initialpose", isUsable ? "its frame is not 'map'" : "a number is not finite"}));
+    return;
+  }
+  sim2d::Input input;
+  input.kind = sim2d::InputKind::Move;
+  input.id = kFirstRobot;
+  input.pose = {{pose.position.x, pose.position.y}, headingOf(q)};
+  moved_ = input;
+}
+
 void DdsRunNode::readAll() {
   for (int i = 0; i < kReadAtMost && participant_->spin(Milliseconds(0)); ++i) {
   }
 }
 
 void DdsRunNode::publish(const sim2d::Frame& frame) {
-  topics_.tell(frame, [this](std::size_t topic, const std::string& bytes) {
+  const auto send = [this](std::size_t topic, const std::string& bytes) {
     if (publishers_[topic] != nullptr) {
       publishers_[topic]->publish(bytes);
     }
-  });
+  };
+  const auto isHeard = [this](std::size_t topic) {  // what is kept for later is sent in any case
+    return topics_.topics()[topic].isLatched ||
+           (publishers_[topic] != nullptr && publishers_[topic]->matched() > 0);
+  };
+  topics_.tell(frame, send, isHeard);
 }
 
 void DdsRunNode::followGoal(const sim2d::Frame& frame) {
@@ -207,8 +235,12 @@ sim2d::StepInputs DdsRunNode::inputs(const sim2d::Frame& frame) {
   if (settings_.lockstep && isDriven_) {
     waitForCommand();
   }
+  sim2d::StepInputs inputs;
+  if (moved_) {
+    inputs.push_back(*std::exchange(moved_, std::nullopt));
+  }
   if (!command_) {
-    return {};
+    return inputs;
   }
   const geometry_msgs::Twist twist = *std::exchange(command_, std::nullopt);
   sim2d::Input input;
@@ -216,7 +248,8 @@ sim2d::StepInputs DdsRunNode::inputs(const sim2d::Frame& frame) {
   input.id = kFirstRobot;
   input.velocity = {twist.linear.x, twist.linear.y};
   input.omega = twist.angular.z;
-  return {input};
+  inputs.push_back(input);
+  return inputs;
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ struct RunNodeSettings {
   std::function<bool()> wantsStop{};  // asked while it waits for the first command
 };
 
-/// A run as the node `hunavsim`: it publishes what `RunTopics` tells and takes /cmd_vel for its
-/// first robot. One thread: the one that runs.
+/// A run as the node `hunavsim`: it publishes what `RunTopics` tells, and for its first robot takes
+/// /cmd_vel and /initialpose (it is put there). One thread: the one that runs.
 class RunNode {
  public:
   using Tell = std::function<void(const base::Diagnostic&)>;
