@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2034
 # Shared by run.sh and test.sh (sourced): where things are, packages, one build.
-# Everything that is written lies below build/ of the clone.
+# Everything that is written lies below build/ of the clone, but for what tests write for a while.
 
 unset CDPATH
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd -P)
@@ -82,16 +82,18 @@ need_packages() {
 # Readers of others (npm, tests/peers) into build/peers; without npm or the net their tests skip.
 need_peers() {
   local folder=$build/peers
-  if [ -n "${HUNAV_PEERS:-}" ] || ! command -v npm >/dev/null ||
-    cmp -s "$root/tests/peers/package-lock.json" "$folder/installed.json"; then
+  if [ -n "${HUNAV_NO_PACKAGES:-}${HUNAV_PEERS:-}" ] || ! command -v npm >/dev/null ||
+    cmp -s "$root/tests/peers/package-lock.json" "$folder/package-lock.json"; then
     return 0
   fi
   say "installing the readers of tests/peers"
-  rm -rf "$folder"
-  mkdir -p "$folder"
-  cp "$root"/tests/peers/package*.json "$folder"
-  if npm ci --prefix "$folder" --ignore-scripts --no-audit --no-fund >"$logs/npm.log" 2>&1; then
-    cp "$folder/package-lock.json" "$folder/installed.json"
+  rm -rf "$folder.new"
+  mkdir -p "$folder.new"
+  cp "$root"/tests/peers/package*.json "$folder.new"
+  if npm ci --prefix "$folder.new" --ignore-scripts --no-audit --no-fund --cache "$build/npm" \
+    --logs-dir "$logs" >"$logs/npm.log" 2>&1; then
+    rm -rf "$folder"
+    mv "$folder.new" "$folder"
   else
     say "npm could not install them (log: $logs/npm.log): their tests skip"
   fi

@@ -22,20 +22,50 @@ check_format() {
 }
 
 # What tests write lies in memory where there is room: they sync all they write, and a disk takes two
-# thirds of their time. Until the shell ends; `folder` then is a folder again.
+# thirds of their time. A link stands in the place of the folder until the shell ends.
+memory_of() {
+  printf '/dev/shm/hunavsim-tests-%s-%s' "$(id -u)" "$(cksum <<<"$build/$1" | cut -d ' ' -f 1)"
+}
+
+# has_memory: 8 GB of it for files that may be programs, and 12 in all.
+has_memory() {
+  local room available
+  room=$(df --output=avail -k /dev/shm 2>/dev/null | tail -n 1) || return 1
+  available=$(awk '/^MemAvailable/ { print $2 }' /proc/meminfo)
+  [ "${room:-0}" -ge $((8 << 20)) ] && [ "${available:-0}" -ge $((12 << 20)) ] &&
+    ! grep -q '^[^ ]* /dev/shm [^ ]* [^ ]*noexec' /proc/mounts
+}
+
+# free_memory PRESET
+free_memory() {
+  local folder=$build/$1/test-output/tmp
+  rm -rf "$(memory_of "$1")"
+  if [ -L "$folder" ]; then
+    rm "$folder"
+    mkdir -p "$folder"
+  fi
+}
+
 keep_in_memory() {
-  local folder=$1 room memory
-  if [ -L "$folder" ]; then  # of a run that was killed
-    rm -rf "$(readlink "$folder")" "$folder"
+  free_memory "$1"
+  if has_memory && mkdir -m 700 "$(memory_of "$1")"; then
+    rm -rf "$build/$1/test-output/tmp"
+    mkdir -p "$build/$1/test-output"
+    ln -s "$(memory_of "$1")" "$build/$1/test-output/tmp"
+    in_memory=$1
+    trap 'free_memory "$in_memory"' EXIT
   fi
-  room=$(df --output=avail -k /dev/shm 2>/dev/null | tail -n 1) || room=0
-  if [ "${room:-0}" -ge "$((8 * 1024 * 1024))" ] && memory=$(mktemp -d /dev/shm/hunavsim-tests-XXXXXX); then
-    rm -rf "$folder"
-    mkdir -p "$(dirname "$folder")"
-    ln -s "$memory" "$folder"
-    # shellcheck disable=SC2064  # as they are now
-    trap "rm -rf '$memory' '$folder' && mkdir -p '$folder'" EXIT
-  fi
+}
+
+# After a run that was killed.
+mend_links() {
+  local folder
+  for folder in "$build"/*/test-output/tmp; do
+    if [ -L "$folder" ]; then
+      folder=${folder%/test-output/tmp}
+      free_memory "${folder##*/}"
+    fi
+  done
 }
 
 # run_tests PRESET [CTEST OPTIONS…]
@@ -43,7 +73,7 @@ run_tests() {
   local preset=$1
   shift
   say "testing $preset"
-  keep_in_memory "$build/$preset/test-output/tmp"
+  keep_in_memory "$preset"
   (cd "$root" && "${launcher[@]}" ctest --preset "$preset" --parallel "$jobs" --no-tests=error "$@")
 }
 
@@ -158,6 +188,7 @@ for argument in "$@"; do
 done
 
 lock_build
+mend_links
 need_packages "${packages_to_run[@]}" "${packages_to_test[@]}"
 [ "$all" = no ] || need_packages "${packages_to_compare[@]}"
 need_peers

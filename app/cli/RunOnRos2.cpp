@@ -29,11 +29,16 @@ namespace {
 
 class TopicsOfRun final : public RunOnRos2 {
  public:
-  explicit TopicsOfRun(std::unique_ptr<bridge::RunNode> node) : node_(std::move(node)) {}
-  void tell(const sim2d::Frame& frame) override { node_->tell(frame); }
+  TopicsOfRun(std::unique_ptr<bridge::RunNode> node, const sim2d::World& world)
+      : node_(std::move(node)), world_(world) {}
+  void tell(const sim2d::Frame& frame) override {
+    node_->tellRefused(world_.refused());
+    node_->tell(frame);
+  }
 
  private:
   std::unique_ptr<bridge::RunNode> node_;
+  const sim2d::World& world_;
 };
 
 }  // namespace
@@ -54,7 +59,7 @@ std::unique_ptr<RunOnRos2> RunOnRos2::open(const RunOnRos2Words& words,
   world.tellSenses(true);
   session.setSpeed(1.0);
   session.steer([&to = **node](const sim2d::Frame& frame) { return to.inputs(frame); });
-  return std::make_unique<TopicsOfRun>(*std::move(node));
+  return std::make_unique<TopicsOfRun>(*std::move(node), world);
 }
 #else
 std::unique_ptr<RunOnRos2> RunOnRos2::open(const RunOnRos2Words& words,

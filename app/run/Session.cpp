@@ -17,6 +17,7 @@ using Seconds = std::chrono::duration<double>;
 constexpr double kMostLag = 0.1;  // [s] of wall time that are caught up with
 constexpr double kMeasureSeconds = 0.5;
 constexpr std::size_t kMostPastEntries = 20000;  // changes that nobody has taken
+constexpr std::size_t kMostRefused = 1000;       // inputs that nobody has asked about
 
 }  // namespace
 
@@ -219,7 +220,9 @@ bool Session::waitForTurn(sim2d::World& world) {
     news_.broke = broke;
   }
   wantsEntries_ = true;
-  base::append(news_.refused, world.refused());
+  if (news_.refused.size() < kMostRefused) {
+    base::append(news_.refused, world.refused());
+  }
   while (!stop_) {
     serve(world.behavior(), world.view());
     if (world.stepIndex() < repeatUntil_) {

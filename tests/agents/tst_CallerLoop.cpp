@@ -259,7 +259,7 @@ void CallerLoopTest::loop_tenPeopleFiveMinutes_isTheHeadlessRun() {
   const Difference difference = differenceOfLoop(scenario, wrapper, 300.0);
   qInfo("largest difference %.3g m, %.3g rad; least way %.1f m; %d states of reaction",
         difference.place, difference.heading, difference.walked, difference.active);
-  QVERIFY(difference.place < 1e-3);
+  QVERIFY(difference.place < 2e-4);
   QVERIFY(difference.heading < 1e-3);
   QVERIFY(difference.walked > 2.0);
   QVERIFY(difference.active > 0);

@@ -1,7 +1,7 @@
 // node ros2_topics.js PEERS DOMAIN: hears a run as a node of ROS 2 with Foxglove's own RTPS, on the
 // loopback, and decodes each message by the standard definition of its type. Prints "ready" when all
-// publishers are met, "kept" when each latched topic has said something; when its input ends, one JSON
-// object: topic -> {count, last}.
+// publishers are met, "kept" when each latched topic has said something, "hearing" when each of the
+// others has; when its input ends, one JSON object: topic -> {count, last}.
 "use strict";
 const load = require("module").createRequire(process.argv[2] + "/package.json");
 const domain = Number(process.argv[3]);
@@ -162,12 +162,16 @@ async function main() {
   });
   while (!(await hear(heard))) heard = {};
   console.log("ready");
-  const look = setInterval(() => {
-    if (latched.every((topic) => heard[topic].count > 0)) {
-      clearInterval(look);
-      console.log("kept");
-    }
-  }, 20);
+  const sayOnce = (word, wanted) => {
+    const look = setInterval(() => {
+      if (wanted.every((topic) => heard[topic].count > 0)) {
+        clearInterval(look);
+        console.log(word);
+      }
+    }, 20);
+  };
+  sayOnce("kept", latched);
+  sayOnce("hearing", Object.keys(topics).filter((topic) => !latched.includes(topic)));
 }
 main().catch((problem) => {
   console.log(problem.stack);

@@ -67,6 +67,7 @@ struct Drive {
     return made ? *std::move(made) : nullptr;
   }
   bool step() {
+    run->tellRefused(verdict.world->refused());
     run->tell(verdict.world->frame());
     return verdict.world->step(run->inputs(verdict.world->frame()));
   }
@@ -194,6 +195,10 @@ void RunNodeTest::run_initialPose_putsTheRobotThere() {
   QCOMPARE(robots.x[0], 1.0);
   QCOMPARE(robots.y[0], -2.0);
   QVERIFY(std::fabs(robots.heading[0] - 1.2) < 1e-12);
+  pose.pose.pose.position.x = 1e12;  // the world does not go so far
+  publishUntil([&] { return agentstest::hasRemark(drive.told, "world.refused-input"); });
+  QVERIFY(agentstest::hasRemark(drive.told, "world.refused-input"));
+  QCOMPARE(drive.robotX(), 1.0);
 }
 
 QTEST_APPLESS_MAIN(RunNodeTest)

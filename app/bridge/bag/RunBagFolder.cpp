@@ -50,7 +50,8 @@ void RunBagFolder::append(const sim2d::Frame& frame) {
     return;
   }
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [this] { return taken_.size() < kMostTaken || thrown_ != nullptr; });
+  changed_.wait(lock,
+                [this] { return taken_.size() < kMostTaken || thrown_ != nullptr || isOver_; });
   if (thrown_ != nullptr) {
     std::rethrow_exception(thrown_);
   }

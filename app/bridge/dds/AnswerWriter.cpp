@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace bridge {
 namespace {
@@ -30,17 +31,25 @@ void AnswerWriter::send(const rtps::GUID_t& asker, Bytes answer,
                         const rtps::WriteParams& parameters) {
   sendKept();
   Kept made = {asker, std::move(answer), parameters, Clock::now() + kLongestWait};
-  if (kept_.size() < kMostKept && (isKeptFor(asker) || !met_->has(asker))) {
-    kept_.push_back(std::move(made));
+  if (!isKeptFor(asker) && met_->has(asker)) {
+    writer_.write(made.answer, made.parameters);
     return;
   }
-  writer_.write(made.answer, made.parameters);
+  if (kept_.size() >= kMostKept) {
+    writer_.write(kept_.front().answer, kept_.front().parameters);
+    kept_.pop_front();
+  }
+  kept_.push_back(std::move(made));
 }
 
 void AnswerWriter::sendKept() {
   const Clock::time_point now = kept_.empty() ? Clock::time_point() : Clock::now();
+  std::vector<rtps::GUID_t> waiting;  // answers to one go out in their order
   for (auto each = kept_.begin(); each != kept_.end();) {
-    if (now < each->until && !met_->has(each->asker)) {
+    const bool waits = std::find(waiting.begin(), waiting.end(), each->asker) != waiting.end() ||
+                       (now < each->until && !met_->has(each->asker));
+    if (waits) {
+      waiting.push_back(each->asker);
       ++each;
       continue;
     }

@@ -10,7 +10,9 @@ namespace bridge {
 
 /// Writes the answers of a service. A client that asks has often found us before we have found the
 /// reader of its answers, and what is written until then does not reach it: its answers are kept
-/// until it is met, those to others go out meanwhile.
+/// until it is met, for two seconds at most (256 of them), and those to others go out meanwhile.
+/// Calls of rmw_cyclonedds tell the participant of who asks alone: of several clients of one
+/// service in one participant the first to be met lets all answers out.
 class AnswerWriter {
  public:
   /// `met`: the listener of `writer`.

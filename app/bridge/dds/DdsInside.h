@@ -49,7 +49,7 @@ class Bell : public efd::DataReaderListener {
   std::uint64_t count_ = 0;
 };
 
-/// Which readers of others a writer has met; rings when there is a new one.
+/// Which readers of others a writer has met; rings when that changes.
 class MetReaders : public efd::DataWriterListener {
  public:
   explicit MetReaders(Bell& bell) : bell_(bell) {}

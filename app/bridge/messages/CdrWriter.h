@@ -20,6 +20,7 @@ class CdrWriter {
  public:
   explicit CdrWriter(std::string& to);
 
+  /// For `fields` within `message`.
   template <class T>
   void operator()(const char* /*name*/, const T& value) {
     put(value);

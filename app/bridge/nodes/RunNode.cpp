@@ -18,6 +18,7 @@ constexpr Milliseconds kLockstepWait(2000);
 constexpr Milliseconds kMeetWait(3000), kFirstCommandWait(20000), kTellAgain(200);
 constexpr std::int64_t kSameStamp = 1000;  // [ns], of times that are multiples of a step
 constexpr int kReadAtMost = 100;           // messages between two steps
+constexpr double kNoTurn = 1e-9;           // length of a quaternion that was not filled
 constexpr int kFirstRobot = -1;            // its id in frames
 
 class DdsRunNode final : public RunNode {
@@ -34,6 +35,11 @@ class DdsRunNode final : public RunNode {
   base::Diagnostics start(bool hasRobot);
   void tell(const sim2d::Frame& frame) override;
   sim2d::StepInputs inputs(const sim2d::Frame& frame) override;
+  void tellRefused(const base::Diagnostics& refused) override {
+    for (const base::Diagnostic& said : refused) {
+      tellOnce(said);
+    }
+  }
   std::uint64_t commands() const override { return commands_; }
 
  private:
@@ -135,9 +141,10 @@ void DdsRunNode::takeCommand(const geometry_msgs::Twist& twist) {
 void DdsRunNode::takePose(const geometry_msgs::PoseWithCovarianceStamped& message) {
   const std::string& frame = message.header.frameId;
   const geometry_msgs::Pose& pose = message.pose.pose;
-  const geometry_msgs::Quaternion& q = pose.orientation;
-  const bool isUsable = std::isfinite(pose.position.x) && std::isfinite(pose.position.y) &&
-                        std::isfinite(q.x + q.y + q.z + q.w);
+  geometry_msgs::Quaternion q = pose.orientation;
+  const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  const bool isUsable =
+      std::isfinite(pose.position.x) && std::isfinite(pose.position.y) && std::isfinite(length);
   if (!isUsable || (!frame.empty() && frame != kMapFrame)) {
     tellOnce(base::problem(
         base::Severity::Warning, "ros2.bad-message",
@@ -147,6 +154,9 @@ void DdsRunNode::takePose(const geometry_msgs::PoseWithCovarianceStamped& messag
   sim2d::Input input;
   input.kind = sim2d::InputKind::Move;
   input.id = kFirstRobot;
+  if (length > kNoTurn) {
+    q = {q.x / length, q.y / length, q.z / length, q.w / length};
+  }
   input.pose = {{pose.position.x, pose.position.y}, headingOf(q)};
   moved_ = input;
 }

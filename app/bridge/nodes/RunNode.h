@@ -35,6 +35,8 @@ class RunNode {
   /// step it waits until somebody who drives has been met (3 s at most), then for the first command
   /// (20 s), and tells the state again and again.
   virtual sim2d::StepInputs inputs(const sim2d::Frame& frame) = 0;
+  /// Inputs that the world did not take (World::refused), each once.
+  virtual void tellRefused(const base::Diagnostics& refused) = 0;
   virtual std::uint64_t commands() const = 0;  // so far
 };
 

@@ -1,6 +1,6 @@
 /* cyclone_topics DOMAIN: hears all that a run publishes, in the ways in which nodes of ROS 2 ask for
-   it. Prints "ready" when all publishers are met, "kept" when each that is latched has said something;
-   when its input ends, one line per topic: "TOPIC COUNT VALUES" with the values of the last message. */
+   it. Prints "ready" when all publishers are met, "kept" when each that is latched has said something,
+   "hearing" when each of the others has; when its input ends, one line per topic: "TOPIC COUNT VALUES" with the values of the last message. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -131,10 +131,12 @@ int main(int argc, char** argv) {
   }
   bool isReady = false;
   bool hasKept = false;
+  bool isHearing = false;
   for (bool isOver = false; !isOver;) {
     isOver = peerIsToEnd(); /* and once more, for what is there */
     int met = 0;
     int missing = 0; /* of the latched ones */
+    int silent = 0;  /* of the others */
     for (int i = 0; i < count; ++i) {
       void* sample = NULL;
       dds_sample_info_t info;
@@ -152,10 +154,16 @@ int main(int argc, char** argv) {
         sample = NULL;
       }
       missing += topics[i].qos.latched && topics[i].count == 0;
+      silent += !topics[i].qos.latched && topics[i].count == 0;
     }
     if (!hasKept && missing == 0) {
       hasKept = true;
       puts("kept");
+      fflush(stdout);
+    }
+    if (!isHearing && silent == 0) {
+      isHearing = true;
+      puts("hearing");
       fflush(stdout);
     }
     if (!isReady && met == count) {
