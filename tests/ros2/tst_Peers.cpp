@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <QFile>
@@ -497,6 +498,7 @@ void PeersTest::cyclone_isTheNavigator_theRobotArrives() {
                               [&](const base::Diagnostic& said) { told.push_back(said); });
   QVERIFY(node);
   Peer peer(program, {QString::number(domain)});
+  QVERIFY2(peer.says("ready"), peer.said());
   bool hasArrived = false;
   for (int k = 0; k < 400 && !hasArrived; ++k) {
     const sim2d::Frame& frame = verdict.world->frame();
@@ -532,8 +534,6 @@ void PeersTest::tshark_namesEveryTopicAndType() {
   }
   Told told(kDomain);
   QVERIFY(told.node);
-  Peer peer(program, {QString::number(kDomain)});
-  QVERIFY2(peer.says("ready"), peer.said());
   const QMap<QString, QString> wanted = {
       {text("rt/clock"), text("rosgraph_msgs::msg::dds_::Clock_")},
       {text("rt/tf"), text("tf2_msgs::msg::dds_::TFMessage_")},
@@ -557,11 +557,19 @@ void PeersTest::tshark_namesEveryTopicAndType() {
        text("rcl_interfaces::srv::dds_::GetParameters_Response_")},
       {text("ros_discovery_info"), text("rmw_dds_common::msg::dds_::ParticipantEntitiesInfo_")}};
   QMap<QString, QString> named;
-  QElapsedTimer clock;
-  clock.start();
-  while (named.size() < wanted.size() && clock.elapsed() < 30000) {
-    QTest::qWait(100);
+  const auto isAllNamed = [&] {
     named = namedByVendor(capture.lines(), "010f");  // eProsima: us, not Cyclone
+    return std::all_of(wanted.keyBegin(), wanted.keyEnd(),
+                       [&](const QString& topic) { return named.contains(topic); });
+  };
+  for (int peers = 0; peers < 4 && !isAllNamed(); ++peers) {  // a busy machine drops packets
+    Peer peer(program, {QString::number(kDomain)});
+    QVERIFY2(peer.says("ready"), peer.said());
+    QElapsedTimer clock;
+    clock.start();
+    while (!isAllNamed() && clock.elapsed() < 10000) {
+      QTest::qWait(100);
+    }
   }
   for (auto topic = wanted.begin(); topic != wanted.end(); ++topic) {
     QVERIFY2(named.value(topic.key()) == topic.value(),

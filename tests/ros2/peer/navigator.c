@@ -1,6 +1,6 @@
 /* cyclone_navigator DOMAIN: Nav2's action navigate_to_pose for a robot that is driven by /cmd_vel:
-   takes a goal, turns and drives towards it by /odom, says that it has succeeded. Prints "goal X Y",
-   "arrived X Y" and, when its input ends, "cancels N". */
+   takes a goal, turns and drives towards it by /odom, says that it has succeeded. Prints "ready" when the
+   robot is met, "goal X Y", "arrived X Y" and, when its input ends, "cancels N". */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -121,9 +121,16 @@ int main(int argc, char** argv) {
                              "nav_msgs::msg::dds_::Odometry_", "rt/odom", plain);
   self.commands = peerWriter(participant, &geometry_msgs_msg_Twist_desc,
                              "geometry_msgs::msg::dds_::Twist_", "rt/cmd_vel", plain);
+  bool isReady = false;
   while (!peerIsToEnd()) {
     void* sample = NULL;
     dds_sample_info_t info;
+    if (!isReady && peerWriters(self.odometry) > 0 && peerReaders(self.commands) > 0 &&
+        peerWriters(self.send.reader) > 0 && peerReaders(self.send.writer) > 0) {
+      isReady = true;
+      puts("ready");
+      fflush(stdout);
+    }
     takeGoals(&self);
     while (dds_take(self.odometry, &sample, &info, 1, 1) > 0) {
       if (info.valid_data) {
