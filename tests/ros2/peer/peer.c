@@ -22,7 +22,7 @@ dds_entity_t peerParticipant(const char* domain) {
 static dds_entity_t topicOf(dds_entity_t participant, const dds_topic_descriptor_t* descriptor,
                             const char* type, const char* name) {
   dds_topic_descriptor_t renamed = *descriptor;
-  renamed.m_typename = type;
+  renamed.m_typename = strdup(type); /* stays as long as the program */
   return checked(dds_create_topic(participant, &renamed, name, NULL, NULL), name);
 }
 
@@ -67,33 +67,46 @@ int peerWriters(dds_entity_t reader) {
 
 enum { kLongest = 256 };
 
+/* "rq/NAMERequest" with "TYPE_Request_", or the same of answers. */
+typedef struct {
+  char topic[kLongest], type[kLongest];
+} EndName;
+
+static EndName requestsOf(const char* service, const char* type) {
+  EndName end;
+  snprintf(end.topic, sizeof end.topic, "rq/%sRequest", service);
+  snprintf(end.type, sizeof end.type, "%s_Request_", type);
+  return end;
+}
+
+static EndName answersOf(const char* service, const char* type) {
+  EndName end;
+  snprintf(end.topic, sizeof end.topic, "rr/%sReply", service);
+  snprintf(end.type, sizeof end.type, "%s_Response_", type);
+  return end;
+}
+
 PeerService peerClient(dds_entity_t participant, const char* service, const char* type,
                        const dds_topic_descriptor_t* request,
                        const dds_topic_descriptor_t* response) {
-  char topic[kLongest];
-  char name[kLongest];
-  PeerService made;
-  snprintf(topic, sizeof topic, "rq/%sRequest", service);
-  snprintf(name, sizeof name, "%s_Request_", type);
-  made.writer = peerWriter(participant, request, strdup(name), topic, kService);
-  snprintf(topic, sizeof topic, "rr/%sReply", service);
-  snprintf(name, sizeof name, "%s_Response_", type);
-  made.reader = peerReader(participant, response, strdup(name), topic, kService);
+  const EndName out = requestsOf(service, type);
+  const EndName in = answersOf(service, type);
+  const PeerService made = {
+      peerWriter(participant, request, out.type, out.topic, kService),
+      peerReader(participant, response, in.type, in.topic, kService),
+  };
   return made;
 }
 
 PeerService peerServer(dds_entity_t participant, const char* service, const char* type,
                        const dds_topic_descriptor_t* request,
                        const dds_topic_descriptor_t* response) {
-  char topic[kLongest];
-  char name[kLongest];
-  PeerService made;
-  snprintf(topic, sizeof topic, "rq/%sRequest", service);
-  snprintf(name, sizeof name, "%s_Request_", type);
-  made.reader = peerReader(participant, request, strdup(name), topic, kService);
-  snprintf(topic, sizeof topic, "rr/%sReply", service);
-  snprintf(name, sizeof name, "%s_Response_", type);
-  made.writer = peerWriter(participant, response, strdup(name), topic, kService);
+  const EndName out = answersOf(service, type);
+  const EndName in = requestsOf(service, type);
+  const PeerService made = {
+      peerWriter(participant, response, out.type, out.topic, kService),
+      peerReader(participant, request, in.type, in.topic, kService),
+  };
   return made;
 }
 
