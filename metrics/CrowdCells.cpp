@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <tuple>
 
@@ -106,9 +107,26 @@ double areaInCircle(const std::vector<Vec2>& polygon, double radius) {
   return area;
 }
 
-/// What of a square around the circle no wall hides from the point.
+/// A wall in between. Each is asked: others are fewer than it takes to sort the walls by direction.
+bool CellAreas::isHidden(const Vec2& other) const {
+  return std::any_of(walls_.begin(), walls_.end(), [&](const sim2d::Segment& wall) {
+    if ((base::cross(other, wall.a) > 0.0) == (base::cross(other, wall.b) > 0.0)) {
+      return false;
+    }
+    const double share = along(other, wall);
+    return share > 0.0 && share < 1.0;
+  });
+}
+
+/// What of a square around the circle no wall hides from the point. Those beyond the circle take
+/// nothing of the area.
 void CellAreas::takeVisible() {
   const double r = radius_;
+  near_.clear();
+  std::copy_if(
+      walls_.begin(), walls_.end(), std::back_inserter(near_),
+      [r](const sim2d::Segment& wall) { return sim2d::distanceToSegment(wall, Vec2::Zero()) < r; });
+  panorama_.look(near_);
   cell_ = {Vec2(r, r), Vec2(-r, r), Vec2(-r, -r), Vec2(r, -r)};
   if (panorama_.views().empty()) {
     return;
@@ -146,14 +164,13 @@ void CellAreas::cut(const Vec2& other) {
   cell_.swap(part_);
 }
 
-/// Walls, and their images beyond the seam, as far as others may take a share. From what is free
-/// none is seen from behind: its outline is closed.
-void CellAreas::findWallsAround(const Vec2& point, const RunContext& context) {
+/// Walls, and their images beyond the seam. From what is free none is seen from behind: its outline
+/// is closed.
+void CellAreas::findWallsAround(const Vec2& point, double reach, const RunContext& context) {
   walls_.clear();
   if (context.walls == nullptr) {
     return;
   }
-  const double reach = 2.0 * radius_;
   const double turn = context.seam.length;
   const bool seesFrontsOnly =
       !context.seam.isThere() && context.walls->clearance(point, kOffWalls) >= kOffWalls;
@@ -178,17 +195,13 @@ void CellAreas::findWallsAround(const Vec2& point, const RunContext& context) {
 
 double CellAreas::areaOf(const Vec2& point, const std::vector<Vec2>& others,
                          const RunContext& context) {
-  findWallsAround(point, context);
-  panorama_.look(walls_);
-  seen_.clear();
-  for (const Vec2& other : others) {
-    if (other != point && !panorama_.hides(other - point)) {  // two in one place share it
-      seen_.push_back(other - point);
-    }
-  }
+  // As far as others may stand who take a share.
+  findWallsAround(point, others.empty() ? radius_ : 2.0 * radius_, context);
   takeVisible();
-  for (const Vec2& other : seen_) {
-    cut(other);
+  for (const Vec2& other : others) {
+    if (other != point && !isHidden(other - point)) {  // two in one place share it
+      cut(other - point);
+    }
   }
   return areaInCircle(cell_, radius_);
 }

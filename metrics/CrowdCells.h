@@ -24,15 +24,15 @@ class CellAreas {
   double areaOf(const Vec2& point, const std::vector<Vec2>& others, const RunContext& context);
 
  private:
-  void findWallsAround(const Vec2& point, const RunContext& context);
+  void findWallsAround(const Vec2& point, double reach, const RunContext& context);
+  bool isHidden(const Vec2& other) const;
   void takeVisible();
   void cut(const Vec2& other);
 
   double radius_;
   std::vector<Vec2> cell_, part_;  // corners around the point, which is the origin
-  Panorama panorama_;              // of the walls, from the point
-  std::vector<Vec2> seen_;         // others
-  std::vector<sim2d::Segment> walls_, found_;
+  Panorama panorama_;              // of the walls within the circle, from the point
+  std::vector<sim2d::Segment> walls_, near_, found_;
 };
 
 /// Area that a circle around the origin shares with the polygon, whose corners turn to the left.

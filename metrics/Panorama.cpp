@@ -92,25 +92,6 @@ void Panorama::add(const std::vector<sim2d::Segment>& walls) {
   mergeFrom(0, seen);
 }
 
-bool Panorama::hides(const Vec2& place) const {
-  constexpr double kAside = 1e-9;  // [rad] where two views meet both are asked
-  const double angle = std::atan2(place.y(), place.x());
-  const auto isBetween = [&](const View& view) {
-    const sim2d::Segment& border = wall(view);
-    const double share = along(place, border);
-    return (base::cross(place, border.a) > 0.0) != (base::cross(place, border.b) > 0.0) &&
-           share > 0.0 && share < 1.0;
-  };
-  const auto first = std::partition_point(views_.begin(), views_.end(), [&](const View& view) {
-    return view.to.angle < angle - kAside;
-  });
-  const auto end = std::partition_point(
-      first, views_.end(), [&](const View& view) { return view.from.angle <= angle + kAside; });
-  const bool isBehind = base::kPi - std::fabs(angle) <= kAside;  // where the views begin and end
-  return std::any_of(first, end, isBetween) ||
-         (isBehind && !views_.empty() && (isBetween(views_.front()) || isBetween(views_.back())));
-}
-
 /// Those of some walls behind the others.
 void Panorama::addViewsOf(std::size_t first, std::size_t end) {
   if (end - first < 2) {

@@ -28,8 +28,6 @@ class Panorama {
   /// By their turns, from -pi to pi; where there is none, no wall stands.
   const std::vector<View>& views() const { return views_; }
   const sim2d::Segment& wall(const View& view) const { return walls_[view.wall]; }
-  /// A wall between the origin and the place.
-  bool hides(const base::Vec2& place) const;
 
  private:
   using Views = std::vector<View>;

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "sim2d/base/Types.h"
 
 // Arguments are reduced with constants split into parts whose products with the number of periods
 // are exact (Cody and Waite 1980); the rest is the Taylor series of the reduced argument. Only
-// operations that IEEE 754 rounds correctly are used: + - * / sqrt fmod ldexp frexp nearbyint.
+// operations that IEEE 754 rounds correctly are used: + - * / sqrt fmod ldexp frexp.
 namespace base {
 namespace {
 
@@ -28,6 +30,26 @@ constexpr double kHalfPi = 0x1.921fb54442d18p+0;
 constexpr double kHalfPiLow = 0x1.1a62633145c07p-54;
 
 constexpr double kLargestAngle = 1e5;  // below it the products with A, B and C are exact
+
+/// The nearest whole number, ties to the even one, of |x| < 2^51: what nearbyint gives, without a
+/// call. The sum has no bits left for a fraction.
+double nearest(double x) {
+  constexpr double kNoFraction = 0x1.8p52;
+  return (x + kNoFraction) - kNoFraction;
+}
+
+/// x * 2^exponent. Without a call where both factors are normal numbers and so is the product.
+double scaled(double x, int exponent) {
+  constexpr int kBias = 1023;
+  constexpr unsigned kFraction = 52;  // [bits]
+  if (exponent < -1000 || exponent > 1000) {
+    return std::ldexp(x, exponent);
+  }
+  const std::uint64_t bits = static_cast<std::uint64_t>(exponent + kBias) << kFraction;
+  double factor = 0.0;
+  std::memcpy(&factor, &bits, sizeof(factor));
+  return x * factor;
+}
 
 /// Sum of c[i] * x^i.
 template <std::size_t N>
@@ -83,7 +105,7 @@ ReducedAngle reduceAngle(double x) {
   if (!(std::abs(x) <= kLargestAngle)) {
     x = std::fmod(x, 2.0 * kPi);
   }
-  const double turns = std::nearbyint(x / kHalfPi);
+  const double turns = nearest(x / kHalfPi);
   const TwoParts b = addedExactly(x - turns * kHalfPiA, -turns * kHalfPiB);
   const TwoParts c = addedExactly(b.high, -turns * kHalfPiC);
   return {static_cast<int>(turns) & 3, addedExactly(c.high, b.low + c.low - turns * kHalfPiD)};
@@ -130,7 +152,7 @@ constexpr std::array<TwoParts, 9> kAtanOfEighths = {{
 double atanOfUnit(double t) {
   static constexpr std::array<double, 7> kSeries = {1.0 / 3,  -1.0 / 5,  1.0 / 7, -1.0 / 9,
                                                     1.0 / 11, -1.0 / 13, 1.0 / 15};
-  const double eighths = std::nearbyint(t * 8.0);
+  const double eighths = nearest(t * 8.0);
   const double centre = eighths / 8.0;
   const TwoParts& known = kAtanOfEighths[static_cast<std::size_t>(eighths)];
   const double u = (t - centre) / (1.0 + t * centre);
@@ -158,12 +180,12 @@ double exp(double x) {
   if (x < -745.14) {
     return 0.0;
   }
-  const double k = std::nearbyint(x * kInvLn2);
+  const double k = nearest(x * kInvLn2);
   const double high = x - k * kLn2High;
   const double r = high - k * kLn2Low;
   const double lost = (high - r) - k * kLn2Low;
   const double value = 1.0 + (r + (lost + r * r * polynomial(kExp, r)));
-  return std::ldexp(value, static_cast<int>(k));
+  return scaled(value, static_cast<int>(k));
 }
 
 double log(double x) {

@@ -20,9 +20,10 @@ constexpr double kStepOut = 1e-6;       // [m] from a border into what is free
 constexpr double kMergeDistance = 0.3;  // [m]
 constexpr double kRayRange = 4.0;       // [m]
 
+constexpr double kSurely = 2e-9;  // [m]; distances so far apart are in different steps
+
+/// In steps of a nanometre: feet of equal distance stay in one order however their outline is cut.
 bool isNearer(const Obstacles::Point& a, const Obstacles::Point& b) {
-  // Steps of a nanometre: feet of equal distance stay in one order however their outline is cut.
-  constexpr double kSurely = 2e-9;  // then the steps are others too
   if (std::abs(a.distance - b.distance) > kSurely) {
     return a.distance < b.distance;
   }
@@ -51,11 +52,34 @@ struct Obstacles::PointQuery {
   std::vector<Candidate>& candidates;
 
   void addCandidates() const;
+  struct Rank;
+  const std::vector<Rank>& nearestFirst() const;
   const NearEdges* nearEdges() const;
   void findNearEdges(NearEdges& square) const;
   bool mayHaveFoot(int edge, const Vec2& middle) const;
   bool mayBeCorner(int edge, const Vec2& middle) const;
 };
+
+struct Obstacles::PointQuery::Rank {
+  double distance = 0.0;  // [m]
+  std::size_t candidate = 0;
+};
+
+/// Ranks are moved about instead of candidates, which are large. Valid until the next call.
+const std::vector<Obstacles::PointQuery::Rank>& Obstacles::PointQuery::nearestFirst() const {
+  thread_local std::vector<Rank> ranks;
+  ranks.clear();
+  ranks.reserve(candidates.size());
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    ranks.push_back({candidates[k].point.distance, k});
+  }
+  std::sort(ranks.begin(), ranks.end(), [this](const Rank& a, const Rank& b) {
+    return std::abs(a.distance - b.distance) > kSurely
+               ? a.distance < b.distance
+               : isNearer(candidates[a.candidate].point, candidates[b.candidate].point);
+  });
+  return ranks;
+}
 
 void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
                                double range) const {
@@ -86,10 +110,9 @@ void Obstacles::findBoundaryPoints(const Vec2& position, std::vector<Point>& poi
   candidates.clear();
   const PointQuery query{*this, position, range, candidates};
   query.addCandidates();
-  std::sort(candidates.begin(), candidates.end(),
-            [](const auto& a, const auto& b) { return isNearer(a.point, b.point); });
   const std::size_t first = points.size();
-  for (const PointQuery::Candidate& each : candidates) {
+  for (const PointQuery::Rank& rank : query.nearestFirst()) {
+    const PointQuery::Candidate& each = candidates[rank.candidate];
     const bool isAlone =
         std::none_of(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(),
                      [&](const Point& nearer) {

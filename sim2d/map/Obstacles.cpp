@@ -28,6 +28,23 @@ bool isWestOf(const Segment& segment, const Vec2& point) {
   return isLeftOf(segment, point) == (segment.b.y() > segment.a.y());
 }
 
+/// True only where `raySegmentHit` finds nothing as near as `most`, and that without its divisions:
+/// most segments near a ray are beside it. `length` of the segment [m].
+bool surelyMisses(const Vec2& from, const Vec2& direction, double most, const Segment& segment,
+                  double length) {
+  constexpr double kMore = 1e-8;  // share and [m], more than its tolerance and all rounding
+  const Vec2 along = segment.b - segment.a;
+  const Vec2 offset = segment.a - from;
+  const double slope = base::cross(direction, along);
+  const double side = slope < 0.0 ? -1.0 : 1.0;
+  const double depth = side * slope;
+  const double onRay = side * base::cross(offset, along);          // times depth
+  const double onSegment = side * base::cross(offset, direction);  // share of it, times depth
+  const double slack = kMore * (1.0 + length) * depth;
+  return onSegment * length < -slack || (onSegment - depth) * length > slack || onRay < -slack ||
+         onRay > (most + kMore * (1.0 + most)) * depth;
+}
+
 std::uint64_t newVersion() {
   static std::atomic<std::uint64_t> last{0};
   return ++last;
@@ -94,11 +111,6 @@ void Obstacles::addOutline(const Outline& outline, int part) {
     edges_.push_back({part, first + (i + count - 1) % count, first + (i + 1) % count,
                       Vec2((to - from) / length), length});
   }
-}
-
-bool Obstacles::isOn(int edge) const {
-  const int part = edges_[static_cast<std::size_t>(edge)].part;
-  return enabled_[static_cast<std::size_t>(part)] != 0;
 }
 
 /// Windings round the centres of the buckets, from which those of any point follow by the few
@@ -262,11 +274,12 @@ Obstacles::Hit Obstacles::firstHit(const Vec2& from, const Vec2& direction, doub
   best.distance = range;
   index_.visitRay(from, direction, range, [&](SegmentGrid::Items items, double end) {
     for (const int edge : items) {
-      if (!isOn(edge)) {
+      const Segment& segment = segments_[static_cast<std::size_t>(edge)];
+      const double length = edges_[static_cast<std::size_t>(edge)].length;
+      if (!isOn(edge) || surelyMisses(from, direction, best.distance, segment, length)) {
         continue;
       }
-      const std::optional<double> hit =
-          raySegmentHit(from, direction, segments_[static_cast<std::size_t>(edge)]);
+      const std::optional<double> hit = raySegmentHit(from, direction, segment);
       if (hit && *hit <= best.distance && (best.edge < 0 || *hit < best.distance)) {
         best = {*hit, edge};
       }
@@ -276,12 +289,30 @@ Obstacles::Hit Obstacles::firstHit(const Vec2& from, const Vec2& direction, doub
   return best;
 }
 
+/// Whether `firstHit` has an edge: any will do.
+bool Obstacles::isHit(const Vec2& from, const Vec2& direction, double range) const {
+  bool isHit = false;
+  index_.visitRay(from, direction, range, [&](SegmentGrid::Items items, double /*end*/) {
+    isHit = std::any_of(items.begin(), items.end(), [&](int edge) {
+      const Segment& segment = segments_[static_cast<std::size_t>(edge)];
+      const double length = edges_[static_cast<std::size_t>(edge)].length;
+      if (!isOn(edge) || surelyMisses(from, direction, range, segment, length)) {
+        return false;
+      }
+      const std::optional<double> hit = raySegmentHit(from, direction, segment);
+      return hit && *hit <= range;
+    });
+    return !isHit;
+  });
+  return isHit;
+}
+
 bool Obstacles::isVisible(const Vec2& from, const Vec2& to) const {
   if (isInside(from) || isInside(to)) {
     return false;
   }
   const double range = (to - from).norm();
-  return range == 0.0 || firstHit(from, (to - from) / range, range).edge < 0;
+  return range == 0.0 || !isHit(from, (to - from) / range, range);
 }
 
 double Obstacles::raycast(const Vec2& from, const Vec2& direction, double range) const {

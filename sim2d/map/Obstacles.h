@@ -49,6 +49,9 @@ class Obstacles {
   std::optional<Point> nearestPoint(const Vec2& position, double range) const;
   /// Appends each border that may be within the range, and perhaps some that are farther away.
   void segmentsNear(const Vec2& position, double range, std::vector<Segment>& segments) const;
+  /// visit(const Segment&) for each of these, in another order.
+  template <class Visit>
+  void visitNear(const Vec2& position, double range, Visit visit) const;
   /// Distance to the nearest boundary [m], negative inside, `limit` when nothing is nearer.
   double clearance(const Vec2& position, double limit = 5.0) const;
   bool isInside(const Vec2& position) const { return solidPartAt(position) >= 0; }
@@ -80,7 +83,10 @@ class Obstacles {
     int edge = -1;          // none
   };
 
-  bool isOn(int edge) const;
+  bool isOn(int edge) const {
+    const int part = edges_[static_cast<std::size_t>(edge)].part;
+    return enabled_[static_cast<std::size_t>(part)] != 0;
+  }
   void addOutline(const Outline& outline, int part);
   void countWindings(const base::StopFlag& stop);
   void countWindingsOfRow(int row);
@@ -98,6 +104,7 @@ class Obstacles {
   bool isCovered(const Vec2& place, int edge, int other, bool withDisabled) const;
   void improveWayOut(int edge, const Vec2& position, Point& best) const;
   Hit firstHit(const Vec2& from, const Vec2& direction, double range) const;
+  bool isHit(const Vec2& from, const Vec2& direction, double range) const;
 
   std::uint64_t version_ = 0;  // another one whenever anything changes; copies have the same
   std::vector<std::vector<Outline>> parts_;
@@ -111,5 +118,14 @@ class Obstacles {
   std::vector<Winding> windings_;
   std::vector<Vec2> rays_;
 };
+
+template <class Visit>
+void Obstacles::visitNear(const Vec2& position, double range, Visit visit) const {
+  cells_.visitNear(position, range, [&](int edge) {
+    if (isOn(edge)) {
+      visit(segments_[static_cast<std::size_t>(edge)]);
+    }
+  });
+}
 
 }  // namespace sim2d

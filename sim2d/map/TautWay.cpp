@@ -124,13 +124,13 @@ class Line {
 
 bool isWayClear(const Vec2& from, const Vec2& to, const Obstacles& obstacles, double clearance) {
   const double room = std::max(clearance, kLeastRoom);
-  thread_local std::vector<Segment> near;
-  near.clear();
-  obstacles.segmentsNear(0.5 * (from + to), 0.5 * (to - from).norm() + room, near);
   const Line line({from, to}, room);
-  return std::all_of(near.begin(), near.end(), [&](const Segment& wall) {
-    return line.isFarFrom(wall) || distanceBetween({from, to}, wall) >= room - kSlack;
+  bool isClear = true;
+  obstacles.visitNear(0.5 * (from + to), 0.5 * (to - from).norm() + room, [&](const Segment& wall) {
+    isClear =
+        isClear && (line.isFarFrom(wall) || distanceBetween({from, to}, wall) >= room - kSlack);
   });
+  return isClear;
 }
 
 double distanceBetween(const Segment& first, const Segment& second) {

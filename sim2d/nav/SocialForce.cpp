@@ -138,18 +138,23 @@ double socialRange(const ForceParameters& parameters, double speed, double other
 }
 
 Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,
+                   const Obstacles::Point& point) {
+  const Vec2 away =
+      point.inside ? Vec2(point.position - self.position) : Vec2(self.position - point.position);
+  const double distance = away.norm();
+  if (distance < kShortest) {
+    return Vec2::Zero();
+  }
+  const double gap = distance - self.radius;
+  const double strength = parameters.obstacleFactor * base::exp(-gap / parameters.obstacleRange);
+  return strength / distance * away;
+}
+
+Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,
                    const std::vector<Obstacles::Point>& points) {
   Vec2 sum = Vec2::Zero();
   for (const Obstacles::Point& point : points) {
-    const Vec2 away =
-        point.inside ? Vec2(point.position - self.position) : Vec2(self.position - point.position);
-    const double distance = away.norm();
-    if (distance < kShortest) {
-      continue;
-    }
-    const double gap = distance - self.radius;
-    const double strength = parameters.obstacleFactor * base::exp(-gap / parameters.obstacleRange);
-    sum += strength / distance * away;
+    sum += obstacleForce(parameters, self, point);
   }
   return sum;
 }

@@ -78,7 +78,10 @@ bool isNegligible(const ForceParameters& parameters, const Walker& self, const W
 double socialRange(const ForceParameters& parameters, double speed, double otherSpeed,
                    double cutOff);
 
-/// Sum over all points. Inside an obstacle the force leads to the point instead of away from it.
+/// Inside an obstacle the force leads to the point instead of away from it.
+Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,
+                   const Obstacles::Point& point);
+/// Sum over all points.
 Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,
                    const std::vector<Obstacles::Point>& points);
 

@@ -173,6 +173,7 @@ void Crowd::fill(std::size_t human, const std::vector<Obstacles::Point>* walls,
   situation.others.clear();
   situation.desires.clear();
   situation.ofCrowd.reset();
+  situation.seen.reset();
   if (isAtOnce_ && laws_[human].parameters != nullptr) {
     situation.ofCrowd = forces_.forces()[human];
   } else {

@@ -284,12 +284,17 @@ Vec2 limitedObstacleForce(const DensityParameters& parameters, const Pedestrian&
                           const std::vector<Obstacles::Point>& points, double activation) {
   const Vec2& way = self.desired.direction;
   const double relief = (1.0 - parameters.crowdWallShare) * activation * narrowness(self, points);
-  Vec2 force = obstacleForce(parameters.social, self.body, points);
+  std::vector<Vec2> relieved;  // forces of points
+  relieved.reserve(relief > 0.0 ? points.size() : 0);
+  Vec2 force = Vec2::Zero();
   for (const Obstacles::Point& point : points) {
-    if (relief <= 0.0) {
-      break;
+    const Vec2 ofPoint = obstacleForce(parameters.social, self.body, point);
+    force += ofPoint;
+    if (relief > 0.0) {
+      relieved.push_back(ofPoint);
     }
-    const Vec2 ofPoint = obstacleForce(parameters.social, self.body, {point});
+  }
+  for (const Vec2& ofPoint : relieved) {
     const double along = ofPoint.dot(way);
     const double aside = 1.0 - along * along / std::max(ofPoint.squaredNorm(), kNoForce);
     force -= relief * aside * ofPoint;
@@ -305,6 +310,7 @@ Vec2 guardContacts(const DensityParameters& parameters, const Pedestrian& self,
                    const std::vector<Obstacles::Point>& points, const Vec2& velocity, double dt) {
   const double look = std::max(dt, kShortestLook);
   std::vector<Bound> contacts, givingWay;
+  contacts.reserve(points.size() + others.size());
   boundByWalls(self, points, look, contacts);
   boundByPeople(parameters, self, others, look, contacts, givingWay);
   std::vector<HalfPlane> planes;

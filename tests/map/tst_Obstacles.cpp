@@ -4,6 +4,7 @@
 
 #include <QtTest>
 
+#include "sim2d/base/Rng.h"
 #include "sim2d/map/Obstacles.h"
 #include "tests/AllocationCount.h"
 
@@ -109,6 +110,7 @@ class ObstaclesTest : public QObject {
   void isInside_random_agrees();
   void clearance_random_agrees();
   void raycast_random_agrees();
+  void raycast_equalsTheNearestHitOfEachEdge();
   void raycast_throughCorner_hits();
   void raycast_inside_isZero();
   void isVisible_cases();
@@ -310,6 +312,56 @@ void ObstaclesTest::raycast_random_agrees() {
     QVERIFY(std::fabs(obstacles.raycast(from, (to - from) / range, range) - expected) < 1e-9);
     QCOMPARE(obstacles.isVisible(from, to), expected == range && !obstacles.isInside(to));
   }
+}
+
+/// To the bit, also along edges, through corners and far from the origin.
+void ObstaclesTest::raycast_equalsTheNearestHitOfEachEdge() {
+  base::AgentRng rng(3, 1);
+  std::uint32_t next = 0;
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * rng.uniform01(base::Draw::Test, next++);
+  };
+  int hits = 0;
+  for (const double far : {0.0, 1e4}) {
+    const Vec2 origin(far, -far);
+    Obstacles obstacles;
+    std::vector<Segment> edges;
+    std::vector<Vec2> corners;
+    for (int k = 0; k < 40; ++k) {
+      const Vec2 middle = origin + Vec2(std::floor(between(-10, 10)), std::floor(between(-10, 10)));
+      const double heading = k % 2 == 0 ? 0.0 : between(-3.0, 3.0);
+      const Outline box = boxOutline({middle, heading}, between(0.01, 1.5), between(0.01, 1.5));
+      obstacles.add({box});
+      for (std::size_t i = 0; i < box.points.size(); ++i) {
+        edges.push_back({box.points[i], box.points[(i + 1) % box.points.size()]});
+        corners.push_back(box.points[i]);
+      }
+    }
+    obstacles.build();
+    for (int k = 0; k < 4000; ++k) {
+      const Vec2 from = k % 3 == 0 ? Vec2(corners[static_cast<std::size_t>(k) % corners.size()] -
+                                          Vec2(between(0.0, 8.0), 0.0))
+                                   : Vec2(origin + Vec2(between(-11, 11), between(-11, 11)));
+      const Vec2 to = k % 2 == 0 ? corners[static_cast<std::size_t>(7 * k) % corners.size()]
+                                 : Vec2(origin + Vec2(between(-11, 11), between(-11, 11)));
+      const double range = (to - from).norm();
+      if (range == 0.0 || obstacles.isInside(from)) {
+        continue;
+      }
+      const Vec2 direction = (to - from) / range;
+      double nearest = range;
+      bool isHit = false;
+      for (const Segment& edge : edges) {
+        const std::optional<double> hit = raySegmentHit(from, direction, edge);
+        isHit = isHit || (hit && *hit <= range);
+        nearest = hit ? std::min(nearest, *hit) : nearest;
+      }
+      QCOMPARE(obstacles.raycast(from, direction, range), nearest);
+      QCOMPARE(obstacles.isVisible(from, to), !isHit && !obstacles.isInside(to));
+      hits += isHit ? 1 : 0;
+    }
+  }
+  QVERIFY(hits > 1000);
 }
 
 void ObstaclesTest::raycast_throughCorner_hits() {

@@ -32,6 +32,7 @@ class Das : public PedestrianModel {
 
   ForceTerms forces(const Situation& situation) const override {
     const Pedestrian self{situation.self, situation.desired};
+    situation.seen = seenBy(situation);
     const DensityForce force =
         densityForce(parameters_, self, neighborsOf(situation, kDensityRange));
     ForceTerms terms;
@@ -63,20 +64,38 @@ class Das : public PedestrianModel {
   double range(double /*fastest*/, double /*ownSpeed*/) const override { return kDensityRange; }
 
  private:
-  /// In range and not behind a wall, by id.
-  static std::vector<Pedestrian> neighborsOf(const Situation& situation, double range) {
-    std::vector<Pedestrian> found;
-    found.reserve(situation.others.size());
-    for (std::size_t i = 0; i < situation.others.size(); ++i) {
-      const Walker& other = situation.others[i];
-      const Vec2& place = situation.self.position;
-      if ((other.position - place).squaredNorm() < range * range &&
-          (*situation.isVisible)(place, other.position)) {
-        found.push_back({other, situation.desires[i]});
+  static bool isWithin(const Situation& situation, const Walker& other, double range) {
+    return (other.position - situation.self.position).squaredNorm() < range * range;
+  }
+
+  /// Who counts at all: within the longest range and not behind a wall, by id.
+  static std::vector<std::size_t> seenBy(const Situation& situation) {
+    const std::vector<Walker>& others = situation.others;
+    std::vector<std::size_t> seen;
+    seen.reserve(others.size());
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      if (isWithin(situation, others[i], kDensityRange) &&
+          (*situation.isVisible)(situation.self.position, others[i].position)) {
+        seen.push_back(i);
       }
     }
-    std::sort(found.begin(), found.end(),
-              [](const Pedestrian& a, const Pedestrian& b) { return a.body.id < b.body.id; });
+    std::sort(seen.begin(), seen.end(),
+              [&others](std::size_t a, std::size_t b) { return others[a].id < others[b].id; });
+    return seen;
+  }
+
+  static std::vector<Pedestrian> neighborsOf(const Situation& situation, double range) {
+    static_assert(kGuardRange <= kDensityRange);
+    if (!situation.seen) {
+      situation.seen = seenBy(situation);
+    }
+    std::vector<Pedestrian> found;
+    found.reserve(situation.seen->size());
+    for (const std::size_t i : *situation.seen) {
+      if (isWithin(situation, situation.others[i], range)) {
+        found.push_back({situation.others[i], situation.desires[i]});
+      }
+    }
     return found;
   }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -31,6 +32,9 @@ struct Situation {
   /// Nothing solid between two points.
   const std::function<bool(const Vec2&, const Vec2&)>* isVisible = nullptr;
   bool exact = false;  // no term is left out for being small
+  /// What a model may keep from `forces` to `velocity` of the step, which need the same: whom of
+  /// `others` the person sees, by number. None at the begin.
+  mutable std::optional<std::vector<std::size_t>> seen;
 };
 
 /// Terms of the acceleration [m/s²].
