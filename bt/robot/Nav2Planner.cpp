@@ -69,7 +69,8 @@ class Nav2Planner final : public sim2d::Planner {
     }
     hasScan_ = true;
     servers_->sense(observation);
-    if (!route_.goesOnWith(observation.goal, observation.goalsAfter)) {
+    if (std::exchange(orders_, observation.orders) != observation.orders ||
+        !route_.goesOnWith(observation.goal, observation.goalsAfter)) {
       beginRun(observation);
     }
     tick();
@@ -193,6 +194,7 @@ class Nav2Planner final : public sim2d::Planner {
   Nav2Route route_;
   std::optional<double> setOut_;  // [s], first asked
   std::int64_t step_ = 0;         // ticks
+  int orders_ = 0;                // as of the observation before
   bool isDone_ = false, hasScan_ = false;
   bool watchesCosts_ = false, watchesWays_ = false;
   mutable ShownCosts localCosts_, globalCosts_;

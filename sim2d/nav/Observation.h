@@ -39,6 +39,7 @@ struct Observation {
   BodyTwist motion;                           // own, by odometry
   Vec2 goal = Vec2::Zero();                   // the current one [m]
   std::vector<Vec2> goalsAfter;               // those that follow it, in order [m]
+  int orders = 0;                             // goals from outside so far: each is a new one
   double goalRadius = 0.2;                    // arrived = centre inside [m]
   double time = 0.0, dt = 0.05;               // [s]
   std::vector<TrackedBody> bodies;            // people, then other robots, by id

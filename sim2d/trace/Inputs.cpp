@@ -12,8 +12,8 @@ namespace {
 
 constexpr char kInputColumns[] = "step,input,id,name,x,y,heading,vx,vy,omega,desired_vx,desired_vy";
 constexpr std::size_t kFirstNumber = 4;
-constexpr std::array<const char*, 10> kNames = {"robot", "open", "close", "move",   "add",
-                                                "set",   "push", "stop",  "resume", "entry"};
+constexpr std::array<const char*, 11> kNames = {"robot", "open", "close",  "move",  "add", "set",
+                                                "push",  "stop", "resume", "entry", "goal"};
 
 /// In the order of the columns.
 template <class AnyInput>

@@ -17,12 +17,12 @@ RobotSenses::Scan shownScan(const LaserScan& scan) {
 /// Whether its planner is asked.
 bool wantsToBeAsked(const Planner& planner, const ResolvedRobot& robot, const RobotState& state,
                     double time) {
-  const bool hasGoal = state.goal < robot.goals.size() || !planner.needsGoal();
+  const bool hasGoal = currentGoal(robot, state) || !planner.needsGoal();
   return hasGoal && time >= robot.startTime - kTick;
 }
 
 bool drives(const ResolvedRobot& robot, const RobotState& state, double time) {
-  return state.goal < robot.goals.size() && time >= robot.startTime - kTick;
+  return currentGoal(robot, state) && time >= robot.startTime - kTick;
 }
 
 void emitGoal(const ResolvedRobot& robot, std::size_t goal, WorldState& state) {
@@ -43,7 +43,7 @@ void RobotDrive::sense(const FrozenWorld& world) {
   isScanRead_.resize(robots.size());
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const bool isUnderWay =
-        world.state.robots[i].goal < robots[i].goals.size() || !planners_[i]->needsGoal();
+        currentGoal(robots[i], world.state.robots[i]) || !planners_[i]->needsGoal();
     const bool isRead =
         wantsSenses_ || robots[i].recordsScans || (isUnderWay && planners_[i]->readsScan());
     isScanRead_[i] = isRead ? 1 : 0;
@@ -70,12 +70,12 @@ void RobotDrive::observe(const FrozenWorld& world, std::size_t robot) {
   const RobotState& now = world.state.robots[robot];
   observation_.pose = sensors_.odometry(robot).pose();
   observation_.motion = sensors_.odometry(robot).motion();
-  observation_.goal =
-      now.goal < constants.goals.size() ? constants.goals[now.goal] : observation_.pose.position;
+  observation_.goal = currentGoal(constants, now).value_or(observation_.pose.position);
   observation_.goalsAfter.clear();
-  for (std::size_t later = now.goal + 1; later < constants.goals.size(); ++later) {
+  for (std::size_t later = now.goal + 1; !now.order && later < constants.goals.size(); ++later) {
     observation_.goalsAfter.push_back(constants.goals[later]);
   }
+  observation_.orders = now.orders;
   observation_.goalRadius = constants.goalRadius;
   observation_.time = world.state.time;
   observation_.dt = world.model.dt;
@@ -162,7 +162,7 @@ void RobotDrive::watch(Planner& planner) const {
 void RobotDrive::passGoals(std::size_t robot, const ResolvedRobot& constants, WorldState& state) {
   RobotState& now = state.robots[robot];
   for (std::size_t n = planners_[robot]->takePassedGoals(); n > 0; --n) {
-    if (now.goal + 1 < constants.goals.size()) {
+    if (!now.order && now.goal + 1 < constants.goals.size()) {
       emitGoal(constants, now.goal, state);
       ++now.goal;
     }
@@ -207,11 +207,15 @@ void RobotDrive::afterMotion(const WorldModel& model, WorldState& state) {
     if (!drives(robot, now, state.time)) {
       continue;
     }
-    if ((robot.goals[now.goal] - now.pose.position).norm() > robot.goalRadius) {
+    if ((*currentGoal(robot, now) - now.pose.position).norm() > robot.goalRadius) {
       continue;
     }
-    emitGoal(robot, now.goal, state);
-    ++now.goal;
+    if (std::exchange(now.order, std::nullopt)) {
+      state.emit(EventKind::Goal, robot.id);
+    } else {
+      emitGoal(robot, now.goal, state);
+      ++now.goal;
+    }
     if (now.goal == robot.goals.size()) {
       now.arrivedAt = state.time;
       state.emit(EventKind::Arrived, robot.id);

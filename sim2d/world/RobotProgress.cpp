@@ -26,11 +26,16 @@ void RobotProgress::update(const WorldModel& model, WorldState& state,
     const ResolvedRobot& robot = model.robots[i];
     const RobotState& now = state.robots[i];
     Watched& watched = robots_[i];
-    if (now.goal == robot.goals.size() || state.time < robot.startTime - kTick) {
+    const std::optional<Vec2> current = currentGoal(robot, now);
+    if (!current) {
+      watched = {StuckWatch(model.stuckAfter - kTick, 0.0), {}};  // it may get another one
+      continue;
+    }
+    if (state.time < robot.startTime - kTick) {
       continue;
     }
     const Vec2& place = now.pose.position;
-    const Vec2& goal = robot.goals[now.goal];
+    const Vec2& goal = *current;
     const std::vector<Vec2> way = navigation.plan(reachOf(robot), place, goal);
     if (way.empty() && willDoorToggle) {
       watched = {StuckWatch(model.stuckAfter - kTick, 0.0), {}};

@@ -327,10 +327,16 @@ void RunningWorld::publishWays() {
   frame_.humanPaths = std::move(ways);
 }
 
+/// Of the scenario or from outside.
+bool RunningWorld::hadGoal(std::size_t robot) const {
+  const RobotState& now = state_.robots[robot];
+  return !model_.robots[robot].goals.empty() || now.order || now.arrivedAt >= 0.0;
+}
+
 std::optional<double> RunningWorld::arrivedAt() const {
   std::optional<double> last;
   for (std::size_t i = 0; i < model_.robots.size(); ++i) {
-    if (model_.robots[i].goals.empty()) {
+    if (!hadGoal(i)) {
       continue;
     }
     const double arrived = state_.robots[i].arrivedAt;
@@ -350,7 +356,7 @@ std::vector<RobotOnWay> RunningWorld::robotsOnWay() const {
     RobotOnWay& on = robots.emplace_back();
     on.id = robot.id;
     on.name = robot.name;
-    on.hasGoal = !robot.goals.empty();
+    on.hasGoal = hadGoal(i);
     on.setsOff = robot.startTime;
     if (state_.robots[i].arrivedAt >= 0.0) {
       on.arrived = state_.robots[i].arrivedAt;

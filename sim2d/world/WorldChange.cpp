@@ -31,6 +31,7 @@ void RunningWorld::goOnAs(World& world, std::uint64_t seed) {
     }
     if (destination(was) != destination(is)) {
       state_.robots[robot].goal = 0;
+      state_.robots[robot].order.reset();
       state_.robots[robot].arrivedAt = -1.0;
     }
   }

@@ -86,11 +86,14 @@ std::string RunningWorld::take(Input& input) {
   if (input.kind == InputKind::Move && input.id < 0) {
     return putRobot(input);
   }
+  if (input.kind == InputKind::Goal) {
+    return orderRobot(input);
+  }
   return input.kind == InputKind::Add ? addCopy(input) : takeForPerson(input);
 }
 
-/// Somewhere else, at rest; it takes itself to be there.
-std::string RunningWorld::putRobot(Input& input) {
+/// Moves the place to the nearest one where the robot of the input fits. What is wrong with it.
+std::string RunningWorld::placeRobot(Input& input) const {
   const auto robot = static_cast<std::size_t>(-1 - input.id);  // -1, -2 …
   if (robot >= model_.robots.size()) {
     return "there is no robot " + std::to_string(input.id);
@@ -101,12 +104,40 @@ std::string RunningWorld::putRobot(Input& input) {
     return "there is no room for it within " + base::formatDouble(kPlaceReach) + " m";
   }
   input.pose = {*free, base::wrapToPi(input.pose.heading)};
+  return {};
+}
+
+/// Somewhere else, at rest; it takes itself to be there.
+std::string RunningWorld::putRobot(Input& input) {
+  if (std::string refusal = placeRobot(input); !refusal.empty()) {
+    return refusal;
+  }
+  const auto robot = static_cast<std::size_t>(-1 - input.id);
   RobotState& now = state_.robots[robot];
   now.pose = input.pose;
   now.velocity.setZero();
   now.linear = now.lateral = now.omega = 0.0;
   physics_.place(static_cast<int>(robot), now.pose);
   robots_.relocate(robot, now.pose);
+  return {};
+}
+
+/// Without the heading, as goals have none.
+std::string RunningWorld::orderRobot(Input& input) {
+  if (std::string refusal = placeRobot(input); !refusal.empty()) {
+    return refusal;
+  }
+  const auto robot = static_cast<std::size_t>(-1 - input.id);
+  const ResolvedRobot& constants = model_.robots[robot];
+  RobotState& now = state_.robots[robot];
+  const bool isThere = (input.pose.position - now.pose.position).norm() <= constants.goalRadius;
+  if (now.arrivedAt >= 0.0 && isThere) {
+    return {};  // said again: it has arrived
+  }
+  now.order = input.pose.position;
+  ++now.orders;
+  now.goal = constants.goals.size();
+  now.arrivedAt = -1.0;
   return {};
 }
 

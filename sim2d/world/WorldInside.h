@@ -101,9 +101,12 @@ class RunningWorld : public World {
   /// What is wrong with the input; empty: it acts.
   std::string take(Input& input);
   std::string takeForPerson(const Input& input);
+  std::string placeRobot(Input& input) const;
   std::string putRobot(Input& input);
+  std::string orderRobot(Input& input);
   std::string setEntry(int human, const std::string& words);
   void holdStopped();
+  bool hadGoal(std::size_t robot) const;
   std::string addCopy(Input& input);
   /// Doors and people whose time has come; the grid afterwards.
   void applyInputs(StepWatch& watch);

@@ -37,7 +37,8 @@ void appendPerson(const WorldModel& model, const WorldState& state, std::size_t 
 }
 
 void appendRobot(const ResolvedRobot& constants, const RobotState& robot, RobotColumns& robots) {
-  const int goal = robot.goal < constants.goals.size() ? constants.goalIds[robot.goal] : 0;
+  const bool isOnList = !robot.order && robot.goal < constants.goals.size();
+  const int goal = isOnList ? constants.goalIds[robot.goal] : 0;
   robots.add(constants.id, robot.pose, robot.velocity, robot.omega, goal > 0 ? goal : kNoGoal);
 }
 

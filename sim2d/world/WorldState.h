@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -87,8 +88,16 @@ struct RobotState {
   double lateral = 0.0;          // idem, to the left [m/s]
   double omega = 0.0;            // [rad/s]
   std::size_t goal = 0;          // index of the current one
+  std::optional<Vec2> order{};   // a goal from outside, in place of those of the scenario
+  int orders = 0;                // so far
   double arrivedAt = -1.0;       // [s]; < 0: on the way
 };
+
+/// Where the robot drives to; none: nowhere (any more).
+inline std::optional<Vec2> currentGoal(const ResolvedRobot& robot, const RobotState& state) {
+  const bool isOnList = !state.order && state.goal < robot.goals.size();
+  return isOnList ? std::optional<Vec2>(robot.goals[state.goal]) : state.order;
+}
 
 /// What changes, in columns beside WorldModel::people.
 struct WorldState {

@@ -279,6 +279,34 @@ class RunTopicsTest : public QObject {
     toldBy(topics, frame);
     QVERIFY(topics.goalOf(0) == nullptr);
   }
+
+  /// From outside: those of the header are given up, also when it has arrived.
+  void goals_thatAreOrdered_areToldUntilTheRobotArrives() {
+    sim2d::TraceHeader header = smallHeader();
+    header.robots.front().goals = {{0, {4.0, 1.0}, 0.3}, {0, {5.0, 2.0}, 0.3}};
+    sim2d::Frame frame = smallFrame();
+    frame.robots.goal.front() = sim2d::kNoGoal;
+    sim2d::Input order;
+    order.kind = sim2d::InputKind::Goal;
+    order.id = -1;
+    order.pose.position = {-1.5, 0.5};
+    frame.inputs = {order};
+    RunTopics topics(header);
+    topics.note(frame);
+    const auto first = toldBy(topics, frame);
+    QCOMPARE(read<geometry_msgs::PoseStamped>(first.at("/goal_pose").front()).pose.position.x,
+             -1.5);
+    sim2d::Event event;
+    event.kind = sim2d::EventKind::Goal;
+    event.id = -1;
+    frame.inputs.clear();
+    frame.events = {event};
+    frame.events.push_back(event);
+    frame.events.back().kind = sim2d::EventKind::Arrived;
+    topics.note(frame);
+    toldBy(topics, frame);
+    QVERIFY(topics.goalOf(0) == nullptr);
+  }
 };
 
 QTEST_APPLESS_MAIN(RunTopicsTest)

@@ -23,6 +23,7 @@ class ParticipantTest : public QObject {
   void namespaces_areChecked();
   void graphSample_hasTheSizesOfEachDistro();
   void topic_arrivesInOrder();
+  void topic_ofOneself_isNotHeard();
   void topic_latched_comesToWhoComesLater();
   void topic_bestEffortReader_isServed();
   void topic_otherTypeUnderTheName_isRefused();
@@ -138,6 +139,31 @@ void ParticipantTest::topic_arrivesInOrder() {
   }
   QVERIFY(spinBoth(*a, *b, [&] { return heard.size() == 5; }));
   QCOMPARE(heard, (std::vector<std::string>{"0", "1", "2", "3", "4"}));
+}
+
+void ParticipantTest::topic_ofOneself_isNotHeard() {
+  const auto a = participant(inDomain(kDomain));
+  const auto b = participant(inDomain(kDomain));
+  int own = 0;
+  int heard = 0;
+  const int node = a->addNode("/", "both");
+  const auto talks = a->publisher(node, "words", kType, Qos());
+  const auto hearsItself =
+      a->subscription(node, "words", kType, Qos(), [&](const Bytes&) { ++own; });
+  const int listener = b->addNode("/", "listener");
+  const auto hears =
+      b->subscription(listener, "words", kType, Qos(), [&](const Bytes&) { ++heard; });
+  const auto answers = b->publisher(listener, "words", kType, Qos());
+  QVERIFY(talks && hearsItself && hears && answers);
+  QVERIFY(spinBoth(*a, *b, [&] {
+    (*talks)->publish(text("mine"));
+    return heard > 2;
+  }));
+  QCOMPARE(own, 0);
+  QVERIFY(spinBoth(*a, *b, [&] {
+    (*answers)->publish(text("yours"));
+    return own > 0;
+  }));
 }
 
 void ParticipantTest::topic_latched_comesToWhoComesLater() {

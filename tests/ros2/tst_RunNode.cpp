@@ -19,18 +19,19 @@ class RunNodeTest : public QObject {
   void run_commandsOfOthers_driveTheRobot();
   void run_badCommand_isLeftOutAndTold();
   void run_initialPose_putsTheRobotThere();
+  void run_goalPose_isWhereOurPlannerDrives();
 };
 
 namespace {
 
 constexpr int kDomain = 30;
 
-sim2d::Scenario driven() {
+sim2d::Scenario driven(const char* planner) {
   sim2d::Scenario scenario = agentstest::oneWalker();
   sim2d::Robot robot;
   robot.key = {base::EntityKind::Robot, scenario.nextKey()};
   robot.name = "robot1";
-  robot.planner = "ros2";
+  robot.planner = planner;
   robot.start = {{-3.0, 2.0}, 0.0};
   robot.maxAcc = 2.0;
   robot.lidar.beams = 90;
@@ -41,8 +42,8 @@ sim2d::Scenario driven() {
 
 /// A world, its node and somebody who hears and drives it.
 struct Drive {
-  explicit Drive(bool stamped) {
-    const sim2d::Scenario scenario = driven();
+  explicit Drive(bool stamped, const char* planner = "ros2") {
+    const sim2d::Scenario scenario = driven(planner);
     verdict = app::check(agentstest::bundleOf(scenario));
     if (verdict.world == nullptr) {
       return;
@@ -199,6 +200,40 @@ void RunNodeTest::run_initialPose_putsTheRobotThere() {
   publishUntil([&] { return agentstest::hasRemark(drive.told, "world.refused-input"); });
   QVERIFY(agentstest::hasRemark(drive.told, "world.refused-input"));
   QCOMPARE(drive.robotX(), 1.0);
+}
+
+/// The robot of a planner of ours, without a goal in the scenario. The order is not told again:
+/// Nav2 would take it for another one.
+void RunNodeTest::run_goalPose_isWhereOurPlannerDrives() {
+  Drive drive(false, "pursuit");
+  QVERIFY(drive.run && drive.verdict.world);
+  using Pose = geometry_msgs::PoseStamped;
+  double toldX = 0.0;
+  const auto hears = drive.hear<Pose>("/goal_pose", Qos::latched(),
+                                      [&](const Pose& pose) { toldX = pose.pose.position.x; });
+  const auto orders = drive.other->publisher(drive.node, "/goal_pose", Pose::kType, Qos());
+  QVERIFY(hears && orders);
+  for (int k = 0; k < 20; ++k) {
+    QVERIFY(drive.step());
+  }
+  QCOMPARE(drive.robotX(), -3.0);
+  Pose order;
+  order.header.frameId = "map";
+  order.pose.position = {1.0, 2.0, 0.0};
+  std::size_t given = 0;
+  const auto until = std::chrono::steady_clock::now() + kLong;
+  while (!drive.verdict.world->arrivedAt() && std::chrono::steady_clock::now() < until) {
+    if (given == 0) {
+      (*orders)->publish(encode(order));
+    }
+    drive.other->spin(Milliseconds(5));
+    QVERIFY(drive.step());
+    given += drive.verdict.world->frame().inputs.size();
+  }
+  QVERIFY(drive.verdict.world->arrivedAt().has_value());
+  QVERIFY(std::fabs(drive.robotX() - 1.0) < 0.5);
+  QCOMPARE(toldX, 0.0);
+  QVERIFY(given > 0 && given < 20);  // those that were on their way before the first one acted
 }
 
 QTEST_APPLESS_MAIN(RunNodeTest)

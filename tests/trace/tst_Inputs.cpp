@@ -15,9 +15,9 @@ class InputsTest : public QObject {
 void InputsTest::rows_ofEachKind_readBackEqual() {
   std::string text = inputsHead();
   RecordedInputs written;
-  for (const InputKind kind :
-       {InputKind::Robot, InputKind::Open, InputKind::Close, InputKind::Move, InputKind::Add,
-        InputKind::Set, InputKind::Push, InputKind::Stop, InputKind::Resume, InputKind::Entry}) {
+  for (const InputKind kind : {InputKind::Robot, InputKind::Open, InputKind::Close, InputKind::Move,
+                               InputKind::Add, InputKind::Set, InputKind::Push, InputKind::Stop,
+                               InputKind::Resume, InputKind::Entry, InputKind::Goal}) {
     Input input;
     input.kind = kind;
     input.id = -1 + static_cast<int>(kind);
@@ -32,7 +32,7 @@ void InputsTest::rows_ofEachKind_readBackEqual() {
   const base::Result<RecordedInputs> read = parseInputs(text, "inputs.csv");
   QVERIFY(read);
   QVERIFY(*read == written);
-  for (const char* word : {"stop", "resume", "entry"}) {
+  for (const char* word : {"stop", "resume", "entry", "goal"}) {
     QVERIFY(text.find(std::string(",") + word + ",") != std::string::npos);
   }
 }

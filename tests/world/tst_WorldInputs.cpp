@@ -17,6 +17,10 @@ class WorldInputsTest : public QObject {
   void step_personMoved_goesOnFromThere();
   void step_robotMoved_standsThereAndGoesOn();
   void step_robotMovedIntoAWall_isRefused();
+  void step_robotOrdered_givesUpItsGoals();
+  void step_robotOrderedAfterItsGoal_goesThere();
+  void step_robotWithoutGoalOrdered_arrives();
+  void step_robotOrderedWhereItCannotBe_isRefused();
   void step_personAdded_isACopyWithAnIdOfItsOwn();
   void step_personAddedAfterTheLastId_isRefused();
   void step_personAddedInAWall_standsBesideIt();
@@ -156,6 +160,78 @@ void WorldInputsTest::step_robotMovedIntoAWall_isRefused() {
     QVERIFY(world->frame().inputs.empty());
   }
   QVERIFY(std::fabs(world->frame().robots.x[0] + 3.0) < 0.1);
+}
+
+void WorldInputsTest::step_robotOrdered_givesUpItsGoals() {
+  Scenario scenario;
+  addRobot(scenario, {0.0, 0.0}, {9.0, 0.0});
+  const std::unique_ptr<World> world = make(scenario);
+  QVERIFY(world != nullptr);
+  advance(*world, 20);
+  QVERIFY(world->frame().robots.x[0] > 0.1);
+  QVERIFY(world->step({placing(InputKind::Goal, -1, {-2.0, 3.0})}));
+  QCOMPARE(world->frame().inputs.size(), std::size_t{1});
+  const std::vector<Recorded> events = advance(*world, 160);
+  QCOMPARE(ofKind(events, EventKind::Goal).size(), std::size_t{1});
+  QCOMPARE(ofKind(events, EventKind::Goal).front().event.text, std::string());
+  QCOMPARE(ofKind(events, EventKind::Arrived).size(), std::size_t{1});
+  QVERIFY(world->arrivedAt().has_value());
+  const Vec2 place(world->frame().robots.x[0], world->frame().robots.y[0]);
+  QVERIFY((place - Vec2(-2.0, 3.0)).norm() < 0.5);
+  QCOMPARE(world->header().robots[0].goals.size(), std::size_t{1});  // those of the scenario
+  QVERIFY(world->header().robots[0].goals[0].position == Vec2(9.0, 0.0));
+}
+
+void WorldInputsTest::step_robotOrderedAfterItsGoal_goesThere() {
+  Scenario scenario;
+  addRobot(scenario, {0.0, 0.0}, {1.0, 0.0});
+  const std::unique_ptr<World> world = make(scenario);
+  QVERIFY(world != nullptr);
+  advance(*world, 80);
+  QVERIFY(world->arrivedAt().has_value());
+  QVERIFY(world->step({placing(InputKind::Goal, -1, {4.0, 0.0})}));
+  QVERIFY(!world->arrivedAt().has_value());
+  QVERIFY(world->step({placing(InputKind::Goal, -1, {1.0, 2.0})}));  // the newest counts
+  const std::vector<Recorded> events = advance(*world, 120);
+  QCOMPARE(ofKind(events, EventKind::Arrived).size(), std::size_t{1});
+  const Vec2 place(world->frame().robots.x[0], world->frame().robots.y[0]);
+  QVERIFY((place - Vec2(1.0, 2.0)).norm() < 0.5);
+  const std::optional<double> arrived = world->arrivedAt();
+  QVERIFY(world->step({placing(InputKind::Goal, -1, {1.0, 2.0})}));  // said again
+  QVERIFY(ofKind(advance(*world, 10), EventKind::Arrived).empty());
+  QVERIFY(arrived.has_value() && world->arrivedAt() == arrived);
+}
+
+void WorldInputsTest::step_robotWithoutGoalOrdered_arrives() {
+  Scenario scenario;
+  addRobot(scenario, {0.0, 0.0}, {0.0, 0.0}).goal = RobotGoal{};
+  const std::unique_ptr<World> world = make(scenario);
+  QVERIFY(world != nullptr);
+  advance(*world, 10);
+  QCOMPARE(world->frame().robots.x[0], 0.0);
+  QVERIFY(!world->robotsOnWay()[0].hasGoal && !world->arrivedAt());
+  QVERIFY(world->step({placing(InputKind::Goal, -1, {2.0, 0.0})}));
+  QVERIFY(world->robotsOnWay()[0].hasGoal);
+  QCOMPARE(ofKind(advance(*world, 100), EventKind::Arrived).size(), std::size_t{1});
+  QVERIFY(world->robotsOnWay()[0].arrived.has_value());
+}
+
+void WorldInputsTest::step_robotOrderedWhereItCannotBe_isRefused() {
+  Scenario scenario;
+  addRoom(scenario, {-5.0, -3.0}, {5.0, 3.0});
+  addWall(scenario, {{2.5, -3.0}, {2.5, -0.5}}, 2.0);
+  addRobot(scenario, {-3.0, 2.0}, {-3.0, -2.0});
+  const std::unique_ptr<World> world = make(scenario);
+  QVERIFY(world != nullptr);
+  for (const Input& order :
+       {placing(InputKind::Goal, -1, {2.5, -1.8}), placing(InputKind::Goal, -2, {0.0, 0.0}),
+        placing(InputKind::Goal, 4, {0.0, 0.0}), placing(InputKind::Goal, -1, {1e12, 0.0})}) {
+    QVERIFY(world->step({order}));
+    QCOMPARE(world->refused().size(), std::size_t{1});
+    QVERIFY(world->frame().inputs.empty());
+  }
+  QCOMPARE(ofKind(advance(*world, 160), EventKind::Arrived).size(), std::size_t{1});
+  QVERIFY(world->frame().robots.y[0] < -1.0);  // at its own goal
 }
 
 void WorldInputsTest::step_personAdded_isACopyWithAnIdOfItsOwn() {
@@ -317,7 +393,9 @@ void WorldInputsTest::step_recordedInputs_giveTheSameBytes() {
   script[30] = {inputOf(InputKind::Stop, 7)};
   script[50] = {inputOf(InputKind::Resume, 7)};
   script[60] = {placing(InputKind::Move, 8, {2.0, 1.0 / 7.0}), naming(InputKind::Close, "door1")};
-  script[90] = {placing(InputKind::Set, 4, {-1.0, -2.0})};
+  script[90] = {placing(InputKind::Set, 4, {-1.0, -2.0}),
+                placing(InputKind::Move, -1, {2.0, 1.0 / 3.0})};
+  script[100] = {placing(InputKind::Goal, -1, {4.0, 1.0 / 3.0})};
   const auto record = [](const std::map<std::int64_t, StepInputs>& inputs, std::string& rows) {
     const std::unique_ptr<World> world = make(twoRooms());
     Recording recording;
@@ -337,7 +415,7 @@ void WorldInputsTest::step_recordedInputs_giveTheSameBytes() {
   const std::string first = record(script, rows);
   const base::Result<RecordedInputs> read = parseInputs(rows, "inputs.csv");
   QVERIFY(read);
-  QCOMPARE(read->size(), std::size_t{9});
+  QCOMPARE(read->size(), std::size_t{11});
   std::map<std::int64_t, StepInputs> replayed;
   for (const auto& [step, input] : *read) {
     replayed[step].push_back(input);

@@ -1,5 +1,6 @@
 #include "app/bridge/bag/RunBag.h"
 
+#include <limits>
 #include <utility>
 
 #include "app/bridge/messages/TypeTable.h"
@@ -37,6 +38,9 @@ void RunBag::addEvent(std::int64_t step, const sim2d::Event& event) {
 }
 
 void RunBag::append(const sim2d::Frame& frame) {
+  for (const sim2d::Input& input : frame.inputs) {
+    addInput(input);
+  }
   for (const sim2d::Event& event : frame.events) {
     addEvent(frame.step, event);
   }
@@ -70,21 +74,30 @@ base::Diagnostics writeRunBag(const std::string& path, const sim2d::Recording& r
   const sim2d::TraceHeader header = *recording.header();
   RunBag bag(path, header, {});
   std::size_t event = 0;
+  std::size_t input = 0;
+  const auto addUntil = [&](std::int64_t step) {
+    for (; event < recording.events().size() && recording.events()[event].first <= step; ++event) {
+      const auto& [itsStep, its] = recording.events()[event];
+      for (; input < recording.inputs().size() && recording.inputs()[input].first <= itsStep;
+           ++input) {
+        bag.addInput(recording.inputs()[input].second);
+      }
+      bag.addEvent(itsStep, its);
+    }
+    for (; input < recording.inputs().size() && recording.inputs()[input].first <= step; ++input) {
+      bag.addInput(recording.inputs()[input].second);
+    }
+  };
   auto scan = scans.begin();
   for (std::size_t k = recording.first(); k < recording.size() && !bag.hasFailed(); ++k) {
     sim2d::Frame frame = *recording.frame(k);
     for (; scan != scans.end() && scan->step < frame.step; ++scan) {  // of the state before
       frame.scans.push_back(*scan);
     }
-    for (; event < recording.events().size() && recording.events()[event].first <= frame.step;
-         ++event) {
-      bag.addEvent(recording.events()[event].first, recording.events()[event].second);
-    }
+    addUntil(frame.step);
     bag.append(frame);
   }
-  for (; event < recording.events().size(); ++event) {
-    bag.addEvent(recording.events()[event].first, recording.events()[event].second);
-  }
+  addUntil(std::numeric_limits<std::int64_t>::max());
   return bag.finish(header);
 }
 

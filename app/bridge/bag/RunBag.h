@@ -24,7 +24,8 @@ class RunBag : public sim2d::FrameSink {
   /// Somebody came from a source: before the first frame with them.
   void setHeader(sim2d::TraceHeader header) { topics_.setHeader(std::move(header)); }
   bool isRecorded(std::int64_t step) const { return step % recordEvery_ == 0; }
-  void append(const sim2d::Frame& frame) override;  // with its events
+  void append(const sim2d::Frame& frame) override;  // with its inputs and events
+  void addInput(const sim2d::Input& input) { topics_.note(input); }
   void addEvent(std::int64_t step, const sim2d::Event& event);
 
   /// A file could not be written: there is no use in going on.

@@ -43,9 +43,10 @@ void RunBagFolder::append(const sim2d::Frame& frame) {
     if (meetsSomebody(frame)) {
       taken.header = world_.header();
     }
-  } else if (!frame.events.empty()) {
+  } else if (!frame.events.empty() || !frame.inputs.empty()) {
     taken.frame.step = frame.step;
     taken.frame.events = frame.events;
+    taken.frame.inputs = frame.inputs;
   } else {
     return;
   }

@@ -90,6 +90,7 @@ class DdsEntities {
   void drop(efd::DataReader* reader);
 
   Guid guid() const { return guidOf(participant_->guid()); }
+  rtps::GuidPrefix_t prefix() const { return participant_->guid().guidPrefix; }
   /// The type that a topic has here; empty: none yet.
   std::string typeOf(const std::string& topic) const;
 

@@ -52,7 +52,9 @@ class DdsSubscription : public Subscription, public Source {
     if (!reader_.take(bytes, info)) {
       return false;
     }
-    handler_(bytes);
+    if (info.sample_identity.writer_guid().guidPrefix != dds_->prefix()) {
+      handler_(bytes);
+    }
     return true;
   }
 

@@ -74,7 +74,8 @@ class Participant {
   /// Returns its number. `space`: "/" or "/lab".
   virtual int addNode(const std::string& space, const std::string& name) = 0;
 
-  // Errors: the topic is there with another type, DDS refuses.
+  // Errors: the topic is there with another type, DDS refuses. What the participant publishes
+  // itself its subscriptions do not hear.
   virtual base::Result<std::unique_ptr<Publisher>> publisher(int node, const std::string& topic,
                                                              const std::string& type,
                                                              const Qos& qos) = 0;

@@ -20,6 +20,8 @@ constexpr std::int64_t kSameStamp = 1000;  // [ns], of times that are multiples 
 constexpr int kReadAtMost = 100;           // messages between two steps
 constexpr double kNoTurn = 1e-9;           // length of a quaternion that was not filled
 constexpr int kFirstRobot = -1;            // its id in frames
+constexpr const char* kGoalPose = "/goal_pose";
+constexpr const char* kInitialPose = "/initialpose";
 
 class DdsRunNode final : public RunNode {
  public:
@@ -51,7 +53,8 @@ class DdsRunNode final : public RunNode {
   void waitForCommand();
   void takeCommand(const geometry_msgs::Twist& twist);
   void takeStamped(const geometry_msgs::TwistStamped& command);
-  void takePose(const geometry_msgs::PoseWithCovarianceStamped& message);
+  void takePose(const char* topic, sim2d::InputKind kind, const std_msgs::Header& header,
+                const geometry_msgs::Pose& pose);
   void tellOnce(const base::Diagnostic& said) {
     if (told_.insert(causeOf(said)).second) {
       if (hasStarted_) {
@@ -72,7 +75,7 @@ class DdsRunNode final : public RunNode {
   Node node_;
   std::vector<std::unique_ptr<Publisher>> publishers_;  // by topic
   std::optional<geometry_msgs::Twist> command_;         // not given to a step yet
-  std::optional<sim2d::Input> moved_;                   // idem
+  std::optional<sim2d::Input> moved_, ordered_;         // idem
   std::uint64_t commands_ = 0;
   const Subscription* driver_ = nullptr;
   std::unique_ptr<GoalSender> goals_;
@@ -91,7 +94,12 @@ base::Diagnostics DdsRunNode::start(bool hasRobot) {
   if (hasRobot) {
     subscribeCommands();
     node_.subscribe<geometry_msgs::PoseWithCovarianceStamped>(
-        "/initialpose", Qos(), [this](const auto& pose) { takePose(pose); });
+        kInitialPose, Qos(), [this](const auto& message) {
+          takePose(kInitialPose, sim2d::InputKind::Move, message.header, message.pose.pose);
+        });
+    node_.subscribe<geometry_msgs::PoseStamped>(kGoalPose, Qos(), [this](const auto& message) {
+      takePose(kGoalPose, sim2d::InputKind::Goal, message.header, message.pose);
+    });
   }
   if (hasRobot && settings_.sendsGoals) {
     auto made = GoalSender::create(*participant_, node_.number(), settings_.domain.distro,
@@ -138,27 +146,28 @@ void DdsRunNode::takeCommand(const geometry_msgs::Twist& twist) {
   ++commands_;
 }
 
-void DdsRunNode::takePose(const geometry_msgs::PoseWithCovarianceStamped& message) {
-  const std::string& frame = message.header.frameId;
-  const geometry_msgs::Pose& pose = message.pose.pose;
+/// The newest of a kind is given to the next step.
+void DdsRunNode::takePose(const char* topic, sim2d::InputKind kind, const std_msgs::Header& header,
+                          const geometry_msgs::Pose& pose) {
+  const std::string& frame = header.frameId;
   geometry_msgs::Quaternion q = pose.orientation;
   const double length = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
   const bool isUsable =
       std::isfinite(pose.position.x) && std::isfinite(pose.position.y) && std::isfinite(length);
   if (!isUsable || (!frame.empty() && frame != kMapFrame)) {
-    tellOnce(base::problem(
-        base::Severity::Warning, "ros2.bad-message",
-        {"/initialpose", isUsable ? "its frame is not 'map'" : "a number is not finite"}));
+    tellOnce(
+        base::problem(base::Severity::Warning, "ros2.bad-message",
+                      {topic, isUsable ? "its frame is not 'map'" : "a number is not finite"}));
     return;
   }
   sim2d::Input input;
-  input.kind = sim2d::InputKind::Move;
+  input.kind = kind;
   input.id = kFirstRobot;
   if (length > kNoTurn) {
     q = {q.x / length, q.y / length, q.z / length, q.w / length};
   }
   input.pose = {{pose.position.x, pose.position.y}, headingOf(q)};
-  moved_ = input;
+  (kind == sim2d::InputKind::Move ? moved_ : ordered_) = input;
 }
 
 void DdsRunNode::readAll() {
@@ -172,7 +181,12 @@ void DdsRunNode::publish(const sim2d::Frame& frame) {
       publishers_[topic]->publish(bytes);
     }
   };
-  const auto isHeard = [this](std::size_t topic) {  // what is kept for later is sent in any case
+  // What is kept for later is sent in any case, but nobody wants to hear an order again: Nav2 would
+  // take it for another one.
+  const auto isHeard = [this](std::size_t topic) {
+    if (topics_.topics()[topic].name == kGoalPose && topics_.isOrdered(0)) {
+      return false;
+    }
     return topics_.topics()[topic].isLatched ||
            (publishers_[topic] != nullptr && publishers_[topic]->matched() > 0);
   };
@@ -181,16 +195,14 @@ void DdsRunNode::publish(const sim2d::Frame& frame) {
 
 void DdsRunNode::followGoal(const sim2d::Frame& frame) {
   if (goals_ != nullptr) {
-    const sim2d::TraceGoal* const goal = topics_.goalOf(0);
+    const sim2d::TraceGoal* const goal = topics_.isOrdered(0) ? nullptr : topics_.goalOf(0);
     goals_->follow(goal == nullptr ? std::nullopt
                                    : std::optional(bridge::goalOf(goal->position, frame.time)));
   }
 }
 
 void DdsRunNode::tell(const sim2d::Frame& frame) {
-  for (const sim2d::Event& event : frame.events) {
-    topics_.note(event);
-  }
+  topics_.note(frame);
   if (settings_.lockstep) {
     readAll();
     command_.reset();  // it followed on the state before
@@ -246,8 +258,10 @@ sim2d::StepInputs DdsRunNode::inputs(const sim2d::Frame& frame) {
     waitForCommand();
   }
   sim2d::StepInputs inputs;
-  if (moved_) {
-    inputs.push_back(*std::exchange(moved_, std::nullopt));
+  for (std::optional<sim2d::Input>* const each : {&moved_, &ordered_}) {
+    if (*each) {
+      inputs.push_back(*std::exchange(*each, std::nullopt));
+    }
   }
   if (!command_) {
     return inputs;

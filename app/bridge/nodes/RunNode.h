@@ -18,7 +18,8 @@ struct RunNodeSettings {
 };
 
 /// A run as the node `hunavsim`: it publishes what `RunTopics` tells, and for its first robot takes
-/// /cmd_vel and /initialpose (it is put there). One thread: the one that runs.
+/// /cmd_vel, /initialpose (it is put there) and /goal_pose (it drives there). One thread: the one
+/// that runs.
 class RunNode {
  public:
   using Tell = std::function<void(const base::Diagnostic&)>;

@@ -137,17 +137,44 @@ void RunTopics::setHeader(sim2d::TraceHeader header) {
   }
 }
 
+/// Inputs act first in a step.
+void RunTopics::note(const sim2d::Frame& frame) {
+  for (const sim2d::Input& input : frame.inputs) {
+    note(input);
+  }
+  for (const sim2d::Event& event : frame.events) {
+    note(event);
+  }
+}
+
+void RunTopics::note(const sim2d::Input& input) {
+  const auto robot = static_cast<std::size_t>(-1 - input.id);  // -1, -2 …
+  if (input.kind == sim2d::InputKind::Goal && input.id < 0 && robot < robots_.size()) {
+    robots_[robot].isOrdered = true;
+    robots_[robot].order.emplace().position = input.pose.position;
+  }
+}
+
 void RunTopics::note(const sim2d::Event& event) {
   const auto robot = static_cast<std::size_t>(-1 - event.id);  // -1, -2 …
-  if (event.kind == sim2d::EventKind::Goal && event.id < 0 && robot < robots_.size()) {
-    ++robots_[robot].passed;
+  if (event.id >= 0 || robot >= robots_.size()) {
+    return;
+  }
+  robots_[robot].passed += event.kind == sim2d::EventKind::Goal ? 1 : 0;
+  if (event.kind == sim2d::EventKind::Arrived) {
+    robots_[robot].order.reset();
+    robots_[robot].goal = nullptr;
   }
 }
 
 void RunTopics::tell(const sim2d::Frame& frame, const Send& send, const Wants& wants) {
   const std::size_t robots = std::min(robots_.size(), frame.robots.size());
   for (std::size_t k = 0; k < robots; ++k) {
-    robots_[k].goal = goalIn(header_.robots[k].goals, frame.robots.goal[k], robots_[k].passed);
+    Robot& robot = robots_[k];
+    robot.isOrdered = robot.isOrdered && frame.robots.goal[k] == sim2d::kNoGoal;
+    robot.goal = robot.isOrdered
+                     ? (robot.order ? &*robot.order : nullptr)
+                     : goalIn(header_.robots[k].goals, frame.robots.goal[k], robot.passed);
   }
   const Telling telling{frame, send, wants};
   if (options_.clock) {

@@ -61,8 +61,13 @@ class RunTopics {
   /// Sends what the frame tells, in a fixed order of topics. What `wants` denies is not made;
   /// empty: all is wanted. The first frame brings what is latched too.
   void tell(const sim2d::Frame& frame, const Send& send, const Wants& wants = {});
-  /// Each event of the run, before the frame that it led to: robots pass goals.
+  /// Each frame of the run, told or not, before it is told: robots get goals and pass them.
+  void note(const sim2d::Frame& frame);
+  /// One by one: those of a step by the order of note(frame), inputs first.
+  void note(const sim2d::Input& input);
   void note(const sim2d::Event& event);
+  /// It drives, or has driven, to a place that came from outside.
+  bool isOrdered(std::size_t robot) const { return robots_[robot].isOrdered; }
   /// Where the robot drives to in the frame that was told last; null: nowhere.
   const sim2d::TraceGoal* goalOf(std::size_t robot) const { return robots_[robot].goal; }
   /// What this latched topic says now; empty: nothing so far.
@@ -76,7 +81,9 @@ class RunTopics {
     std::string frames;                      // of frames: "" or "robot2/"
     std::optional<double> scanned;           // [s], time of the last scan that was told
     std::size_t passed = 0;                  // goals so far
-    const sim2d::TraceGoal* goal = nullptr;  // of the header
+    bool isOrdered = false;                  // from outside: it has given up those of the header
+    std::optional<sim2d::TraceGoal> order;   // until it arrives
+    const sim2d::TraceGoal* goal = nullptr;  // of the header, or the order
   };
   struct Telling;
 
