@@ -90,14 +90,13 @@ void addLiveWords(CLI::App& command, RunOptions& options) {
 std::unique_ptr<live::LiveRun> openLive(const RunOptions& options, const Bundle& bundle,
                                         const MetricsSetup& metrics, bool canDrive,
                                         Session& session, sim2d::World& world) {
-  live::LiveRunSettings settings;
-  settings.speed = speedOf(options);
   if (!options.speed.empty() || isShown(options)) {  // else it stays as it is
-    session.setSpeed(settings.speed);
+    session.setSpeed(speedOf(options));
   }
   if (!options.live.port) {
     return nullptr;
   }
+  live::LiveRunSettings settings;
   settings.address = options.live.address;
   settings.port = static_cast<std::uint16_t>(*options.live.port);
   settings.origins = options.live.origins;

@@ -109,32 +109,61 @@ sim2d::StepInputs Session::takeInputs(const sim2d::Frame& frame) {
     inputs = std::exchange(inputs_, {});
     steering = steering_;
   }
-  if (steering) {
-    const sim2d::StepInputs more = steering(frame);
-    inputs.insert(inputs.end(), more.begin(), more.end());
+  const auto add = [&](const Steering& more) {
+    const sim2d::StepInputs its = more ? more(frame) : sim2d::StepInputs();
+    inputs.insert(inputs.end(), its.begin(), its.end());
+  };
+  add(steering);
+  for (const Guest& guest : guests_) {
+    add(guest.steer);
   }
   return inputs;
 }
 
-void Session::run(const WorldMaker& makeWorld) {
+void Session::run(const WorldMaker& makeWorld, const GuestMaker& makeGuests) {
   try {
-    runMade(makeWorld());
+    runMade(makeWorld(), makeGuests);
   } catch (const base::Stopped&) {
     const std::lock_guard<std::mutex> lock(mutex_);
     news_.isStopped = true;
   }
 }
 
-void Session::runMade(const base::Result<std::unique_ptr<sim2d::World>>& made) {
+void Session::runMade(const base::Result<std::unique_ptr<sim2d::World>>& made,
+                      const GuestMaker& makeGuests) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     news_.remarks = made.diagnostics();
   }
   if (made) {
-    const sim2d::RunResult result = run(**made);
+    const sim2d::RunResult result =
+        runWith(**made, makeGuests ? makeGuests(**made) : std::vector<Guest>());
     const std::lock_guard<std::mutex> lock(mutex_);
     news_.result = result;
   }
+}
+
+/// Guests have gone when it returns or throws.
+sim2d::RunResult Session::runWith(sim2d::World& world, std::vector<Guest> guests) {
+  struct Leave {
+    std::vector<Guest>& guests;
+    explicit Leave(std::vector<Guest>& all) : guests(all) {}
+    ~Leave() { guests.clear(); }
+    Leave(const Leave&) = delete;
+    Leave& operator=(const Leave&) = delete;
+    Leave(Leave&&) = delete;
+    Leave& operator=(Leave&&) = delete;
+  };
+  guests_ = std::move(guests);
+  const Leave leave(guests_);
+  const auto show = [this](const sim2d::Frame& frame) {
+    for (const Guest& guest : guests_) {
+      guest.watch(frame);
+    }
+  };
+  sim2d::RunResult result = run(world, nullptr, show);
+  show(world.frame());
+  return result;
 }
 
 template <class Change>
@@ -149,7 +178,13 @@ void Session::setPaused(bool paused) {
     paused_ = paused;
     stepsAllowed_ = 0;
     restartClock_ = true;
+    news_.isPaused = paused;
   });
+}
+
+bool Session::isPaused() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return paused_;
 }
 
 void Session::allowStep() {
@@ -160,7 +195,13 @@ void Session::setSpeed(double factor) {
   order([&] {
     speed_ = factor;
     restartClock_ = true;
+    news_.speed = factor;
   });
+}
+
+double Session::speed() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return speed_;
 }
 
 void Session::stop() {
@@ -217,6 +258,7 @@ bool Session::waitForTurn(sim2d::World& world) {
     paused_ = true;
     stepsAllowed_ = 0;
     restartClock_ = true;
+    news_.isPaused.reset();  // what was ordered before
     news_.broke = broke;
   }
   wantsEntries_ = true;

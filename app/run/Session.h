@@ -38,6 +38,8 @@ struct SessionNews {
   std::optional<double> measuredSpeed;     // [simulated s / wall s]
   std::optional<sim2d::RunResult> result;  // the run is over
   bool isStopped = false;                  // the world was not made: its map is another one now
+  std::optional<bool> isPaused;            // as somebody ordered since the last news
+  std::optional<double> speed;             // idem
   std::optional<sim2d::TreeBreak> broke;   // at a breakpoint: it waits since then
   std::optional<Entries> entries;          // of the person who is watched, after the newest step
   std::vector<StepEntries> pastEntries;    // of the same, each change since the last news
@@ -77,13 +79,22 @@ class Session {
   /// them, the last with the event `stop`.
   sim2d::RunResult run(sim2d::World& world, sim2d::FrameSink* sink = nullptr,
                        const Watcher& watch = {});
-  /// The same with a world that is made first; all that comes of it is news.
-  void run(const WorldMaker& makeWorld);
+  /// The same with a world that is made first; all that comes of it is news. A guest comes for the
+  /// world and goes before it: it sees each state, the last one too, and is asked for inputs just
+  /// before each step that is not repeated.
+  struct Guest {
+    Watcher watch;
+    std::function<sim2d::StepInputs(const sim2d::Frame&)> steer;  // null: it gives none
+  };
+  using GuestMaker = std::function<std::vector<Guest>(sim2d::World&)>;
+  void run(const WorldMaker& makeWorld, const GuestMaker& makeGuests = {});
 
   // any thread
   void setPaused(bool paused);
+  bool isPaused();
   void allowStep();              // one step although paused
   void setSpeed(double factor);  // > 0; infinity = as fast as possible, which it is at first
+  double speed();
   void stop();
   void add(sim2d::Input input);  // acts in the next step
   /// Asked before each step, in the thread that runs, for inputs of that step beside those added.
@@ -96,7 +107,9 @@ class Session {
 
  private:
   class Feed;
-  void runMade(const base::Result<std::unique_ptr<sim2d::World>>& made);
+  void runMade(const base::Result<std::unique_ptr<sim2d::World>>& made,
+               const GuestMaker& makeGuests);
+  sim2d::RunResult runWith(sim2d::World& world, std::vector<Guest> guests);
   using Clock = std::chrono::steady_clock;
   template <class Change>
   void order(Change change);
@@ -127,6 +140,7 @@ class Session {
   std::optional<Entries> lastEntries_;  // of the watched person that were told
   SessionNews news_;
   // of the thread that runs alone
+  std::vector<Guest> guests_;
   Clock::time_point wallStart_;
   double simulatedStart_ = 0.0;
   Clock::time_point measureStart_;

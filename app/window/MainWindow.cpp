@@ -21,6 +21,7 @@
 #include "app/window/KeyRules.h"
 #include "app/window/NoticeBar.h"
 #include "app/window/RunMemory.h"
+#include "app/window/RunSharing.h"
 #include "app/window/ShortcutsDialog.h"
 #include "app/window/StatusLine.h"
 #include "app/window/ToolBars.h"
@@ -91,6 +92,7 @@ MainWindow::MainWindow(const WindowSetup& setup, QWidget* parent)
   connectRun();
   const auto* runs = new RunMemory(workspace_, memory_, this);
   connect(files_, &FileCommands::runOpened, runs, &RunMemory::followRun);
+  new RunSharing(workspace_, *actions_->watchLive, *actions_->onRos2, *notices_, notices_);
   const auto* figures = new FigureCommands(workspace_, *docks_, *actions_, docks_);
   connect(figures, &FigureCommands::told, this,
           [this](const QString& words) { statusBar()->showMessage(words, kMessageMs); });

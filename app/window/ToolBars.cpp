@@ -172,6 +172,7 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
             {{playback.playPause, playback.step, playback.stepBack, playback.newest, playback.goOn,
               playback.reset, workspace.drive().toggle()},
              workspace.scrub().all(),
+             {actions.watchLive, actions.onRos2},
              {actions.history}});
   addBehaviorMenu(bar, workspace);
   bar.addMenu(QObject::tr("&Help"))->addActions({actions.shortcuts, actions.about});

@@ -67,6 +67,14 @@ void WindowActions::makeFileActions() {
            kCtrl | Qt::Key_Comma);
   history = make(tr("&Looking back…"),
                  tr("How much memory a run may take, so that all of it can be looked back at"));
+  watchLive = make(tr("Watch in &Foxglove"),
+                   tr("Runs that begin from now on can be watched live, at ws://localhost:8765"));
+  onRos2 = make(tr("On topics of &ROS 2"),
+                tr("Runs that begin from now on are told on topics; /cmd_vel, /initialpose and "
+                   "/goal_pose reach the first robot"));
+  for (QAction* action : {watchLive, onRos2}) {
+    action->setCheckable(true);
+  }
   shortcuts =
       make(tr("&Keyboard shortcuts…"), tr("All keys, with a search"), QKeySequence::HelpContents);
   about = make(tr("&About"), tr("Version and licence"));

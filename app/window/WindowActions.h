@@ -27,6 +27,7 @@ class WindowActions : public QObject {
   QAction *next, *previous;  // person, or thing of the kind that is selected
   QAction *zoomIn, *zoomOut, *zoomFit, *fullScreen, *resetLayout, *switchTheme, *systemTheme;
   QAction *openMap, *assignGoals, *settings, *history, *shortcuts, *about;
+  QAction *watchLive, *onRos2;  // checkable
   QAction *names, *routes, *grid, *rulers, *trails, *rings, *forces, *snapToPoints;
   QAction *robotPath, *lidar, *detections, *candidates;
   /// What the canvas shows and what drawing snaps to, checkable.

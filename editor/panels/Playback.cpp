@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
+#include <QComboBox>
 #include <QHelpEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QSignalBlocker>
 #include <QToolTip>
 
 #include "editor/canvas/GhostLayer.h"
@@ -34,6 +37,19 @@ constexpr Speed kSpeeds[] = {{"0.25 ×", 0.25}, {"0.5 ×", 0.5},
                              {"1.0 ×", 1.0},   {"2.0 ×", 2.0},
                              {"4.0 ×", 4.0},   {"8.0 ×", 8.0},
                              {"16 ×", 16.0},   {"max", std::numeric_limits<double>::infinity()}};
+
+/// A factor that is not among those to choose has a place behind them.
+void showOrdered(QComboBox& box, double factor) {
+  const QSignalBlocker blocked(box);
+  const int count = static_cast<int>(std::size(kSpeeds));
+  int at = box.findData(factor);
+  if (at < 0 || at >= count) {
+    box.removeItem(count);
+    box.addItem(QObject::tr("%1 ×").arg(factor, 0, 'g', 3), factor);
+    at = count;
+  }
+  box.setCurrentIndex(at);
+}
 
 QAction* makeAction(const QString& text, const QKeySequence& shortcut, const QString& says,
                     QObject* parent) {
@@ -144,6 +160,8 @@ QComboBox* PlaybackActions::makeSpeedBox(QWidget* parent) {
   box->setAccessibleName(tr("Speed"));
   connect(box, qOverload<int>(&QComboBox::currentIndexChanged), this,
           [this, box](int index) { runner_.setSpeed(box->itemData(index).toDouble()); });
+  connect(&runner_, &SimulationRunner::speedOrdered, box,
+          [box](double factor) { showOrdered(*box, factor); });
   return box;
 }
 

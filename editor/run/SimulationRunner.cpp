@@ -92,13 +92,16 @@ void SimulationRunner::begin(RunRequest request, bool paused, sim2d::RecordedInp
   session_->setPaused(paused);
   session_->setSpeed(speed_);
   const auto run = [session = session_.get(), makeWorld = std::move(request.makeWorld),
-                    watch = watch_] {
-    session->run([&] {
+                    watch = watch_, guests = guests_, bundle = request.bundle] {
+    const auto make = [&] {
       auto world = makeWorld();
       if (world) {
         (*world)->watchPlanners(watch);
       }
       return world;
+    };
+    session->run(make, [&](sim2d::World& world) {
+      return guests ? guests(*session, world, bundle) : std::vector<app::Session::Guest>();
     });
   };
   thread_ = std::async(std::launch::async, run);
@@ -390,12 +393,30 @@ void SimulationRunner::poll() {
     watchRepeated();
   }
   takeTrees(news);
+  takeOrders(news);
   if (news.measuredSpeed) {
     measuredSpeed_ = *news.measuredSpeed;
     Q_EMIT speedMeasured(measuredSpeed_);
   }
   if (news.result) {
     takeEnd(*news.result);
+  }
+}
+
+/// Of guests; own ones are as it is.
+void SimulationRunner::takeOrders(const app::SessionNews& news) {
+  if (news.isPaused) {
+    if (!*news.isPaused) {
+      seekNewest();
+      brokeAt_.reset();
+    }
+    if (!news.result) {
+      setState(*news.isPaused ? State::Paused : State::Running);
+    }
+  }
+  if (news.speed && *news.speed != speed_) {
+    speed_ = *news.speed;
+    Q_EMIT speedOrdered(speed_);
   }
 }
 

@@ -67,6 +67,11 @@ class SimulationRunner : public QObject {
   /// and the folder of the temporary file (empty: the system's).
   void setHistory(std::size_t mostInMemory, std::string folder = {});
   std::size_t historyMemory() const { return historyMemory_; }  // [B]
+  /// Who comes to the runs that begin from now on, in their threads, and may give orders; as of the
+  /// session. Null: nobody.
+  using Guests = std::function<std::vector<app::Session::Guest>(
+      app::Session&, sim2d::World&, const std::shared_ptr<const app::Bundle>&)>;
+  void setGuests(Guests guests) { guests_ = std::move(guests); }
   /// Inputs of each step from now on, of the run that goes on.
   void steer(app::Session::Steering steering);
 
@@ -153,6 +158,7 @@ class SimulationRunner : public QObject {
   void entriesChanged();
   void inputsRefused(const base::Diagnostics& problems);
   void speedMeasured(double factor);
+  void speedOrdered(double factor);  // by a guest
   void finished(const sim2d::RunResult& result);
   void failed(const QString& reason);                     // the world stopped; last state stays
   void notStarted(const base::Diagnostics& diagnostics);  // the world could not be made
@@ -167,6 +173,7 @@ class SimulationRunner : public QObject {
   void poll();
   void takeEnd(const sim2d::RunResult& result);
   void takeTrees(app::SessionNews& news);
+  void takeOrders(const app::SessionNews& news);
   void setEntries(std::optional<app::Entries> entries);
   void setState(State state);
   void show(FramePtr frame, bool lookingBack);
@@ -186,6 +193,7 @@ class SimulationRunner : public QObject {
 
   std::function<RunRequest()> request_;
   std::function<bool(bool)> mayStart_;
+  Guests guests_;
   std::function<RunRequest()> again_;  // of the session
   std::unique_ptr<app::Session> session_;
   std::future<void> thread_;  // of the session

@@ -45,7 +45,7 @@ class Scene {
   /// Returns the port; 0: it could not be opened.
   int watch(double speed) {
     live::LiveRunSettings settings;
-    settings.speed = speed;
+    session_.setSpeed(speed);
     settings.wantsStop = [this] { return wantsStop_.load(); };
     auto opened = live::LiveRun::open(settings, session_, *verdict_.world, *bundle_.scenario,
                                       "cafe", verdict_.metrics);

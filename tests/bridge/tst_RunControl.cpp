@@ -15,8 +15,9 @@ using live::ParameterValue;
 namespace {
 
 struct Scene {
+  Scene() { session.setSpeed(1.0); }
   app::Session session{sim2d::StopRule{}};
-  live::RunControl control{session, {"cafe", 7, 0.05}, 1.0, {{"/cmd_vel", -1}}};
+  live::RunControl control{session, {"cafe", 7, 0.05}, {{"/cmd_vel", -1}}};
   std::vector<live::Service> services = control.services();
   std::vector<live::Parameter> parameters = control.parameters();
   std::vector<live::Inlet> inlets = control.inlets();
@@ -44,6 +45,7 @@ class RunControlTest : public QObject {
  private Q_SLOTS:
   void schemas_areThoseOfRos();
   void pause_cdr_isDoneAndAnswered();
+  void parameters_ofWhatOthersOrdered_areTrue();
   void pause_json_isDoneAndAnswered();
   void pause_otherBytes_fail_data();
   void pause_otherBytes_fail();
@@ -73,6 +75,18 @@ void RunControlTest::pause_cdr_isDoneAndAnswered() {
   QVERIFY(scene.parameter("/hunavsim.paused").get() == ParameterValue(true));
   scene.call(0, "cdr", bytesOf("00 01 00 00 00"));
   QVERIFY(scene.parameter("/hunavsim.paused").get() == ParameterValue(false));
+}
+
+/// By the window, too.
+void RunControlTest::parameters_ofWhatOthersOrdered_areTrue() {
+  Scene scene;
+  scene.session.setPaused(true);
+  scene.session.setSpeed(4.0);
+  QVERIFY(scene.parameter("/hunavsim.paused").get() == ParameterValue(true));
+  QVERIFY(scene.parameter("/hunavsim.real_time_factor").get() == ParameterValue(4.0));
+  QVERIFY(scene.call(1, "json", "").startsWith(R"({"success":true,)"));
+  const app::SessionNews news = scene.session.takeNews();
+  QVERIFY(news.isPaused == std::optional(true) && news.speed == std::optional(4.0));
 }
 
 void RunControlTest::pause_json_isDoneAndAnswered() {

@@ -1,5 +1,7 @@
+#include <atomic>
 #include <future>
 #include <limits>
+#include <numeric>
 
 #include <QSignalSpy>
 #include <QtTest>
@@ -36,6 +38,8 @@ base::Result<std::unique_ptr<sim2d::World>> makeWorld() {
   setup.behavior = std::make_unique<Walking>();
   return sim2d::World::create(std::move(setup));
 }
+
+using Guests = std::vector<app::Session::Guest>;
 
 RunRequest request(std::int64_t steps) {
   RunRequest result;
@@ -99,6 +103,97 @@ class SimulationRunnerTest : public QObject {
     QVERIFY(!memory.expired());
     gate.set_value();
     QTRY_VERIFY(memory.expired());
+  }
+
+  /// The last one too, and what is made again.
+  void guests_seeEachStateOnceAndGoWithTheRun() {
+    SimulationRunner runner;
+    runner.setRequest([] {
+      RunRequest result = request(20);
+      result.again = [] { return request(20); };
+      return result;
+    });
+    std::vector<std::int64_t> seen;
+    std::weak_ptr<int> memory;
+    runner.setGuests([&](app::Session& /*session*/, sim2d::World& /*world*/, const auto& /*made*/) {
+      const auto held = std::make_shared<int>(1);
+      memory = held;
+      return Guests{{[&seen, held](const sim2d::Frame& frame) { seen.push_back(frame.step); }, {}}};
+    });
+    QSignalSpy finished(&runner, &SimulationRunner::finished);
+    connect(&runner, &SimulationRunner::finished, this, [&] { QVERIFY(memory.expired()); });
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.play();
+    QTRY_COMPARE(finished.count(), 1);
+    std::vector<std::int64_t> expected(21);
+    std::iota(expected.begin(), expected.end(), 0);
+    QCOMPARE(seen, expected);
+    seen.clear();
+    runner.seek(15);
+    runner.goOnFromShown();
+    QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step == 15);
+    runner.setGuests({});  // of the runs after this one
+    runner.play();
+    QTRY_COMPARE(finished.count(), 2);
+    QCOMPARE(seen, expected);
+  }
+
+  /// In the step that comes next, also a single one.
+  void guests_giveInputsJustBeforeTheStep() {
+    SimulationRunner runner;
+    runner.setRequest([] { return request(40); });
+    std::atomic<bool> isWanted{false};
+    runner.setGuests([&](app::Session& /*session*/, sim2d::World& world, const auto& /*made*/) {
+      const int id = world.frame().humans.id.front();
+      return Guests{{[](const sim2d::Frame& /*frame*/) {},
+                     [&isWanted, id](const sim2d::Frame& /*frame*/) {
+                       sim2d::Input push;
+                       push.kind = sim2d::InputKind::Push;
+                       push.id = id;
+                       push.velocity = {0.3, 0.2};
+                       return isWanted ? sim2d::StepInputs{push} : sim2d::StepInputs{};
+                     }}};
+    });
+    for (std::int64_t step = 1; step < 4; ++step) {
+      runner.stepOnce();
+      QTRY_VERIFY(runner.newestFrame() != nullptr && runner.newestFrame()->step == step);
+      QCOMPARE(runner.recording()->inputs().size(), step == 3 ? std::size_t{1} : std::size_t{0});
+      isWanted = step == 2;
+    }
+    QCOMPARE(runner.recording()->inputs()[0].first, std::int64_t{3});
+  }
+
+  /// Foxglove pauses; the window shows it.
+  void guests_pauseAndSpeed_areFollowed() {
+    SimulationRunner runner;
+    runner.setRequest([] { return request(400); });
+    std::atomic<app::Session*> session{nullptr};
+    runner.setGuests([&](app::Session& its, sim2d::World& /*world*/, const auto& /*made*/) {
+      return Guests{{[&](const sim2d::Frame& frame) {
+                       if (frame.step == 5) {
+                         its.setPaused(true);
+                         its.setSpeed(64.0);
+                         session = &its;
+                       }
+                     },
+                     {}}};
+    });
+    QSignalSpy finished(&runner, &SimulationRunner::finished);
+    QSignalSpy ordered(&runner, &SimulationRunner::speedOrdered);
+    runner.setSpeed(std::numeric_limits<double>::infinity());
+    runner.play();
+    QTRY_COMPARE(runner.state(), SimulationRunner::State::Paused);
+    QTRY_COMPARE(ordered.count(), 1);
+    QCOMPARE(runner.speed(), 64.0);
+    QTest::qWait(50);
+    QCOMPARE(runner.newestFrame()->step, std::int64_t{5});
+    runner.seek(2);  // a look back
+    QVERIFY(runner.isLookingBack());
+    session.load()->setPaused(false);
+    QTRY_VERIFY(!runner.isLookingBack());
+    QTRY_COMPARE(finished.count(), 1);
+    QCOMPARE(runner.newestFrame()->step, runner.result()->steps);  // the robot arrives before 400
+    QVERIFY(runner.newestFrame()->step > 100);
   }
 
   /// What was done to people is done again; then somebody may do something else.

@@ -64,7 +64,7 @@ void readAsAll(const std::string& message) {
   live::requestOfText(message);
   live::requestOfBytes(message);
   app::Session session{sim2d::StopRule{}};
-  live::RunControl control(session, {}, 1.0, {{"/cmd_vel", -1}});
+  live::RunControl control(session, {}, {{"/cmd_vel", -1}});
   for (const std::string_view encoding : {"cdr", "json"}) {
     for (const live::Service& service : control.services()) {
       require(!service.call(encoding, message).payload.empty(), "calls are answered");

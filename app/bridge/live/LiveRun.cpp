@@ -43,7 +43,6 @@ LiveRun::LiveRun(app::Session& session, sim2d::World& world, const sim2d::Scenar
       topics_(world.header(), bridge::lidarsOf(scenario)),
       metrics_(world.header(), metrics.selection, metrics.parameters),
       control_(session, {scenarioName, static_cast<std::int64_t>(world.header().seed), world.dt()},
-               settings.speed,
                settings.canDrive ? drivenOf(world.header()) : std::vector<RunControl::Driven>()) {}
 
 base::Result<std::unique_ptr<LiveRun>> LiveRun::open(const LiveRunSettings& settings,
@@ -110,9 +109,7 @@ void LiveRun::show(const sim2d::Frame& frame) {
   }
   newest_ = frame.step;
   meet(frame);
-  for (const sim2d::Event& event : frame.events) {
-    topics_.note(event);
-  }
+  topics_.note(frame);
   metrics_.add(frame, [this] { return world_.header(); });
   const Clock::time_point now = Clock::now();
   if (!shown_ || !isFasterThanScreens() || now - *shown_ >= kBetweenFrames) {

@@ -22,7 +22,6 @@ struct LiveRunSettings {
   std::string address = "127.0.0.1";
   std::uint16_t port = 0;
   std::vector<std::string> origins;  // of pages that may connect beside the usual ones
-  double speed = 1.0;                // simulated seconds per second; infinite: as fast as it goes
   bool canDrive = true;              // robots with planner `teleop` listen to /cmd_vel
   std::function<bool()> wantsStop;   // asked ten times a second; ends the run even while it pauses
   std::function<void(const base::Diagnostic&)> warn;  // in the server's thread

@@ -59,10 +59,8 @@ std::optional<double> numberOf(const ParameterValue& value) {
 
 }  // namespace
 
-RunControl::RunControl(app::Session& session, Facts facts, double speed,
-                       const std::vector<Driven>& robots)
-    : session_(session), facts_(std::move(facts)), robots_(robots), speed_(speed) {
-  session_.setSpeed(speed);
+RunControl::RunControl(app::Session& session, Facts facts, const std::vector<Driven>& robots)
+    : session_(session), facts_(std::move(facts)), robots_(robots) {
   if (!robots_.empty()) {
     session_.steer([this](const sim2d::Frame&) { return takeDriven(); });
   }
@@ -72,11 +70,6 @@ RunControl::~RunControl() {
   if (!robots_.empty()) {
     session_.steer({});
   }
-}
-
-void RunControl::pause(bool isPaused) {
-  isPaused_ = isPaused;
-  session_.setPaused(isPaused);
 }
 
 std::vector<Service> RunControl::services() {
@@ -91,7 +84,7 @@ Service RunControl::pauseService() {
     if (!request) {
       return ServiceAnswer{false, "the request is no std_srvs/srv/SetBool"};
     }
-    pause(request->data);
+    session_.setPaused(request->data);
     return answerOf<SetBool::Response>(encoding, true, request->data ? "paused" : "goes on");
   };
   return service;
@@ -102,7 +95,7 @@ Service RunControl::stepService() {
   using bridge::std_srvs::Trigger;
   Service service = serviceOf<Trigger>("/hunavsim/step");
   service.call = [this](std::string_view encoding, std::string_view) {
-    if (!isPaused_) {
+    if (!isPaused()) {
       return answerOf<Trigger::Response>(encoding, false,
                                          "the run is not paused (/hunavsim/pause)");
     }
@@ -116,13 +109,13 @@ std::vector<Parameter> RunControl::parameters() {
   const auto fact = [](const char* name, const ParameterValue& value) {
     return Parameter{name, [value] { return value; }, nullptr};
   };
-  return {{"/hunavsim.paused", [this] { return ParameterValue(isPaused_.load()); },
+  return {{"/hunavsim.paused", [this] { return ParameterValue(isPaused()); },
            [this](const ParameterValue& value) { return setPaused(value); }},
           {"/hunavsim.real_time_factor",
            // JSON has no infinity: no value is as fast as it goes
            [this] {
-             const double speed = speed_;
-             return std::isinf(speed) ? ParameterValue() : ParameterValue(speed);
+             const double factor = speed();
+             return std::isinf(factor) ? ParameterValue() : ParameterValue(factor);
            },
            [this](const ParameterValue& value) { return setSpeed(value); }},
           fact("/hunavsim.scenario", facts_.scenario),
@@ -135,7 +128,7 @@ std::string RunControl::setPaused(const ParameterValue& value) {
   if (isPaused == nullptr) {
     return "wants true or false";
   }
-  pause(*isPaused);
+  session_.setPaused(*isPaused);
   return {};
 }
 
@@ -144,7 +137,6 @@ std::string RunControl::setSpeed(const ParameterValue& value) {
   if (!speed || !(*speed >= kSlowest && *speed <= kFastest)) {
     return "wants a number from 0.1 to 100";
   }
-  speed_ = *speed;
   session_.setSpeed(*speed);
   return {};
 }

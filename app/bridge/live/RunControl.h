@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -31,8 +30,7 @@ class RunControl {
     int id = -1;        // in frames
   };
 
-  /// `speed`: simulated seconds per second, infinite: as fast as it goes.
-  RunControl(app::Session& session, Facts facts, double speed, const std::vector<Driven>& robots);
+  RunControl(app::Session& session, Facts facts, const std::vector<Driven>& robots);
   ~RunControl();
   RunControl(const RunControl&) = delete;
   RunControl& operator=(const RunControl&) = delete;
@@ -42,13 +40,13 @@ class RunControl {
   std::vector<Service> services();      // /hunavsim/pause, /hunavsim/step
   std::vector<Parameter> parameters();  // /hunavsim.paused, /hunavsim.real_time_factor and facts
   std::vector<Inlet> inlets();
-  bool isPaused() const { return isPaused_; }
-  double speed() const { return speed_; }
+  // As anybody ordered.
+  bool isPaused() const { return session_.isPaused(); }
+  double speed() const { return session_.speed(); }
 
  private:
   std::string setPaused(const ParameterValue& value);
   std::string setSpeed(const ParameterValue& value);
-  void pause(bool isPaused);
   Service pauseService();
   Service stepService();
   std::string drive(int robot, std::string_view encoding, std::string_view payload);
@@ -57,8 +55,6 @@ class RunControl {
   app::Session& session_;
   const Facts facts_;
   const std::vector<Driven> robots_;
-  std::atomic<bool> isPaused_{false};
-  std::atomic<double> speed_;
   std::mutex mutex_;
   std::map<int, sim2d::Input> driven_;  // the newest word for each robot; guarded by the mutex
 };
