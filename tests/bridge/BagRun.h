@@ -8,9 +8,11 @@
 #include "app/run/Session.h"
 #include "metrics/Report.h"
 
-/// Runs the café for some seconds into a folder, with a bag beside the other files.
-inline base::Diagnostics runCafeInto(const std::string& folder, double seconds) {
-  app::RunOptions options;
+/// Runs the café for some seconds into a folder, with a bag beside the other files. `steering`:
+/// what somebody outside does.
+inline base::Diagnostics runCafeInto(const std::string& folder, double seconds,
+                                     app::RunOptions options = {},
+                                     app::Session::Steering steering = {}) {
   options.scenario = SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml";
   options.duration = seconds;
   const app::Bundle bundle = app::readBundle(options, app::RunSettings{}, sim2d::ImageLoader());
@@ -30,6 +32,7 @@ inline base::Diagnostics runCafeInto(const std::string& folder, double seconds) 
   bridge::RunBagFolder bag((*output)->staging(), *bundle.scenario, *verdict.world);
   writer.setCompanion(&bag);
   app::Session session(sim2d::stopRuleOf(*bundle.scenario));
+  session.steer(std::move(steering));
   sim2d::RunResult result = session.run(*verdict.world, &writer);
   sim2d::TraceHeader header = verdict.world->header();
   app::noteMetricsFile(verdict.scenarioMetrics, header);

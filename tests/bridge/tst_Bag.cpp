@@ -109,6 +109,20 @@ std::size_t messagesIn(Bag& bag, base::Diagnostics* told = nullptr) {
   return count;
 }
 
+/// Places on /goal_pose.
+std::vector<double> goalsIn(const std::string& file) {
+  base::Result<std::unique_ptr<Bag>> bag = openBag(file);
+  std::vector<double> places;
+  std::vector<bool> wanted;
+  for (const BagChannel& channel : (*bag)->channels()) {
+    wanted.push_back(channel.topic == "/goal_pose");
+  }
+  (*bag)->read(wanted, [&](std::size_t, std::int64_t, std::string_view bytes) {
+    places.push_back(decode<geometry_msgs::PoseStamped>(bytes)->pose.position.x);
+  });
+  return places;
+}
+
 }  // namespace
 
 class BagTest : public QObject {
@@ -269,6 +283,28 @@ class BagTest : public QObject {
     const base::Result<sim2d::Trace> wanted = app::readRun(path("run"));
     const std::string keys = different(measured(*wanted), measured(*bag), 1e-9);
     QVERIFY2(keys.empty(), keys.c_str());
+  }
+
+  /// At a step whose state is not recorded.
+  void run_robotIsOrdered_theBagsTellIt() {
+    app::RunOptions options;
+    options.recordEvery = 4;
+    const std::string folder = path("ordered");
+    QVERIFY(runCafeInto(folder, 2.0, options, [](const sim2d::Frame& frame) {
+              sim2d::Input order;
+              order.kind = sim2d::InputKind::Goal;
+              order.id = -1;
+              order.pose.position = {7.8, 0.9};
+              return frame.step == 9 ? sim2d::StepInputs{order} : sim2d::StepInputs{};
+            }).empty());
+    const std::vector<double> goals = goalsIn(folder + "/bag/bag_0.mcap");
+    QCOMPARE(goals.size(), std::size_t{2});
+    QVERIFY(goals[0] != goals[1]);
+    QCOMPARE(goals[1], 7.8);
+    const base::Result<app::RecordedRun> run = app::readRecordedRun(folder);
+    QVERIFY(static_cast<bool>(run));
+    QVERIFY(writeRunBag(path("rendered.mcap"), *run->recording).empty());
+    QCOMPARE(goalsIn(path("rendered.mcap")), goals);
   }
 
   void open_database_hasTheSameMessages() {
