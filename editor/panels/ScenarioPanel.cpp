@@ -4,10 +4,12 @@
 #include <functional>
 #include <utility>
 
+#include <QAbstractItemDelegate>
 #include <QAction>
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QItemSelectionModel>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScopedValueRollback>
@@ -255,6 +257,16 @@ void ScenarioPanel::takeSelection() {
   }
 }
 
+/// What is being written is taken, also where the keyboard is elsewhere: a list has one field at a
+/// time.
+void ScenarioPanel::finishNames() {
+  QAbstractItemDelegate* const delegate = tree_->itemDelegate();
+  for (QLineEdit* const field : tree_->viewport()->findChildren<QLineEdit*>()) {
+    Q_EMIT delegate->commitData(field);
+    Q_EMIT delegate->closeEditor(field);
+  }
+}
+
 /// In its row, which has to be seen for that.
 void ScenarioPanel::rename(EntityId id) {
   for (QWidget* widget = parentWidget(); widget != nullptr; widget = widget->parentWidget()) {
@@ -266,6 +278,7 @@ void ScenarioPanel::rename(EntityId id) {
   if (!filter_->indexOf(id).isValid()) {
     filterField_->clear();
   }
+  finishNames();
   const QModelIndex row = filter_->indexOf(id);
   if (row.isValid()) {  // a menu may be older than what has become of the thing
     tree_->scrollTo(row);

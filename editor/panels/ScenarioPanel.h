@@ -33,6 +33,7 @@ class ScenarioPanel : public QWidget {
 
  private:
   void takeSelection();
+  void finishNames();
   void showEmptiness();
   void giveSelection();
   void expandGroups();

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <QAbstractItemModelTester>
 #include <QtTest>
 
@@ -163,6 +165,26 @@ class ScenarioPanelTest : public QObject {
     QTRY_COMPARE(scenario().humans[1].name, std::string("Bea"));
     document_->undoStack().undo();
     QCOMPARE(scenario().humans[1].name, std::string("Ben"));
+  }
+
+  /// Where nobody has the keyboard the field of the one before stays open.
+  void rename_whileAnotherIsBeingRenamed_takesThatFirst() {
+    panel_->hide();
+    panel_->rename({EntityKind::Human, 2});
+    auto* first = panel_->tree().findChild<QLineEdit*>();
+    QVERIFY(first != nullptr);
+    first->setText(QStringLiteral("Bea"));
+    static QString complaint;
+    const QtMessageHandler before = qInstallMessageHandler(
+        [](QtMsgType, const QMessageLogContext&, const QString& text) { complaint = text; });
+    panel_->rename({EntityKind::Human, 3});
+    qInstallMessageHandler(before);
+    QCOMPARE(complaint, QString());
+    QCOMPARE(scenario().humans[1].name, std::string("Bea"));
+    const QList<QLineEdit*> fields = panel_->tree().findChildren<QLineEdit*>();
+    QVERIFY(std::any_of(fields.begin(), fields.end(), [](const QLineEdit* field) {
+      return field->text() == QLatin1String("Chloe");
+    }));
   }
 
   void row_dragged_reordersAndUndoes() {
