@@ -67,6 +67,15 @@ Scenario twoRooms() {
   return scenario;
 }
 
+/// A room with a wall 2 m thick and a robot.
+Scenario thickWall() {
+  Scenario scenario;
+  addRoom(scenario, {-5.0, -3.0}, {5.0, 3.0});
+  addWall(scenario, {{2.5, -3.0}, {2.5, -0.5}}, 2.0);
+  addRobot(scenario, {-3.0, 2.0}, {-3.0, -2.0});
+  return scenario;
+}
+
 }  // namespace
 
 void WorldInputsTest::step_robotCommand_replacesThePlannersForThatStep() {
@@ -145,13 +154,8 @@ void WorldInputsTest::step_robotMoved_standsThereAndGoesOn() {
            qPrintable(QString::number(after.x[0]) + QLatin1Char(32) + QString::number(after.y[0])));
 }
 
-/// A wall 2 m thick.
 void WorldInputsTest::step_robotMovedIntoAWall_isRefused() {
-  Scenario scenario;
-  addRoom(scenario, {-5.0, -3.0}, {5.0, 3.0});
-  addWall(scenario, {{2.5, -3.0}, {2.5, -0.5}}, 2.0);
-  addRobot(scenario, {-3.0, 2.0}, {-3.0, -2.0});
-  const std::unique_ptr<World> world = make(scenario);
+  const std::unique_ptr<World> world = make(thickWall());
   QVERIFY(world != nullptr);
   for (const Input& move :
        {placing(InputKind::Move, -1, {2.5, -1.8}), placing(InputKind::Move, -2, {0.0, 0.0})}) {
@@ -217,11 +221,7 @@ void WorldInputsTest::step_robotWithoutGoalOrdered_arrives() {
 }
 
 void WorldInputsTest::step_robotOrderedWhereItCannotBe_isRefused() {
-  Scenario scenario;
-  addRoom(scenario, {-5.0, -3.0}, {5.0, 3.0});
-  addWall(scenario, {{2.5, -3.0}, {2.5, -0.5}}, 2.0);
-  addRobot(scenario, {-3.0, 2.0}, {-3.0, -2.0});
-  const std::unique_ptr<World> world = make(scenario);
+  const std::unique_ptr<World> world = make(thickWall());
   QVERIFY(world != nullptr);
   for (const Input& order :
        {placing(InputKind::Goal, -1, {2.5, -1.8}), placing(InputKind::Goal, -2, {0.0, 0.0}),
