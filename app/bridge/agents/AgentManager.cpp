@@ -138,7 +138,7 @@ std::optional<sim2d::CoupledRobot> AgentManager::usableRobot(const Agent& robot)
 
 bool AgentManager::take(const Agents& agents, const Agent& robot) {
   const sim2d::CoupledWorld* const before = world_.get();
-  topics_.reset();
+  stepped_.reset();
   if (!needWorld(agents)) {
     return false;
   }
@@ -219,7 +219,7 @@ hunav_msgs::ComputeAgents::Response AgentManager::compute(
     restartClocks(agents);
     if (goesOn) {
       step(dt, std::nullopt);
-      topics_ = topicsOf(agents, request.robot, *world_);
+      stepped_ = {agents, request.robot};
     }
   }
   for (const Agent& agent : agents.agents) {
@@ -246,7 +246,7 @@ hunav_msgs::MoveAgent::Response AgentManager::moveOne(
         step(sinceLast(ownClocks_[request.agentId], now), request.agentId);
       }
       world_->pass(passed);
-      topics_ = topicsOf(agents, request.robot, *world_);
+      stepped_ = {agents, request.robot};
     }
   }
   if (asked == agents.agents.end()) {
@@ -295,7 +295,11 @@ hunav_msgs::ResetAgents::Response AgentManager::reset(
 }
 
 std::optional<StepTopics> AgentManager::takeTopics() {
-  return std::exchange(topics_, std::nullopt);
+  std::optional<hunav_msgs::ComputeAgents::Request> of = std::exchange(stepped_, std::nullopt);
+  if (!of) {
+    return std::nullopt;
+  }
+  return topicsOf(std::move(of->currentAgents), std::move(of->robot), *world_);
 }
 
 std::vector<std::string> AgentManager::takeSayings() {

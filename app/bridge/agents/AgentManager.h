@@ -39,7 +39,8 @@ class AgentManager {
   hunav_msgs::ComputeAgent::Response computeOne(const hunav_msgs::ComputeAgent::Request& request);
   hunav_msgs::ResetAgents::Response reset(const hunav_msgs::ResetAgents::Request& request);
 
-  /// Of the last compute or moveOne, to be published before the answer; nothing in the first.
+  /// Of the last compute or moveOne; nothing in the first. Made here, so an answer need not wait
+  /// for them.
   std::optional<StepTopics> takeTopics();
   /// "Agent 3 says: hello", of the last step.
   std::vector<std::string> takeSayings();
@@ -73,7 +74,7 @@ class AgentManager {
   double lastDt_ = 0.0;                          // [s]
   std::map<int, hunav_msgs::Agent> lastAgents_;  // as they came last and could be used, by id
   std::optional<sim2d::CoupledRobot> lastRobot_;
-  std::optional<StepTopics> topics_;
+  std::optional<hunav_msgs::ComputeAgents::Request> stepped_;  // the state before the last step
   std::vector<std::string> sayings_;
   base::Diagnostics remarks_;
   std::set<std::string> told_;

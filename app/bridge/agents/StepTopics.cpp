@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "app/bridge/agents/AgentMessages.h"
 #include "sim2d/base/Math.h"
@@ -104,8 +105,7 @@ people_msgs::Person personWithTags(const Agent& agent) {
 
 }  // namespace
 
-StepTopics topicsOf(const hunav_msgs::Agents& agents, const Agent& robot,
-                    const sim2d::CoupledWorld& world) {
+StepTopics topicsOf(hunav_msgs::Agents agents, Agent robot, const sim2d::CoupledWorld& world) {
   StepTopics topics;
   const std_msgs::Header& header = agents.header;
   if (robotOf(robot) && !robot.name.empty()) {
@@ -119,8 +119,8 @@ StepTopics topicsOf(const hunav_msgs::Agents& agents, const Agent& robot,
     addForces(agent, header, world, topics.forces.markers);
     topics.people.people.push_back(personWithTags(agent));
   }
-  topics.humans = agents;
-  topics.robot = robot;
+  topics.humans = std::move(agents);
+  topics.robot = std::move(robot);
   return topics;
 }
 

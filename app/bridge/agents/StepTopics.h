@@ -19,7 +19,8 @@ struct StepTopics {
   people_msgs::People people;                   // people
 };
 
-StepTopics topicsOf(const hunav_msgs::Agents& agents, const hunav_msgs::Agent& robot,
+/// State of a request; forces of the world's last step.
+StepTopics topicsOf(hunav_msgs::Agents agents, hunav_msgs::Agent robot,
                     const sim2d::CoupledWorld& world);
 
 }  // namespace bridge

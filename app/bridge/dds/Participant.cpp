@@ -19,15 +19,18 @@ constexpr const char* kGraphType = "rmw_dds_common::msg::dds_::ParticipantEntiti
 
 class DdsPublisher : public Publisher {
  public:
-  DdsPublisher(const DdsPtr& dds, int node, efd::DataWriter* writer) : writer_(dds, node, writer) {}
+  DdsPublisher(const DdsPtr& dds, int node, efd::DataWriter* writer, bool isKept)
+      : writer_(dds, node, writer), isKept_(isKept) {}
   bool publish(const Bytes& message) override {
     rtps::WriteParams none;
     return writer_.write(message, none);
   }
   int matched() const override { return writer_.matched(); }
+  bool isWanted() const override { return isKept_ || matched() > 0; }
 
  private:
   OwnedWriter writer_;
+  bool isKept_;  // for who comes later
 };
 
 class DdsSubscription : public Subscription, public Source {
@@ -115,7 +118,8 @@ base::Result<std::unique_ptr<Publisher>> DdsParticipant::publisher(int node,
   if (writer == nullptr) {
     return refusal(name, ddsTopic(name), mangled);
   }
-  return std::unique_ptr<Publisher>(std::make_unique<DdsPublisher>(dds_, node, writer));
+  return std::unique_ptr<Publisher>(
+      std::make_unique<DdsPublisher>(dds_, node, writer, qos.transientLocal));
 }
 
 base::Result<std::unique_ptr<Subscription>> DdsParticipant::subscription(

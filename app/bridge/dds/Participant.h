@@ -23,6 +23,8 @@ class Publisher {
   virtual ~Publisher() = default;
   virtual bool publish(const Bytes& message) = 0;
   virtual int matched() const = 0;  // subscriptions of others
+  /// A message would come to somebody, now or later: else it need not be made.
+  virtual bool isWanted() const = 0;
 };
 
 class Subscription {

@@ -26,6 +26,7 @@ class DdsAgentServer final : public AgentServer {
   base::Diagnostics start();
   void spin(Milliseconds atMost) override {
     participant_->spin(atMost);
+    publishStep();
     tellRemarks();
   }
   std::uint64_t answered() const override { return answered_; }
@@ -33,18 +34,16 @@ class DdsAgentServer final : public AgentServer {
  private:
   void offerManager();
   void offerLoader();
+  void publishStep();
   void publish(const StepTopics& topics);
   void tellOnce(const base::Diagnostic& said);
   void tellRemarks();
   template <class S, class Work>
   void answer(const std::string& name, Work work) {
     node_->serve<S>(name, kServices, [this, work](const typename S::Request& request) {
+      publishStep();
       ++answered_;
-      typename S::Response response = work(request);
-      if (const std::optional<StepTopics> topics = manager_.takeTopics()) {
-        publish(*topics);
-      }
-      return response;
+      return work(request);
     });
   }
   bool wants(const char* parameter) const {
@@ -130,6 +129,13 @@ void DdsAgentServer::offerLoader() {
   loaderNode_->serve<hunav_msgs::GetParameters>(
       "/get_parameters", kServices,
       [this](const hunav_msgs::GetParameters::Request&) { return loaderSummary(*scenario_); });
+}
+
+/// Once the answer is on its way: its caller waits. Of another call that came with it before that.
+void DdsAgentServer::publishStep() {
+  if (const std::optional<StepTopics> topics = manager_.takeTopics()) {
+    publish(*topics);
+  }
 }
 
 void DdsAgentServer::publish(const StepTopics& topics) {

@@ -19,8 +19,10 @@ class TopicOf {
  public:
   TopicOf() = default;
   explicit TopicOf(std::unique_ptr<Publisher> publisher) : publisher_(std::move(publisher)) {}
+  /// Costs nothing where nobody would hear it.
   bool publish(const M& message) const {
-    return publisher_ != nullptr && publisher_->publish(encode(message));
+    return publisher_ != nullptr &&
+           (!publisher_->isWanted() || publisher_->publish(encode(message)));
   }
   int matched() const { return publisher_ == nullptr ? 0 : publisher_->matched(); }
 

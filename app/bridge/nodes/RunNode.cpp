@@ -187,8 +187,7 @@ void DdsRunNode::publish(const sim2d::Frame& frame) {
     if (topics_.topics()[topic].name == kGoalPose && topics_.isOrdered(0)) {
       return false;
     }
-    return topics_.topics()[topic].isLatched ||
-           (publishers_[topic] != nullptr && publishers_[topic]->matched() > 0);
+    return publishers_[topic] != nullptr && publishers_[topic]->isWanted();
   };
   topics_.tell(frame, send, isHeard);
 }
