@@ -24,6 +24,7 @@ class ParticipantTest : public QObject {
   void graphSample_hasTheSizesOfEachDistro();
   void topic_arrivesInOrder();
   void topic_ofOneself_isNotHeard();
+  void topic_isWanted_byWhoHearsIt();
   void topic_latched_comesToWhoComesLater();
   void topic_bestEffortReader_isServed();
   void topic_otherTypeUnderTheName_isRefused();
@@ -164,6 +165,24 @@ void ParticipantTest::topic_ofOneself_isNotHeard() {
     (*answers)->publish(text("yours"));
     return own > 0;
   }));
+}
+
+void ParticipantTest::topic_isWanted_byWhoHearsIt() {
+  const auto a = participant(inDomain(kDomain));
+  const auto b = participant(inDomain(kDomain));
+  QVERIFY(a && b);
+  const auto talks = a->publisher(a->addNode("/", "talker"), "words", kType, Qos());
+  const auto keeps = a->publisher(0, "kept_words", kType, Qos::latched());
+  QVERIFY(talks && keeps);
+  QVERIFY(!(*talks)->isWanted());
+  QVERIFY((*keeps)->isWanted());  // by who comes later
+  {
+    const auto hears = b->subscription(b->addNode("/", "listener"), "words", kType, Qos(),
+                                       [](const Bytes& /*bytes*/) {});
+    QVERIFY(hears);
+    QVERIFY(spinBoth(*a, *b, [&] { return (*talks)->isWanted(); }));
+  }
+  QVERIFY(spinBoth(*a, *b, [&] { return !(*talks)->isWanted(); }));
 }
 
 void ParticipantTest::topic_latched_comesToWhoComesLater() {
