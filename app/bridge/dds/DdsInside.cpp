@@ -6,6 +6,7 @@
 #include <fastdds/rtps/common/WriteParams.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <malloc.h>
 #include <utility>
 
 #include "app/bridge/dds/RawType.h"
@@ -19,6 +20,17 @@ constexpr unsigned kFirstPort = 7400, kPortsPerDomain = 250, kUnicastOffset = 10
 constexpr unsigned kPeers = 40;     // participants that are looked for on this machine
 constexpr int kUsualSamples = 400;  // as Fast DDS has it
 constexpr int kAllocatedSamples = 4;
+constexpr int kKeptBytes = 16 << 20, kLargestKept = 4 << 20;
+
+/// Messages come and go many times a second: their memory, handed back to the system each time,
+/// would be asked for again page by page.
+void keepFreedMemory() {
+#ifdef __GLIBC__
+  static const bool isSet =
+      mallopt(M_TRIM_THRESHOLD, kKeptBytes) == 1 && mallopt(M_MMAP_THRESHOLD, kLargestKept) == 1;
+  static_cast<void>(isSet);
+#endif
+}
 
 /// 127.0.0.1 alone: no multicast, so others are asked at the ports that they take in turn.
 void keepToThisMachine(const DomainSettings& settings, efd::DomainParticipantQos& qos) {
@@ -125,6 +137,7 @@ bool MetReaders::has(const rtps::GUID_t& reader) {
 }
 
 std::shared_ptr<DdsEntities> DdsEntities::create(const DomainSettings& settings) {
+  keepFreedMemory();
   std::shared_ptr<DdsEntities> made(new DdsEntities);
   made->settings = settings;
   made->participant_ = efd::DomainParticipantFactory::get_instance()->create_participant(
