@@ -60,7 +60,7 @@ std::optional<Session::Guest> topics(const RunGuests& guests, sim2d::World& worl
   if (!made) {
     return std::nullopt;
   }
-  world.tellSenses(true);
+  world.tellScans(true);
   const std::shared_ptr<bridge::RunNode> node = *std::move(made);
   return Session::Guest{[node](const sim2d::Frame& frame) { node->tell(frame); },
                         [node](const sim2d::Frame& frame) { return node->inputs(frame); }};

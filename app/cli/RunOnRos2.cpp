@@ -56,7 +56,7 @@ std::unique_ptr<RunOnRos2> RunOnRos2::open(const RunOnRos2Words& words,
       {*domain, words.stamped, words.lockstep, words.sendsGoals, wasInterrupted},
       [](const base::Diagnostic& said) { printDiagnostics({said}); });
   requireFine(node.diagnostics());
-  world.tellSenses(true);
+  world.tellScans(true);
   session.setSpeed(1.0);
   session.steer([&to = **node](const sim2d::Frame& frame) { return to.inputs(frame); });
   return std::make_unique<TopicsOfRun>(*std::move(node), world);

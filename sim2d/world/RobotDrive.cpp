@@ -44,8 +44,8 @@ void RobotDrive::sense(const FrozenWorld& world) {
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const bool isUnderWay =
         currentGoal(robots[i], world.state.robots[i]) || !planners_[i]->needsGoal();
-    const bool isRead =
-        wantsSenses_ || robots[i].recordsScans || (isUnderWay && planners_[i]->readsScan());
+    const bool isRead = wantsSenses_ || wantsScans_ || robots[i].recordsScans ||
+                        (isUnderWay && planners_[i]->readsScan());
     isScanRead_[i] = isRead ? 1 : 0;
   }
   sensors_.update(world, isScanRead_);
@@ -130,6 +130,9 @@ void RobotDrive::addSenses(std::size_t robot, bool isAsked) {
   if (const LaserScan* const scan = sensors_.scan(robot)) {
     senses.scan = shownScan(*scan);
   }
+  if (!wantsSenses_) {
+    return;
+  }
   for (const TrackedBody& body : sensors_.bodies(robot)) {
     senses.bodies.push_back(
         {body.id, body.kind == BodyKind::Robot, body.position, body.velocity, body.radius});
@@ -172,8 +175,10 @@ void RobotDrive::passGoals(std::size_t robot, const ResolvedRobot& constants, Wo
 const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, WorldState& state) {
   commands_.assign(state.robots.size(), BodyTwist{});
   const double dt = world.model.dt;
-  senses_ =
-      wantsSenses_ ? std::make_shared<std::vector<RobotSenses>>(state.robots.size()) : nullptr;
+  senses_.reset();
+  if (wantsSenses_ || wantsScans_) {
+    senses_ = std::make_shared<std::vector<RobotSenses>>(state.robots.size());
+  }
   sense(world);
   for (std::size_t i = 0; i < state.robots.size(); ++i) {
     const ResolvedRobot& robot = world.model.robots[i];

@@ -38,6 +38,7 @@ class RobotDrive {
   static void afterMotion(const WorldModel& model, WorldState& state);
 
   void tellSenses(bool wanted) { wantsSenses_ = wanted; }
+  void tellScans(bool wanted) { wantsScans_ = wanted; }
   void watchPlanners(std::shared_ptr<const PlannerWatch> watch) { watch_ = std::move(watch); }
   /// Of all robots in the last `command`; null unless asked for.
   std::shared_ptr<const std::vector<RobotSenses>> senses() const { return senses_; }
@@ -79,7 +80,7 @@ class RobotDrive {
   std::vector<BodyTwist> commands_;
   std::map<std::size_t, BodyTwist> steered_;
   std::string failure_;
-  bool wantsSenses_ = false;
+  bool wantsSenses_ = false, wantsScans_ = false;
   std::shared_ptr<const PlannerWatch> watch_;
   std::shared_ptr<std::vector<RobotSenses>> senses_;
   Observation observation_;  // its memory is used again

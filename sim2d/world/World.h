@@ -83,6 +83,9 @@ class World {
 
   /// From the next step on frames have the senses of robots and the ways of people, or no more.
   virtual void tellSenses(bool wanted) = 0;
+  /// The same of what robots believe and scan alone: senses without bodies and ways, unless those
+  /// are wanted too.
+  virtual void tellScans(bool wanted) = 0;
   /// With them, of planners, what is switched on there at each step; null: no costs, no ways of
   /// planners that gather them for display only.
   virtual void watchPlanners(std::shared_ptr<const PlannerWatch> watch) = 0;

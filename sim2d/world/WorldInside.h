@@ -80,6 +80,7 @@ class RunningWorld : public World {
     robots_.tellSenses(wanted);
     tellsWays_ = wanted;
   }
+  void tellScans(bool wanted) override { robots_.tellScans(wanted); }
   void watchPlanners(std::shared_ptr<const PlannerWatch> watch) override {
     robots_.watchPlanners(std::move(watch));
   }

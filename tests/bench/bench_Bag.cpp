@@ -33,7 +33,7 @@ bool runInto(const std::string& folder, const app::Bundle& bundle, bool hasBag) 
                         verdict.metrics.selection, verdict.metrics.parameters);
   std::unique_ptr<bridge::RunBagFolder> bag;
   if (hasBag) {
-    verdict.world->tellSenses(true);
+    verdict.world->tellScans(true);
     bag = std::make_unique<bridge::RunBagFolder>((*output)->staging(), *bundle.scenario,
                                                  *verdict.world);
     writer.setCompanion(bag.get());

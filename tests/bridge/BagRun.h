@@ -28,7 +28,7 @@ inline base::Diagnostics runCafeInto(const std::string& folder, double seconds,
   selection.everyRobot = true;
   app::RunWriter writer((*output)->staging(), *verdict.world, verdict.world->header(), selection,
                         verdict.metrics.parameters);
-  verdict.world->tellSenses(true);
+  verdict.world->tellScans(true);
   bridge::RunBagFolder bag((*output)->staging(), *bundle.scenario, *verdict.world);
   writer.setCompanion(&bag);
   app::Session session(sim2d::stopRuleOf(*bundle.scenario));

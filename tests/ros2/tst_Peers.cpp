@@ -121,7 +121,7 @@ struct Told {
     if (verdict.world == nullptr) {
       return;
     }
-    verdict.world->tellSenses(true);
+    verdict.world->tellScans(true);
     RunNodeSettings settings;
     settings.domain = inDomain(domain);
     auto made = RunNode::create(verdict.world->header(), lidarsOf(*bundle.scenario), settings,

@@ -48,7 +48,7 @@ struct Drive {
     if (verdict.world == nullptr) {
       return;
     }
-    verdict.world->tellSenses(true);
+    verdict.world->tellScans(true);
     auto made = RunNode::create(verdict.world->header(), lidarsOf(scenario),
                                 {inDomain(kDomain), stamped, false},
                                 [this](const base::Diagnostic& said) { told.push_back(said); });

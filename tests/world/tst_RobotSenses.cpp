@@ -27,6 +27,7 @@ class RobotSensesTest : public QObject {
   void lidar_ofTheType_isThere_data();
   void lidar_ofTheType_isThere();
   void lidar_recorded_isInTheFrames();
+  void scansAlone_areThoseOfAllSenses();
   void run_noisySensors_dependsOnTheSeedAlone();
   void planner_blindRobot_drivesOn();
   void planner_blindDetector_avoidsWhatItsLidarMeets();
@@ -321,6 +322,34 @@ void RobotSensesTest::lidar_recorded_isInTheFrames() {
     before = frame;
   });
   QVERIFY(steps == (std::vector<std::int64_t>{0, 2, 4, 6, 8}));
+}
+
+void RobotSensesTest::scansAlone_areThoseOfAllSenses() {
+  Scenario scenario;
+  addPerson(scenario, 1, Vec2(4.0, 0.0));
+  addRobot(scenario, Vec2(0.0, 0.0), Vec2(3.0, 3.0)).odometryNoise.alpha1 = 0.2;
+  const std::unique_ptr<World> all = watched(scenario);
+  const std::unique_ptr<World> world = make(scenario);
+  world->tellScans(true);
+  advance(*world, 5, [&](const Frame& frame) {
+    QVERIFY(all->step());
+    const RobotSenses& wanted = sensesOf(all->frame());
+    const RobotSenses& told = sensesOf(frame);
+    QVERIFY(told.believed == wanted.believed);
+    QVERIFY(told.scan && told.scan->time == wanted.scan->time);
+    QVERIFY(told.scan->distances == wanted.scan->distances);
+    QVERIFY(wanted.bodies.size() == 1 && told.bodies.empty());
+    QVERIFY(frame.humanPaths == nullptr);
+  });
+  world->tellSenses(true);
+  advance(*world, 1);
+  QCOMPARE(sensesOf(world->frame()).bodies.size(), std::size_t{1});
+  world->tellSenses(false);  // scans are still wanted
+  advance(*world, 1);
+  QVERIFY(sensesOf(world->frame()).scan && sensesOf(world->frame()).bodies.empty());
+  world->tellScans(false);
+  advance(*world, 1);
+  QVERIFY(world->frame().senses == nullptr);
 }
 
 namespace {

@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kMostTaken = 32;  // states
+constexpr std::size_t kTogether = 16;  // states that are handed over at once
 
 }  // namespace
 
@@ -50,35 +50,43 @@ void RunBagFolder::append(const sim2d::Frame& frame) {
   } else {
     return;
   }
+  gathered_.push_back(std::move(taken));
+  if (gathered_.size() >= kTogether) {
+    handOver();
+  }
+}
+
+/// Waits until those of before have been taken.
+void RunBagFolder::handOver() {
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock,
-                [this] { return taken_.size() < kMostTaken || thrown_ != nullptr || isOver_; });
+  changed_.wait(lock, [this] { return taken_.empty() || thrown_ != nullptr || isOver_; });
   if (thrown_ != nullptr) {
     std::rethrow_exception(thrown_);
   }
-  taken_.push_back(std::move(taken));
+  taken_.swap(gathered_);
+  gathered_.clear();
   changed_.notify_all();
 }
 
-std::optional<RunBagFolder::Taken> RunBagFolder::next() {
+/// None: there are no more.
+std::vector<RunBagFolder::Taken> RunBagFolder::next() {
+  std::vector<Taken> all;
   std::unique_lock<std::mutex> lock(mutex_);
   changed_.wait(lock, [this] { return isOver_ || !taken_.empty(); });
-  if (taken_.empty()) {
-    return std::nullopt;
-  }
-  std::optional<Taken> first = std::move(taken_.front());
-  taken_.pop_front();
+  all.swap(taken_);
   changed_.notify_all();
-  return first;
+  return all;
 }
 
 void RunBagFolder::work() {
   try {
-    while (std::optional<Taken> taken = next()) {
-      if (taken->header) {
-        bag_.setHeader(*std::move(taken->header));
+    for (std::vector<Taken> all = next(); !all.empty(); all = next()) {
+      for (Taken& taken : all) {
+        if (taken.header) {
+          bag_.setHeader(*std::move(taken.header));
+        }
+        bag_.append(taken.frame);
       }
-      bag_.append(taken->frame);
       hasFailed_ = bag_.hasFailed();
     }
   } catch (...) {
@@ -101,6 +109,9 @@ void RunBagFolder::end() {
 
 base::Diagnostics RunBagFolder::finish(app::OutputFolder& output,
                                        const sim2d::TraceHeader& header) {
+  if (!gathered_.empty()) {
+    handOver();
+  }
   end();
   if (thrown_ != nullptr) {
     std::rethrow_exception(thrown_);

@@ -2,13 +2,13 @@
 
 #include <atomic>
 #include <condition_variable>
-#include <deque>
 #include <exception>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "app/bridge/bag/RunBag.h"
 #include "app/run/RunFolder.h"
@@ -46,16 +46,18 @@ class RunBagFolder final : public app::RunCompanion {
   };
   bool meetsSomebody(const sim2d::Frame& frame);
   void work();
-  std::optional<Taken> next();
+  void handOver();
+  std::vector<Taken> next();
   void end();
 
   const sim2d::World& world_;
-  std::set<int> known_;  // people of the header
-  RunBag bag_;           // of the thread, until it has ended
+  std::set<int> known_;          // people of the header
+  std::vector<Taken> gathered_;  // of the run, until they are enough to hand over
+  RunBag bag_;                   // of the thread, until it has ended
   std::atomic<bool> hasFailed_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Taken> taken_;
+  std::vector<Taken> taken_;
   bool isOver_ = false;
   std::exception_ptr thrown_;
   std::thread thread_;

@@ -57,7 +57,7 @@ base::Result<std::unique_ptr<LiveRun>> LiveRun::open(const LiveRunSettings& sett
     return server.diagnostics();
   }
   run->server_ = *std::move(server);
-  world.tellSenses(true);
+  world.tellScans(true);
   run->server_->start();
   return base::Result<std::unique_ptr<LiveRun>>(std::move(run));
 }

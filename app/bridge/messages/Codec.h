@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -26,9 +27,11 @@ struct RequestId {
 enum class Rest { Refused, Ignored };
 
 /// The message as DDS, MCAP and the live view carry it, with the four bytes of encapsulation.
+/// `expected`: bytes that it will have or so.
 template <class M>
-std::string encode(const M& message) {
+std::string encode(const M& message, std::size_t expected = 0) {
   std::string bytes;
+  bytes.reserve(expected);
   CdrWriter(bytes).message(message);
   return bytes;
 }

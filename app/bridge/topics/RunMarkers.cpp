@@ -27,10 +27,11 @@ constexpr std_msgs::ColorRGBA kTextColor{0.55F, 0.55F, 0.55F, 1.0F};  // on ligh
 constexpr std_msgs::ColorRGBA kWallColor{0.35F, 0.35F, 0.40F, 1.0F};
 constexpr std_msgs::ColorRGBA kDoorColor{0.62F, 0.42F, 0.20F, 1.0F};
 
-Marker marker(double seconds, const std::string& kind, int id, int type) {
-  Marker made;
+/// Valid until the next one is added.
+Marker& addMarker(MarkerArray& to, double seconds, std::string kind, int id, int type) {
+  Marker& made = to.markers.emplace_back();
   made.header = headerOf(seconds);
-  made.ns = kind;
+  made.ns = std::move(kind);
   made.id = id;
   made.type = type;
   made.action = Marker::kAdd;
@@ -39,10 +40,8 @@ Marker marker(double seconds, const std::string& kind, int id, int type) {
 }
 
 /// All of before goes.
-Marker eraser(double seconds) {
-  Marker made = marker(seconds, "", 0, Marker::kArrow);
-  made.action = Marker::kDeleteall;
-  return made;
+void addEraser(MarkerArray& to, double seconds) {
+  addMarker(to, seconds, "", 0, Marker::kArrow).action = Marker::kDeleteall;
 }
 
 geometry_msgs::Point pointOf(const base::Vec2& point, double height) {
@@ -60,33 +59,30 @@ struct Body {
 };
 
 void addBody(MarkerArray& to, double seconds, const Body& body) {
-  Marker cylinder = marker(seconds, body.kind, body.id, Marker::kCylinder);
+  Marker& cylinder = addMarker(to, seconds, body.kind, body.id, Marker::kCylinder);
   cylinder.pose = poseOf(body.pose);
   cylinder.pose.position.z = body.height / 2.0;
   cylinder.scale = {2.0 * body.radius, 2.0 * body.radius, body.height};
   cylinder.color = body.color;
-  to.markers.push_back(std::move(cylinder));
   if (body.velocity.norm() > kSlowest) {
-    Marker arrow = marker(seconds, body.kind + "/velocity", body.id, Marker::kArrow);
+    Marker& arrow = addMarker(to, seconds, body.kind + "/velocity", body.id, Marker::kArrow);
     const double height = body.height + kArrowHead;
     arrow.points = {pointOf(body.pose.position, height),
                     pointOf(body.pose.position + body.velocity, height)};  // a second's way
     arrow.scale = {kArrowShaft, kArrowHead, 0.0};
     arrow.color = kArrowColor;
-    to.markers.push_back(std::move(arrow));
   }
-  Marker text = marker(seconds, body.kind + "/name", body.id, Marker::kTextViewFacing);
+  Marker& text = addMarker(to, seconds, body.kind + "/name", body.id, Marker::kTextViewFacing);
   text.pose = poseOf(body.pose.position);
   text.pose.position.z = body.height + kTextGap;
   text.scale.z = kTextSize;
   text.color = kTextColor;
   text.text = body.name;
-  to.markers.push_back(std::move(text));
 }
 
-Marker outlineMarker(double seconds, const std::string& kind, int id,
-                     const std::vector<base::Vec2>& points, const std_msgs::ColorRGBA& color) {
-  Marker line = marker(seconds, kind, id, Marker::kLineStrip);
+Marker& addOutline(MarkerArray& to, double seconds, const std::string& kind, int id,
+                   const std::vector<base::Vec2>& points, const std_msgs::ColorRGBA& color) {
+  Marker& line = addMarker(to, seconds, kind, id, Marker::kLineStrip);
   line.scale.x = kLineWidth;
   line.color = color;
   for (std::size_t k = 0; k <= points.size() && !points.empty(); ++k) {
@@ -127,10 +123,8 @@ void addRobots(MarkerArray& to, const sim2d::TraceHeader& header, const sim2d::F
     body.color = kRobotColor;
     addBody(to, frame.time, body);
     if (!robot.footprint.empty()) {
-      Marker line =
-          outlineMarker(frame.time, "robots/footprint", body.id, robot.footprint, kRobotColor);
-      line.pose = poseOf(body.pose);
-      to.markers.push_back(std::move(line));
+      addOutline(to, frame.time, "robots/footprint", body.id, robot.footprint, kRobotColor).pose =
+          poseOf(body.pose);
     }
   }
 }
@@ -140,7 +134,7 @@ void addRobots(MarkerArray& to, const sim2d::TraceHeader& header, const sim2d::F
 MarkerArray bodyMarkersOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
   MarkerArray all;
   all.markers.reserve(1 + 3 * frame.humans.size() + 4 * frame.robots.size());
-  all.markers.push_back(eraser(frame.time));
+  addEraser(all, frame.time);
   addPeople(all, header, frame);
   addRobots(all, header, frame);
   return all;
@@ -149,7 +143,7 @@ MarkerArray bodyMarkersOf(const sim2d::TraceHeader& header, const sim2d::Frame& 
 MarkerArray obstacleMarkersOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
                               double seconds) {
   MarkerArray all;
-  all.markers.push_back(eraser(seconds));
+  addEraser(all, seconds);
   std::size_t door = 0;
   for (const sim2d::TraceObstacle& obstacle : header.obstacles) {
     const bool isOpen = obstacle.isDoor &&
@@ -160,8 +154,8 @@ MarkerArray obstacleMarkersOf(const sim2d::TraceHeader& header, const sim2d::Fra
     }
     int id = 0;
     for (const sim2d::Outline& outline : obstacle.outlines) {
-      all.markers.push_back(outlineMarker(seconds, obstacle.name, id++, outline.points,
-                                          obstacle.isDoor ? kDoorColor : kWallColor));
+      addOutline(all, seconds, obstacle.name, id++, outline.points,
+                 obstacle.isDoor ? kDoorColor : kWallColor);
     }
   }
   return all;

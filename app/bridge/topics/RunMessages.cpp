@@ -103,6 +103,11 @@ hunav_msgs::Agent agentOf(const sim2d::TraceHeader& header, const sim2d::HumanCo
   return agent;
 }
 
+void addTag(people_msgs::Person& to, const char* name, int value) {
+  to.tagnames.emplace_back(name);
+  to.tags.push_back(std::to_string(value));
+}
+
 const sim2d::TraceRobot* robotIn(const sim2d::TraceHeader& header, int id) {
   const auto found = std::find_if(header.robots.begin(), header.robots.end(),
                                   [id](const sim2d::TraceRobot& each) { return each.id == id; });
@@ -195,15 +200,14 @@ people_msgs::People peopleOf(const sim2d::TraceHeader& header, const sim2d::Fram
   all.people.reserve(humans.size());
   for (std::size_t k = 0; k < humans.size(); ++k) {
     const sim2d::TraceHuman* const human = humanOf(header, humans, k);
-    people_msgs::Person person;
+    people_msgs::Person& person = all.people.emplace_back();
     person.name = human != nullptr ? human->name : std::to_string(humans.id[k]);
     person.position = {humans.x[k], humans.y[k], humans.heading[k]};
     person.velocity = {humans.vx[k], humans.vy[k], humans.omega[k]};
     person.reliability = 1.0;
-    person.tagnames = {"id", "group_id", "behavior"};
-    person.tags = {std::to_string(humans.id[k]), std::to_string(humans.group[k]),
-                   std::to_string(human != nullptr ? human->behavior : 0)};
-    all.people.push_back(std::move(person));
+    addTag(person, "id", humans.id[k]);
+    addTag(person, "group_id", humans.group[k]);
+    addTag(person, "behavior", human != nullptr ? human->behavior : 0);
   }
   return all;
 }

@@ -62,11 +62,14 @@ struct RunTopics::Telling {
   const sim2d::Frame& frame;
   const Send& send;
   const Wants& wants;
+  std::vector<std::size_t>& lengths;  // [bytes] of the last messages
 
   template <class Make>
   void tell(std::size_t topic, const Make& make) const {
     if (!wants || wants(topic)) {
-      send(topic, encode(make()));
+      std::string bytes = encode(make(), lengths[topic]);
+      lengths[topic] = bytes.size();
+      send(topic, std::move(bytes));
     }
   }
 };
@@ -88,6 +91,7 @@ RunTopics::RunTopics(sim2d::TraceHeader header, RunTopicsOptions options)
   addTopics();
   latched_.resize(topics_.size());
   unstamped_.resize(topics_.size());
+  lengths_.resize(topics_.size());
 }
 
 void RunTopics::addTopics() {
@@ -176,7 +180,7 @@ void RunTopics::tell(const sim2d::Frame& frame, const Send& send, const Wants& w
                      ? (robot.order ? &*robot.order : nullptr)
                      : goalIn(header_.robots[k].goals, frame.robots.goal[k], robot.passed);
   }
-  const Telling telling{frame, send, wants};
+  const Telling telling{frame, send, wants, lengths_};
   if (options_.clock) {
     telling.tell(Clock, [&] { return rosgraph_msgs::Clock{stampOf(frame.time)}; });
   }

@@ -44,7 +44,7 @@ RunTopicsOptions lidarsOf(const sim2d::Scenario& scenario);
 ///
 /// The second robot and further ones have their names in front: /robot2/odom, frame
 /// robot2/base_link. Frames: map -> odom -> base_footprint -> base_link -> base_scan, map -> name
-/// of each person. Scans come from the senses of a frame (World::tellSenses) or from recorded ones;
+/// of each person. Scans come from the senses of a frame (World::tellScans) or from recorded ones;
 /// what robots believe comes from the senses, else it is the truth. One thread at a time.
 class RunTopics {
  public:
@@ -110,6 +110,7 @@ class RunTopics {
   std::vector<Topic> topics_;
   std::vector<std::string> latched_;    // by topic
   std::vector<std::string> unstamped_;  // the same at the time 0
+  std::vector<std::size_t> lengths_;    // of the last message, by topic
   std::vector<Robot> robots_;
   std::vector<char> doors_;  // as they were told
 };

@@ -265,7 +265,7 @@ std::unique_ptr<bridge::RunBagFolder> bagOf(const RunOptions& options, const Bun
   if (options.record.empty()) {
     return nullptr;
   }
-  world.tellSenses(true);
+  world.tellScans(true);
   return std::make_unique<bridge::RunBagFolder>(output->staging(), *bundle.scenario, world);
 }
 
