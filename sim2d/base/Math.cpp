@@ -51,6 +51,38 @@ double scaled(double x, int exponent) {
   return x * factor;
 }
 
+/// mantissa * 2^exponent
+struct SplitNumber {
+  double mantissa;  // [0.5, 1)
+  int exponent;
+};
+
+/// Of a finite number > 0: what frexp gives, without a call for normal ones.
+SplitNumber splitNumber(double x) {
+  constexpr std::uint64_t kFractionBits = (std::uint64_t{1} << 52U) - 1;
+  constexpr int kBiasOfHalf = 1022;
+  if (x < std::numeric_limits<double>::min()) {
+    SplitNumber split{};
+    split.mantissa = std::frexp(x, &split.exponent);
+    return split;
+  }
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &x, sizeof(x));
+  const int exponent = static_cast<int>(bits >> 52U) - kBiasOfHalf;
+  bits = (bits & kFractionBits) | (std::uint64_t{kBiasOfHalf} << 52U);
+  std::memcpy(&x, &bits, sizeof(x));
+  return {x, exponent};
+}
+
+/// -x or x.
+double negatedIf(double x, bool isNegative) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &x, sizeof(x));
+  bits ^= std::uint64_t{isNegative ? 1U : 0U} << 63U;
+  std::memcpy(&x, &bits, sizeof(x));
+  return x;
+}
+
 /// Sum of c[i] * x^i.
 template <std::size_t N>
 double polynomial(const std::array<double, N>& c, double x) {
@@ -202,12 +234,10 @@ double log(double x) {
   static constexpr std::array<double, 10> kSeries = {2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,
                                                      2.0 / 11, 2.0 / 13, 2.0 / 15, 2.0 / 17,
                                                      2.0 / 19, 2.0 / 21};
-  int exponent = 0;
-  double mantissa = std::frexp(x, &exponent);  // [0.5, 1)
-  if (mantissa < 0x1.6a09e667f3bcdp-1) {       // sqrt(1/2)
-    mantissa *= 2.0;
-    --exponent;
-  }
+  auto [mantissa, exponent] = splitNumber(x);
+  const bool isLow = mantissa < 0x1.6a09e667f3bcdp-1;  // sqrt(1/2)
+  mantissa *= isLow ? 2.0 : 1.0;
+  exponent -= isLow ? 1 : 0;
   const double f = mantissa - 1.0;
   const double s = f / (2.0 + f);
   const double z = s * s;
@@ -232,16 +262,9 @@ SinCos sinCos(double x) {
   const auto [quadrant, rest] = reduceAngle(x);
   const double sine = sinOfReduced(rest);
   const double cosine = cosOfReduced(rest);
-  switch (quadrant) {
-    case 0:
-      return {sine, cosine};
-    case 1:
-      return {cosine, -sine};
-    case 2:
-      return {-sine, -cosine};
-    default:
-      return {-cosine, sine};
-  }
+  const bool isAcross = (quadrant & 1) != 0;  // no branches: any quadrant may follow any other
+  return {negatedIf(isAcross ? cosine : sine, (quadrant & 2) != 0),
+          negatedIf(isAcross ? sine : cosine, ((quadrant + 1) & 2) != 0)};
 }
 
 double atan2(double y, double x) {
