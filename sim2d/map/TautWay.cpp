@@ -1,6 +1,7 @@
 #include "sim2d/map/TautWay.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace sim2d {
@@ -13,6 +14,67 @@ constexpr double kLeastCut = 1e-3;   // [m]
 constexpr double kLeastLeg = 1e-4;   // [m]
 constexpr int kRounds = 14;          // of cutting corners: the turn at each halves
 constexpr int kBisections = 12;
+constexpr double kLongestPiece = 1.0;  // [m], about
+constexpr double kMostPieces = 256.0;
+
+/// A straight way, to tell in few steps most walls that come nowhere near it.
+class Line {
+ public:
+  Line(const Segment& way, double room)
+      : start_(way.a), reach_(room + kSlack), length_((way.b - way.a).norm()) {
+    if (length_ > 0.0) {
+      along_ = (way.b - way.a) / length_;
+    }
+  }
+
+  /// Sure; no says nothing.
+  bool isFarFrom(const Segment& wall) const {
+    const Vec2 a = wall.a - start_;
+    const Vec2 b = wall.b - start_;
+    return isApart(base::cross(along_, a), base::cross(along_, b), 0.0) ||
+           isApart(along_.dot(a), along_.dot(b), length_);
+  }
+
+ private:
+  /// Both beyond the reach at the same side of what goes from zero to `to`.
+  bool isApart(double a, double b, double to) const {
+    return std::min(a, b) > to + reach_ || std::max(a, b) < -reach_;
+  }
+
+  Vec2 start_;
+  double reach_, length_;       // [m]
+  Vec2 along_ = Vec2::UnitX();  // unit vector
+};
+
+double roomFor(double clearance) {
+  return std::max(clearance, kLeastRoom);
+}
+
+bool isInTheWay(const Segment& wall, const Segment& way, double room) {
+  return distanceBetween(way, wall) < room - kSlack;
+}
+
+/// One of the walls that a disc with that clearance would run into. Looked for piece by piece: a
+/// circle round all of a long way holds many walls that are not beside it.
+std::optional<Segment> wallInTheWay(const Segment& way, const Obstacles& obstacles,
+                                    double clearance) {
+  const double room = roomFor(clearance);
+  const Line line(way, room);
+  const Vec2 whole = way.b - way.a;
+  const auto pieces =
+      static_cast<int>(std::min(kMostPieces, std::max(1.0, whole.norm() / kLongestPiece)));
+  const Vec2 half = 0.5 / pieces * whole;
+  std::optional<Segment> found;
+  for (int piece = 0; piece < pieces && !found; ++piece) {
+    const Vec2 middle = way.a + (2 * piece + 1) * half;
+    obstacles.visitNear(middle, half.norm() + room, [&](const Segment& wall) {
+      if (!found && !line.isFarFrom(wall) && isInTheWay(wall, way, room)) {
+        found = wall;
+      }
+    });
+  }
+  return found;
+}
 
 class Puller {
  public:
@@ -30,8 +92,15 @@ class Puller {
   }
 
  private:
-  bool isClear(const Vec2& from, const Vec2& to) const {
-    return isWayClear(from, to, obstacles_, clearance_);
+  /// What was in the way last is mostly in the way again.
+  bool isClear(const Vec2& from, const Vec2& to) {
+    const Segment way{from, to};
+    if (blocking_ && isInTheWay(*blocking_, way, roomFor(clearance_))) {
+      return false;
+    }
+    const std::optional<Segment> wall = wallInTheWay(way, obstacles_, clearance_);
+    blocking_ = wall ? wall : blocking_;
+    return !wall;
   }
 
   /// From each point straight on to the last of those ahead that can be reached so.
@@ -89,48 +158,13 @@ class Puller {
   const Obstacles& obstacles_;
   double clearance_;
   std::vector<Vec2> way_;
-};
-
-/// A straight way, to tell in few steps most walls that come nowhere near it.
-class Line {
- public:
-  Line(const Segment& way, double room)
-      : start_(way.a), reach_(room + kSlack), length_((way.b - way.a).norm()) {
-    if (length_ > 0.0) {
-      along_ = (way.b - way.a) / length_;
-    }
-  }
-
-  /// Sure; no says nothing.
-  bool isFarFrom(const Segment& wall) const {
-    const Vec2 a = wall.a - start_;
-    const Vec2 b = wall.b - start_;
-    return isApart(base::cross(along_, a), base::cross(along_, b), 0.0) ||
-           isApart(along_.dot(a), along_.dot(b), length_);
-  }
-
- private:
-  /// Both beyond the reach at the same side of what goes from zero to `to`.
-  bool isApart(double a, double b, double to) const {
-    return std::min(a, b) > to + reach_ || std::max(a, b) < -reach_;
-  }
-
-  Vec2 start_;
-  double reach_, length_;       // [m]
-  Vec2 along_ = Vec2::UnitX();  // unit vector
+  std::optional<Segment> blocking_;  // a wall
 };
 
 }  // namespace
 
 bool isWayClear(const Vec2& from, const Vec2& to, const Obstacles& obstacles, double clearance) {
-  const double room = std::max(clearance, kLeastRoom);
-  const Line line({from, to}, room);
-  bool isClear = true;
-  obstacles.visitNear(0.5 * (from + to), 0.5 * (to - from).norm() + room, [&](const Segment& wall) {
-    isClear =
-        isClear && (line.isFarFrom(wall) || distanceBetween({from, to}, wall) >= room - kSlack);
-  });
-  return isClear;
+  return !wallInTheWay({from, to}, obstacles, clearance);
 }
 
 double distanceBetween(const Segment& first, const Segment& second) {
