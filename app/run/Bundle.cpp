@@ -39,7 +39,8 @@ void readMapOf(Bundle& bundle, const sim2d::FilePlaces& places, KnownFiles& file
 
 /// People without a tree file get that of their behaviour; the reader is told. Beside a scenario of
 /// HuNavSim's there should be files; one of ours can do without any.
-void tellGenerated(Bundle& bundle, const std::vector<std::string>& names, bool isUsual) {
+void tellGenerated(Bundle& bundle, const std::vector<std::string>& names,
+                   const sim2d::ScenarioReading& reading, bool isUsual) {
   if (names.empty()) {
     return;
   }
@@ -48,14 +49,15 @@ void tellGenerated(Bundle& bundle, const std::vector<std::string>& names, bool i
   first.resize(std::min(kNamed, names.size()));
   const std::string more = names.size() > kNamed ? " …" : "";
   const char* const people = names.size() == 1 ? " person" : " people";
-  base::Diagnostics told = {base::problem(
+  bundle.remarks.push_back(base::problem(
       isUsual ? base::Severity::Info : base::Severity::Warning, "run.no-tree-files",
-      {std::to_string(names.size()) + people, base::join(first, ", ") + more}, bundle.path)};
-  sim2d::addPlaceOfKey(told, bundle.path, {"hunav_loader.ros__parameters.agents"});
-  base::append(bundle.remarks, told);
+      {std::to_string(names.size()) + people, base::join(first, ", ") + more}, bundle.path));
+  bundle.remarks.back().line = reading.agentsLine;
+  bundle.remarks.back().column = reading.agentsColumn;
 }
 
-void findTrees(Bundle& bundle, const sim2d::FilePlaces& places, bool isOurs) {
+void findTrees(Bundle& bundle, const sim2d::FilePlaces& places,
+               const sim2d::ScenarioReading& reading) {
   bool hasFiles = false;
   std::vector<std::string> generated;
   for (const sim2d::Human& human : bundle.scenario->humans) {
@@ -74,7 +76,7 @@ void findTrees(Bundle& bundle, const sim2d::FilePlaces& places, bool isOurs) {
   std::error_code ignored;
   const std::string& folder = places.treesOption;
   if (folder.empty() || std::filesystem::is_directory(folder, ignored)) {
-    tellGenerated(bundle, generated, isOurs && !hasFiles && folder.empty());
+    tellGenerated(bundle, generated, reading, reading.hasBlock && !hasFiles && folder.empty());
   } else {
     bundle.remarks.push_back(base::error("option.no-trees-folder", {}, folder));
   }
@@ -186,7 +188,7 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownF
     const sim2d::FilePlaces places{options.scenario, options.map, options.trees,
                                    shippedMapsFolder()};
     readMapOf(bundle, places, files);
-    findTrees(bundle, places, reading->hasBlock);
+    findTrees(bundle, places, *reading);
     for (std::string& file : nav2FilesOf(*bundle.scenario, options.scenario)) {
       bundle.inputs.push_back(std::move(file));
     }

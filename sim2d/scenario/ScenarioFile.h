@@ -19,9 +19,10 @@ struct ScenarioReading {
   Scenario scenario;
   base::Diagnostics diagnostics;
   Dialect dialect = Dialect::C;
-  bool hasBlock = false;          // hunavsim_desktop: this program knows the scenario
-  int commentCount = 0;           // lost when saved over
-  std::map<EntityId, int> lines;  // where each entity's block begins
+  bool hasBlock = false;                 // hunavsim_desktop: this program knows the scenario
+  int commentCount = 0;                  // lost when saved over
+  std::map<EntityId, int> lines;         // where each entity's block begins
+  int agentsLine = 0, agentsColumn = 0;  // of the key of the list of people; 0: there is none
   bool ok() const { return !base::hasErrors(diagnostics); }
 };
 

@@ -275,6 +275,10 @@ ScenarioReading readScenarioText(const std::string& text, const std::string& fil
   if (reading.ok()) {
     reading = readTree(root, fileName).file;
     reading.commentCount = base::countComments(text);
+    if (const YamlNode* const agents = findKey(root, "hunav_loader.ros__parameters.agents")) {
+      reading.agentsLine = agents->keyLine;
+      reading.agentsColumn = agents->keyColumn;
+    }
   }
   return reading;
 }
