@@ -90,7 +90,10 @@ SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId)
     : SampleBuilder(header, robotId, {}) {}
 
 SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId, const KnownScene& known)
-    : robotId_(robotId), header_(header), knownRoutes_(known.routes) {
+    : robotId_(robotId),
+      header_(header),
+      knownRoutes_(known.routes),
+      raysAct_(header.obstaclePoints == "rays") {
   addHumans(header.humans);
   header_.humans.clear();
   for (const sim2d::TraceObstacle& obstacle : header_.obstacles) {
@@ -116,7 +119,8 @@ SampleBuilder::SampleBuilder(const sim2d::TraceHeader& header, int robotId, cons
 
 void SampleBuilder::addHumans(const std::vector<sim2d::TraceHuman>& humans) {
   for (const sim2d::TraceHuman& human : humans) {
-    humans_[human.id] = human;
+    humans_[human.id] = {human.radius, human.behavior, socialFactorOf(human),
+                         !human.goals.empty() && !human.cyclicGoals};
   }
 }
 
@@ -159,7 +163,7 @@ void SampleBuilder::setDoors(double time) {
 
 void SampleBuilder::addObstaclePoints(Body& body) {
   buffer_.clear();
-  if (header_.obstaclePoints == "rays") {
+  if (raysAct_) {
     all_.rayPoints(body.position, buffer_);
   } else {
     all_.boundaryPoints(body.position, buffer_);
@@ -201,10 +205,11 @@ std::vector<Person> SampleBuilder::peopleOf(const sim2d::Frame& frame) {
     person.state = frame.humans.state[k];
     const auto found = humans_.find(person.id);
     if (found != humans_.end()) {
-      person.radius = found->second.radius;
-      person.behavior = found->second.behavior;
-      person.socialFactor = socialFactorOf(found->second);
-      person.wantsToArrive = !found->second.goals.empty() && !found->second.cyclicGoals;
+      const Traits& traits = found->second;
+      person.radius = traits.radius;
+      person.behavior = traits.behavior;
+      person.socialFactor = traits.socialFactor;
+      person.wantsToArrive = traits.wantsToArrive;
     }
     addObstaclePoints(person);
   }

@@ -131,13 +131,20 @@ class SampleBuilder {
     bool openAtStart = false;
     std::vector<double> toggles;
   };
+  struct Traits {         // of a person
+    double radius = 0.0;  // [m]
+    int behavior = 1;
+    std::optional<double> socialFactor;
+    bool wantsToArrive = false;
+  };
   void setDoors(double time);
   void addObstaclePoints(Body& body);
 
   int robotId_;
   sim2d::TraceHeader header_;  // without people
   std::shared_ptr<KnownRoutes> knownRoutes_;
-  std::map<int, sim2d::TraceHuman> humans_;
+  bool raysAct_;  // else points of borders
+  std::map<int, Traits> humans_;
   sim2d::Obstacles all_, drawn_;
   bool hasDrawn_ = false;
   std::vector<Door> doors_;
