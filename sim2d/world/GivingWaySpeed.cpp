@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "sim2d/map/ConvexPolygon.h"
+#include "sim2d/map/Outlines.h"
 #include "sim2d/world/GivingWay.h"
 
 /// What people see of robots, and how fast they come near them.
@@ -56,16 +57,20 @@ std::optional<HalfPlane> GivingWay::boundBy(const FrozenWorld& world, std::size_
   if (apart.norm() > kNearby + reachOf(footprints_[robot])) {
     return std::nullopt;
   }
-  const std::vector<Vec2> outline =
-      outlineAround(footprints_[robot], now.pose, radius + kKept, directions_[robot]);
   const Obstacles::Point nearest = nearestPointOf(world.model.robots[robot], now.pose, place);
   const Vec2 arm = nearest.position - now.pose.position;
   Vec2 drives = now.velocity + now.omega * Vec2(-arm.y(), arm.x());
   if (drives.dot(apart) < 0.0 && !isInFront(world, human, nearest.position)) {
     drives = Vec2::Zero();  // nobody looks back
   }
-  const std::optional<Entry> entry =
-      entryInto(outline, place, place + kForesight * (velocity - drives));
+  const Segment ahead{place, place + kForesight * (velocity - drives)};
+  const double reach = kOutlineExcess * (reachOf(footprints_[robot]) + radius + kKept);
+  if (distanceToSegment(ahead, now.pose.position) > reach) {
+    return std::nullopt;  // it comes nowhere near the outline, which takes its time to draw
+  }
+  const std::vector<Vec2> outline =
+      outlineAround(footprints_[robot], now.pose, radius + kKept, directions_[robot]);
+  const std::optional<Entry> entry = entryInto(outline, ahead.a, ahead.b);
   if (!entry) {
     return std::nullopt;
   }
