@@ -10,6 +10,7 @@ namespace bridge::builtin_interfaces {
 /// Since the epoch of the clock: sec [s] + nanosec [ns].
 struct Time {
   static constexpr const char* kType = "builtin_interfaces/msg/Time";
+  using AllOf = std::int32_t;
 
   std::int32_t sec = 0;
   std::uint32_t nanosec = 0;
@@ -23,6 +24,7 @@ struct Time {
 
 struct Duration {
   static constexpr const char* kType = "builtin_interfaces/msg/Duration";
+  using AllOf = std::int32_t;
 
   std::int32_t sec = 0;
   std::uint32_t nanosec = 0;
@@ -72,6 +74,7 @@ struct Empty {
 /// 0 to 1 each.
 struct ColorRGBA {
   static constexpr const char* kType = "std_msgs/msg/ColorRGBA";
+  using AllOf = float;
 
   float r = 0;
   float g = 0;

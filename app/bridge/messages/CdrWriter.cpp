@@ -1,34 +1,39 @@
 #include "app/bridge/messages/CdrWriter.h"
 
+#include <algorithm>
+
 namespace bridge {
+
+namespace {
+
+constexpr std::size_t kLeastGrowth = 256, kMostGrowth = 4096;  // [bytes]; fits into the cache
+
+}  // namespace
 
 CdrWriter::CdrWriter(std::string& to) : to_(to) {
   to_.append("\0\1\0\0", 4);  // plain CDR, little endian; no options
-  begin_ = to_.size();
+  begin_ = at_ = room_ = to_.size();
+  data_ = to_.data();
 }
 
 void CdrWriter::text(std::string_view text) {
   scalar(static_cast<std::uint32_t>(text.size() + 1));
-  if (used_ + text.size() + 1 > kPending) {
-    flush();
-  }
-  if (text.size() + 1 > kPending) {
-    to_.append(text);
-  } else {
-    std::memcpy(&pending_[used_], text.data(), text.size());
-    used_ += text.size();
-  }
-  scalar(char{0});
+  makeRoom(text.size() + 1);
+  std::copy(text.begin(), text.end(), data_ + at_);
+  at_ += text.size() + 1;
 }
 
-void CdrWriter::numbers(const void* first, std::size_t size, std::size_t count) {
-  const std::size_t padding = paddingFor(size);
-  flush();
-  to_.append(padding, '\0');
-  to_.append(static_cast<const char*>(first), size * count);
-  if constexpr (!kIsLittleEndianHost) {
-    swapEach(&to_[to_.size() - size * count], size, count);
-  }
+void CdrWriter::grow(std::size_t more) {
+  const std::size_t least = at_ + more;
+  const std::size_t wanted = least + std::clamp(at_, kLeastGrowth, kMostGrowth);
+  to_.resize(to_.capacity() >= least ? std::min(to_.capacity(), wanted) : wanted);
+  data_ = to_.data();
+  room_ = to_.size();
+}
+
+void CdrWriter::flush() {
+  to_.resize(at_);
+  room_ = at_;
 }
 
 }  // namespace bridge

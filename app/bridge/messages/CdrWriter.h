@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -38,8 +37,6 @@ class CdrWriter {
   }
 
  private:
-  static constexpr std::size_t kPending = 256;  // [bytes]
-
   template <class T>
   void put(const T& value) {
     if constexpr (std::is_same_v<T, bool>) {
@@ -61,32 +58,27 @@ class CdrWriter {
   void putMessage(const M& message) {
     if constexpr (kIsEmptyMessage<M>) {
       scalar(std::uint8_t{0});
+    } else if constexpr (kIsBlock<M>) {
+      numbers<sizeof(typename BlockTraits<M>::Number)>(&message, BlockTraits<M>::kCount);
     } else {
       M::fields(message, *this);
     }
   }
-  /// Most of a message is single numbers: they are gathered first.
   template <class T>
   void scalar(T value) {
-    static_assert(sizeof(T) <= sizeof(std::uint64_t));
-    if (used_ + 2 * sizeof(T) > kPending) {
-      flush();
-    }
-    const std::size_t padding = paddingFor(sizeof(T));
-    std::memset(&pending_[used_], 0, padding);
-    used_ += padding;
-    std::memcpy(&pending_[used_], &value, sizeof(T));
-    if constexpr (!kIsLittleEndianHost) {
-      swapEach(&pending_[used_], sizeof(T), 1);
-    }
-    used_ += sizeof(T);
+    numbers<sizeof(T)>(&value, 1);
   }
   template <class C>
   void elements(const C& values) {
     using T = typename C::value_type;
     if constexpr (kIsPrimitive<T> && !std::is_same_v<T, bool>) {
       if (!values.empty()) {
-        numbers(values.data(), sizeof(T), values.size());
+        numbers<sizeof(T)>(values.data(), values.size());
+      }
+    } else if constexpr (kIsBlock<T>) {
+      if (!values.empty()) {
+        numbers<sizeof(typename BlockTraits<T>::Number)>(values.data(),
+                                                         values.size() * BlockTraits<T>::kCount);
       }
     } else {
       for (const T& value : values) {  // of vector<bool> too
@@ -94,20 +86,32 @@ class CdrWriter {
       }
     }
   }
-  std::size_t paddingFor(std::size_t size) const {
-    return (size - (to_.size() + used_ - begin_) % size) % size;
+  template <std::size_t Size>
+  void numbers(const void* first, std::size_t count) {
+    static_assert((Size & (Size - 1)) == 0);
+    makeRoom(Size + Size * count);
+    at_ += (begin_ - at_) & (Size - 1);  // what is skipped is zero
+    std::memcpy(data_ + at_, first, Size * count);
+    if constexpr (!kIsLittleEndianHost) {
+      swapEach(data_ + at_, Size, count);
+    }
+    at_ += Size * count;
   }
   void text(std::string_view text);
-  void numbers(const void* first, std::size_t size, std::size_t count);
-  void flush() {
-    to_.append(pending_.data(), used_);
-    used_ = 0;
+  void makeRoom(std::size_t more) {
+    if (room_ - at_ < more) {
+      grow(more);
+    }
   }
+  void grow(std::size_t more);
+  /// Takes away what has not been written.
+  void flush();
 
-  std::string& to_;
-  std::size_t begin_;  // of the body in to_
-  std::array<char, kPending> pending_;
-  std::size_t used_ = 0;
+  std::string& to_;  // longer than what is written, by zeros
+  char* data_;       // its bytes
+  std::size_t room_;
+  std::size_t begin_;  // of the body
+  std::size_t at_;     // so much is written
 };
 
 }  // namespace bridge

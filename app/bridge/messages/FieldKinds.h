@@ -44,6 +44,19 @@ constexpr std::size_t kBoundOf<T, std::void_t<decltype(T::kBound)>> = T::kBound;
 template <class M>
 constexpr bool kIsEmptyMessage = std::is_empty_v<M>;
 
+/// All fields are numbers of one size and stand one after the other, as on the wire: those that say
+/// so by `using AllOf = double;` are taken as one.
+template <class M, class = void>
+struct BlockTraits : std::false_type {};
+template <class M>
+struct BlockTraits<M, std::void_t<typename M::AllOf>> : std::true_type {
+  using Number = typename M::AllOf;
+  static constexpr std::size_t kCount = sizeof(M) / sizeof(Number);
+  static_assert(std::is_trivially_copyable_v<M> && sizeof(M) % sizeof(Number) == 0);
+};
+template <class M>
+constexpr bool kIsBlock = BlockTraits<M>::value;
+
 struct ConstantVisitor {
   template <class T>
   void operator()(const char* name, T value);

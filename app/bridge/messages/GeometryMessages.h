@@ -12,6 +12,7 @@ namespace bridge::geometry_msgs {
 
 struct Vector3 {
   static constexpr const char* kType = "geometry_msgs/msg/Vector3";
+  using AllOf = double;
 
   double x = 0;
   double y = 0;
@@ -27,6 +28,7 @@ struct Vector3 {
 
 struct Point {
   static constexpr const char* kType = "geometry_msgs/msg/Point";
+  using AllOf = double;
 
   double x = 0;
   double y = 0;
@@ -42,6 +44,7 @@ struct Point {
 
 struct Point32 {
   static constexpr const char* kType = "geometry_msgs/msg/Point32";
+  using AllOf = float;
 
   float x = 0;
   float y = 0;
@@ -58,6 +61,7 @@ struct Point32 {
 /// w comes last; the default is no rotation.
 struct Quaternion {
   static constexpr const char* kType = "geometry_msgs/msg/Quaternion";
+  using AllOf = double;
 
   double x = 0;
   double y = 0;
@@ -75,6 +79,7 @@ struct Quaternion {
 
 struct Pose {
   static constexpr const char* kType = "geometry_msgs/msg/Pose";
+  using AllOf = double;
 
   Point position;
   Quaternion orientation;
@@ -101,6 +106,7 @@ struct PoseStamped {
 
 struct Twist {
   static constexpr const char* kType = "geometry_msgs/msg/Twist";
+  using AllOf = double;
 
   Vector3 linear;
   Vector3 angular;
@@ -127,6 +133,7 @@ struct TwistStamped {
 
 struct Transform {
   static constexpr const char* kType = "geometry_msgs/msg/Transform";
+  using AllOf = double;
 
   Vector3 translation;
   Quaternion rotation;

@@ -10,6 +10,7 @@ namespace bridge {
 namespace {
 
 constexpr std::int64_t kNanoseconds = 1000000000;
+constexpr std::size_t kTags = 3;  // of a person
 
 float floatOf(double value) {
   return static_cast<float>(value);
@@ -36,6 +37,7 @@ std::vector<geometry_msgs::Pose> goalsFrom(const std::vector<sim2d::TraceGoal>& 
                                            bool isCyclic) {
   std::vector<geometry_msgs::Pose> poses;
   const std::size_t first = placeOf(goals, current);
+  poses.reserve(isCyclic ? goals.size() : goals.size() - first);
   for (std::size_t k = first; k < goals.size(); ++k) {
     poses.push_back(poseOf(goals[k].position));
   }
@@ -205,6 +207,8 @@ people_msgs::People peopleOf(const sim2d::TraceHeader& header, const sim2d::Fram
     person.position = {humans.x[k], humans.y[k], humans.heading[k]};
     person.velocity = {humans.vx[k], humans.vy[k], humans.omega[k]};
     person.reliability = 1.0;
+    person.tagnames.reserve(kTags);
+    person.tags.reserve(kTags);
     addTag(person, "id", humans.id[k]);
     addTag(person, "group_id", humans.group[k]);
     addTag(person, "behavior", human != nullptr ? human->behavior : 0);

@@ -220,6 +220,7 @@ void RunTopics::tellTransforms(const Telling& telling) {
   const sim2d::Frame& frame = telling.frame;
   telling.tell(Tf, [&] {
     tf2_msgs::TFMessage all;
+    all.transforms.reserve(2 * frame.robots.size() + frame.humans.size());
     for (std::size_t k = 0; k < robots_.size() && k < frame.robots.size(); ++k) {
       const base::Pose2 believed = believedBy(frame, k);
       const std::string odometry = robots_[k].frames + kOdometry;
