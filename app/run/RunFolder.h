@@ -22,7 +22,9 @@ class RunCompanion : public sim2d::FrameSink {
  public:
   /// A file could not be written: there is no use in going on.
   virtual bool hasFailed() const = 0;
-  /// The run is over: the rest of its files, in the staging folder.
+  /// The run is over: what is left may be made beside what follows. Not needed, and once at most.
+  virtual void conclude(const sim2d::TraceHeader& header) = 0;
+  /// The rest of its files, in the staging folder.
   virtual base::Diagnostics finish(OutputFolder& output, const sim2d::TraceHeader& header) = 0;
 };
 

@@ -33,6 +33,9 @@ FinishedRun simulate(Session& session, sim2d::World& world, const MetricsSetup& 
   world.measure(nullptr);
   sim2d::TraceHeader header = world.header();
   noteMetricsFile(setup, header);
+  if (writer.companion() != nullptr) {
+    writer.companion()->conclude(header);
+  }
   return {std::move(header),   std::move(result), planning, writer.evaluation(), {}, false, {},
           world.robotReports()};
 }

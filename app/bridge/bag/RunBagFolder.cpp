@@ -37,21 +37,26 @@ bool RunBagFolder::meetsSomebody(const sim2d::Frame& frame) {
 }
 
 void RunBagFolder::append(const sim2d::Frame& frame) {
-  Taken taken;
-  if (bag_.isRecorded(frame.step)) {
+  const bool isRecorded = bag_.isRecorded(frame.step);
+  if (!isRecorded && frame.events.empty() && frame.inputs.empty()) {
+    return;
+  }
+  if (gathered_.count == gathered_.states.size()) {
+    gathered_.states.emplace_back();
+  }
+  Taken& taken = gathered_.states[gathered_.count++];
+  taken.header.reset();
+  if (isRecorded) {
     taken.frame = frame;
     if (meetsSomebody(frame)) {
       taken.header = world_.header();
     }
-  } else if (!frame.events.empty() || !frame.inputs.empty()) {
+  } else {
     taken.frame.step = frame.step;
     taken.frame.events = frame.events;
     taken.frame.inputs = frame.inputs;
-  } else {
-    return;
   }
-  gathered_.push_back(std::move(taken));
-  if (gathered_.size() >= kTogether) {
+  if (gathered_.count == kTogether) {
     handOver();
   }
 }
@@ -59,29 +64,31 @@ void RunBagFolder::append(const sim2d::Frame& frame) {
 /// Waits until those of before have been taken.
 void RunBagFolder::handOver() {
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [this] { return taken_.empty() || thrown_ != nullptr || isOver_; });
+  changed_.wait(lock, [this] { return taken_.count == 0 || thrown_ != nullptr || isOver_; });
   if (thrown_ != nullptr) {
     std::rethrow_exception(thrown_);
   }
-  taken_.swap(gathered_);
-  gathered_.clear();
+  std::swap(taken_, gathered_);
+  gathered_.count = 0;
   changed_.notify_all();
 }
 
-/// None: there are no more.
-std::vector<RunBagFolder::Taken> RunBagFolder::next() {
-  std::vector<Taken> all;
+/// Into the memory of the batch; false: there are no more.
+bool RunBagFolder::next(Batch& batch) {
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [this] { return isOver_ || !taken_.empty(); });
-  all.swap(taken_);
+  changed_.wait(lock, [this] { return isOver_ || taken_.count > 0; });
+  std::swap(taken_, batch);
+  taken_.count = 0;
   changed_.notify_all();
-  return all;
+  return batch.count > 0;
 }
 
 void RunBagFolder::work() {
   try {
-    for (std::vector<Taken> all = next(); !all.empty(); all = next()) {
-      for (Taken& taken : all) {
+    Batch batch;
+    while (next(batch)) {
+      for (std::size_t k = 0; k < batch.count; ++k) {
+        Taken& taken = batch.states[k];
         if (taken.header) {
           bag_.setHeader(*std::move(taken.header));
         }
@@ -89,11 +96,24 @@ void RunBagFolder::work() {
       }
       hasFailed_ = bag_.hasFailed();
     }
+    if (conclusion_) {
+      problems_ = bag_.finish(*conclusion_);
+    }
   } catch (...) {
     const std::lock_guard<std::mutex> lock(mutex_);
     thrown_ = std::current_exception();
     changed_.notify_all();
   }
+}
+
+void RunBagFolder::conclude(const sim2d::TraceHeader& header) {
+  if (gathered_.count > 0) {
+    handOver();
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  conclusion_ = header;
+  isOver_ = true;
+  changed_.notify_all();
 }
 
 void RunBagFolder::end() {
@@ -109,14 +129,14 @@ void RunBagFolder::end() {
 
 base::Diagnostics RunBagFolder::finish(app::OutputFolder& output,
                                        const sim2d::TraceHeader& header) {
-  if (!gathered_.empty()) {
-    handOver();
+  if (!conclusion_) {
+    conclude(header);
   }
   end();
   if (thrown_ != nullptr) {
     std::rethrow_exception(thrown_);
   }
-  base::Diagnostics problems = bag_.finish(header);
+  base::Diagnostics problems = std::move(problems_);
   const std::string name = fs::path(kBagFiles[0]).filename().string();
   base::append(problems, output.write(kBagFiles[1], bag_.metadata(name)));
   base::append(problems, output.write(kBagFiles[2], foxgloveLayout()));

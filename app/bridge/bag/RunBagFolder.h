@@ -37,6 +37,7 @@ class RunBagFolder final : public app::RunCompanion {
   /// Throws what the thread has met (out of memory).
   void append(const sim2d::Frame& frame) override;
   bool hasFailed() const override { return hasFailed_; }
+  void conclude(const sim2d::TraceHeader& header) override;
   base::Diagnostics finish(app::OutputFolder& output, const sim2d::TraceHeader& header) override;
 
  private:
@@ -44,21 +45,28 @@ class RunBagFolder final : public app::RunCompanion {
     sim2d::Frame frame;
     std::optional<sim2d::TraceHeader> header;  // a newer one
   };
+  /// States whose memory is used again: that of one thread given back by another is dear.
+  struct Batch {
+    std::vector<Taken> states;
+    std::size_t count = 0;  // of them that are new
+  };
   bool meetsSomebody(const sim2d::Frame& frame);
   void work();
   void handOver();
-  std::vector<Taken> next();
+  bool next(Batch& batch);
   void end();
 
   const sim2d::World& world_;
-  std::set<int> known_;          // people of the header
-  std::vector<Taken> gathered_;  // of the run, until they are enough to hand over
-  RunBag bag_;                   // of the thread, until it has ended
+  std::set<int> known_;  // people of the header
+  Batch gathered_;       // of the run, until they are enough to hand over
+  RunBag bag_;           // of the thread, until it has ended
   std::atomic<bool> hasFailed_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<Taken> taken_;
+  Batch taken_;
   bool isOver_ = false;
+  std::optional<sim2d::TraceHeader> conclusion_;  // of the whole run
+  base::Diagnostics problems_;                    // of the thread
   std::exception_ptr thrown_;
   std::thread thread_;
 };
