@@ -54,6 +54,25 @@ class CdrTest : public QObject {
     QCOMPARE(hexOf(goldenAgents()), QByteArray::fromStdString(goldenBytes()).toHex());
   }
 
+  /// The same bytes whatever is expected, and no more room than they take when that is right.
+  void encode_expectedLength_isJustEnough() {
+    nav_msgs::Odometry odometry;
+    odometry.childFrameId = "base_footprint";
+    hunav_msgs::Agents agents;
+    agents.agents.resize(50, goldenAgents().agents.front());
+    const auto verify = [](const auto& message) {
+      const std::string bytes = encode(message);
+      for (const std::size_t expected : {std::size_t{1}, bytes.size() - 1, 2 * bytes.size()}) {
+        QVERIFY(encode(message, expected) == bytes);
+      }
+      const std::string fitting = encode(message, bytes.size());
+      QVERIFY(fitting == bytes);
+      QCOMPARE(fitting.capacity(), bytes.size());
+    };
+    verify(odometry);
+    verify(agents);
+  }
+
   void decode_goldenBytes_sameValues() {
     const base::Result<hunav_msgs::Agents> read = decode<hunav_msgs::Agents>(goldenBytes());
     QVERIFY(static_cast<bool>(read));

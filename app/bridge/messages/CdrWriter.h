@@ -89,8 +89,9 @@ class CdrWriter {
   template <std::size_t Size>
   void numbers(const void* first, std::size_t count) {
     static_assert((Size & (Size - 1)) == 0);
-    makeRoom(Size + Size * count);
-    at_ += (begin_ - at_) & (Size - 1);  // what is skipped is zero
+    const std::size_t padding = (begin_ - at_) & (Size - 1);
+    makeRoom(padding + Size * count);
+    at_ += padding;  // what is skipped is zero
     std::memcpy(data_ + at_, first, Size * count);
     if constexpr (!kIsLittleEndianHost) {
       swapEach(data_ + at_, Size, count);

@@ -64,12 +64,20 @@ struct RunTopics::Telling {
   const Wants& wants;
   std::vector<std::size_t>& lengths;  // [bytes] of the last messages
 
+  bool isWanted(std::size_t topic) const { return !wants || wants(topic); }
   template <class Make>
   void tell(std::size_t topic, const Make& make) const {
-    if (!wants || wants(topic)) {
+    if (isWanted(topic)) {
       std::string bytes = encode(make(), lengths[topic]);
       lengths[topic] = bytes.size();
       send(topic, std::move(bytes));
+    }
+  }
+  /// One that is shorter than the others of its topic.
+  template <class Make>
+  void tellShort(std::size_t topic, const Make& make) const {
+    if (isWanted(topic)) {
+      send(topic, encode(make()));
     }
   }
 };
@@ -125,7 +133,7 @@ void RunTopics::latch(const Telling& telling, std::size_t topic, const Make& mak
   }
   unstamped_[topic] = std::move(unstamped);
   latched_[topic] = encode(make(telling.frame.time));
-  if (!telling.wants || telling.wants(topic)) {
+  if (telling.isWanted(topic)) {
     telling.send(topic, latched_[topic]);
   }
 }
@@ -289,7 +297,7 @@ void RunTopics::tellScan(const Telling& telling, std::size_t robot) {
   robots_[robot].scanned = scan->time;
   const std::string& frames = robots_[robot].frames;
   if (!mountOf(robot)) {
-    telling.tell(Tf, [&] {
+    telling.tellShort(Tf, [&] {
       return tf2_msgs::TFMessage{
           {transform(scan->time, frames + kOdometry, frames + kSensor, scan->sensor)}};
     });
