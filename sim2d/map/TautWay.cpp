@@ -14,7 +14,7 @@ constexpr double kLeastCut = 1e-3;   // [m]
 constexpr double kLeastLeg = 1e-4;   // [m]
 constexpr int kRounds = 14;          // of cutting corners: the turn at each halves
 constexpr int kBisections = 12;
-constexpr double kLongestPiece = 1.0;  // [m], about
+constexpr double kPiece = 1.0;  // [m], up to twice that
 constexpr double kMostPieces = 256.0;
 
 /// A straight way, to tell in few steps most walls that come nowhere near it.
@@ -50,8 +50,8 @@ double roomFor(double clearance) {
   return std::max(clearance, kLeastRoom);
 }
 
-bool isInTheWay(const Segment& wall, const Segment& way, double room) {
-  return distanceBetween(way, wall) < room - kSlack;
+bool isInTheWay(const Segment& wall, const Line& line, const Segment& way, double room) {
+  return !line.isFarFrom(wall) && distanceBetween(way, wall) < room - kSlack;
 }
 
 /// One of the walls that a disc with that clearance would run into. Looked for piece by piece: a
@@ -61,14 +61,13 @@ std::optional<Segment> wallInTheWay(const Segment& way, const Obstacles& obstacl
   const double room = roomFor(clearance);
   const Line line(way, room);
   const Vec2 whole = way.b - way.a;
-  const auto pieces =
-      static_cast<int>(std::min(kMostPieces, std::max(1.0, whole.norm() / kLongestPiece)));
+  const auto pieces = static_cast<int>(std::min(kMostPieces, std::max(1.0, whole.norm() / kPiece)));
   const Vec2 half = 0.5 / pieces * whole;
   std::optional<Segment> found;
   for (int piece = 0; piece < pieces && !found; ++piece) {
     const Vec2 middle = way.a + (2 * piece + 1) * half;
     obstacles.visitNear(middle, half.norm() + room, [&](const Segment& wall) {
-      if (!found && !line.isFarFrom(wall) && isInTheWay(wall, way, room)) {
+      if (!found && isInTheWay(wall, line, way, room)) {
         found = wall;
       }
     });
@@ -95,7 +94,8 @@ class Puller {
   /// What was in the way last is mostly in the way again.
   bool isClear(const Vec2& from, const Vec2& to) {
     const Segment way{from, to};
-    if (blocking_ && isInTheWay(*blocking_, way, roomFor(clearance_))) {
+    const double room = roomFor(clearance_);
+    if (blocking_ && isInTheWay(*blocking_, Line(way, room), way, room)) {
       return false;
     }
     const std::optional<Segment> wall = wallInTheWay(way, obstacles_, clearance_);

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <QtTest>
 
@@ -69,6 +71,39 @@ class TautWayTest : public QObject {
     QVERIFY2(std::fabs(lengthOfWay(way) - expected) < 2e-4 * expected,
              qPrintable(QString::number(lengthOfWay(way)) + QLatin1Char(' ') +
                         QString::number(expected)));
+  }
+
+  /// Beside a look at every wall, one after the other: slanted blocks, long ones, a door that is
+  /// open; ways of no length up to far more than a look's pieces.
+  void isWayClear_anyWay_isThatOfAllWalls() {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> place(0.0, 40.0);
+    std::uniform_real_distribution<double> turn(-base::kPi, base::kPi);
+    std::vector<std::vector<Vec2>> outlines;
+    for (int k = 0; k < 60; ++k) {
+      const double length = k % 10 == 0 ? 9.0 : 0.7;
+      outlines.push_back(
+          boxOutline({{place(random), place(random)}, turn(random)}, length, 0.4).points);
+    }
+    Obstacles obstacles = blocks(outlines);
+    obstacles.setEnabled(10, false);
+    std::vector<Segment> walls;
+    obstacles.segmentsNear(Vec2(20, 20), 1000.0, walls);
+    int clear = 0;
+    constexpr int kWays = 6000;
+    const double reaches[] = {0.0, 0.6, 1.7, 6.0, 30.0, 400.0};
+    for (int k = 0; k < kWays; ++k) {
+      const Vec2 from(place(random), place(random));
+      const Vec2 to = from + reaches[k % 6] * base::directionOf(turn(random));
+      const double clearance = k % 3 == 0 ? 0.0 : 0.35;
+      const double room = std::max(clearance, 5e-4) - 1e-6;
+      const bool expected = std::none_of(walls.begin(), walls.end(), [&](const Segment& wall) {
+        return distanceBetween({from, to}, wall) < room;
+      });
+      QCOMPARE(isWayClear(from, to, obstacles, clearance), expected);
+      clear += expected ? 1 : 0;
+    }
+    QVERIFY(clear > kWays / 4 && clear < 3 * kWays / 4);
   }
 
   void distanceBetween_segments_handCases() {
