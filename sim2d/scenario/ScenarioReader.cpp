@@ -266,7 +266,12 @@ const YamlNode* findKey(const YamlNode& root, const std::string& dotted) {
 }  // namespace
 
 TreeReading readTree(const YamlNode& root, const std::string& fileName, const FieldTables& tables) {
-  return FileReader(root, fileName, tables).read();
+  TreeReading reading = FileReader(root, fileName, tables).read();
+  if (const YamlNode* const agents = findKey(root, "hunav_loader.ros__parameters.agents")) {
+    reading.file.agentsLine = agents->keyLine;
+    reading.file.agentsColumn = agents->keyColumn;
+  }
+  return reading;
 }
 
 ScenarioReading readScenarioText(const std::string& text, const std::string& fileName) {
@@ -275,10 +280,6 @@ ScenarioReading readScenarioText(const std::string& text, const std::string& fil
   if (reading.ok()) {
     reading = readTree(root, fileName).file;
     reading.commentCount = base::countComments(text);
-    if (const YamlNode* const agents = findKey(root, "hunav_loader.ros__parameters.agents")) {
-      reading.agentsLine = agents->keyLine;
-      reading.agentsColumn = agents->keyColumn;
-    }
   }
   return reading;
 }
@@ -317,6 +318,9 @@ ScenarioReading readBeginning(const std::string& path) {
 
 void addPlaces(base::Diagnostics& diagnostics, const std::map<EntityId, int>& lines,
                const std::string& path) {
+  if (diagnostics.empty()) {
+    return;  // to read a large file takes its time
+  }
   const base::Result<std::string> text = base::readTextFile(path);  // its reader says why it fails
   const std::vector<std::string> texts = base::split(text ? *text : std::string(), '\n');
   for (base::Diagnostic& said : diagnostics) {
@@ -339,7 +343,7 @@ void addPlaceOfKey(base::Diagnostics& diagnostics, const std::string& path,
                    const std::vector<std::string>& keys) {
   const auto isMeant = [&path](const auto& said) { return said.file == path && said.line == 0; };
   if (std::none_of(diagnostics.begin(), diagnostics.end(), isMeant)) {
-    return;  // to read a large file takes its time
+    return;
   }
   const base::Result<std::string> text = base::readTextFile(path);
   base::Diagnostics ignored;  // told by the reader of the scenario

@@ -69,6 +69,22 @@ class BundleTest : public QObject {
     QVERIFY_EXCEPTION_THROWN(app::check(bundle), base::Stopped);
   }
 
+  void readBundle_noTreeFiles_isToldAtTheListOfPeople() {
+    app::RunOptions options;
+    options.scenario = SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml";
+    const std::string text = *base::readTextFile(options.scenario);
+    const auto place = static_cast<std::ptrdiff_t>(text.find("    agents:\n"));
+    const auto line = 1 + std::count(text.begin(), text.begin() + place, '\n');
+    const app::Bundle bundle = app::readBundle(options, app::RunSettings{}, sim2d::ImageLoader());
+    const auto told = std::find_if(
+        bundle.remarks.begin(), bundle.remarks.end(),
+        [](const base::Diagnostic& said) { return std::string(said.code) == "run.no-tree-files"; });
+    QVERIFY(told != bundle.remarks.end());
+    QCOMPARE(told->file, options.scenario);
+    QCOMPARE(told->line, static_cast<int>(line));
+    QCOMPARE(told->column, 5);
+  }
+
   void check_treeFromMemory_isRun() {
     app::Bundle bundle = bundleOf();
     bundle.trees["anna"] = {kStands, "", ""};
