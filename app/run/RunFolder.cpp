@@ -445,7 +445,7 @@ base::Diagnostics writeRunFolder(OutputFolder& output, const FinishedRun& run, R
     write("counterfactual.csv", run.effectsCsv);
   }
   if (writer.companion() != nullptr) {
-    base::append(problems, output.atTheirPlaces(writer.companion()->finish(output, run.header)));
+    base::append(problems, output.atTheirPlaces(writer.companion()->finish(output)));
   }
   if (!run.totalsOnly) {
     write("trace.json", sim2d::traceJson(run.header));

@@ -22,10 +22,10 @@ class RunCompanion : public sim2d::FrameSink {
  public:
   /// A file could not be written: there is no use in going on.
   virtual bool hasFailed() const = 0;
-  /// The run is over: what is left may be made beside what follows. Not needed, and once at most.
+  /// The run is over, once: what is left may be made beside what follows. `header`: of all of it.
   virtual void conclude(const sim2d::TraceHeader& header) = 0;
-  /// The rest of its files, in the staging folder.
-  virtual base::Diagnostics finish(OutputFolder& output, const sim2d::TraceHeader& header) = 0;
+  /// After that: the rest of its files, in the staging folder.
+  virtual base::Diagnostics finish(OutputFolder& output) = 0;
 };
 
 /// Takes a run while it goes on: trajectory, events and tree changes go into the files of its

@@ -207,6 +207,7 @@ void MathTest::sinCos_anyAngle_areSinAndCos() {
     const double x = i < 0 ? 25.7 * i : 0.003 * i;
     const base::SinCos both = base::sinCos(x);
     QVERIFY(both.sin == base::sin(x) && both.cos == base::cos(x));
+    QVERIFY(std::signbit(both.sin) == std::signbit(base::sin(x)));  // of zeros too
   }
   QVERIFY(std::isnan(base::sinCos(std::nan("")).sin));
   QVERIFY(std::isnan(base::sinCos(std::nan("")).cos));

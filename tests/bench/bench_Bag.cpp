@@ -6,6 +6,7 @@
 #include "app/bridge/bag/RunBagFolder.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
+#include "app/run/Simulation.h"
 #include "tests/bench/FastestOf.h"
 
 /// What a bag beside the other files adds to the time of a run, 60 s of scenes with a robot, as it
@@ -39,9 +40,9 @@ bool runInto(const std::string& folder, const app::Bundle& bundle, bool hasBag) 
     writer.setCompanion(bag.get());
   }
   app::Session session(sim2d::stopRuleOf(*bundle.scenario));
-  sim2d::RunResult result = session.run(*verdict.world, &writer);
-  const app::FinishedRun run{
-      verdict.world->header(), std::move(result), {}, writer.evaluation(), {}, false, {}, {}};
+  const app::FinishedRun run =
+      app::simulate(session, *verdict.world, verdict.scenarioMetrics, writer,
+                    [](const sim2d::Frame& /*frame*/) { return false; });
   return app::errorsOf(app::writeRunFolder(**output, run, writer, bundle, {"hunavsim"})).empty();
 }
 

@@ -6,6 +6,7 @@
 #include "app/bridge/bag/RunBagFolder.h"
 #include "app/run/RunFolder.h"
 #include "app/run/Session.h"
+#include "app/run/Simulation.h"
 #include "metrics/Report.h"
 
 /// Runs the café for some seconds into a folder, with a bag beside the other files. `steering`:
@@ -33,10 +34,8 @@ inline base::Diagnostics runCafeInto(const std::string& folder, double seconds,
   writer.setCompanion(&bag);
   app::Session session(sim2d::stopRuleOf(*bundle.scenario));
   session.steer(std::move(steering));
-  sim2d::RunResult result = session.run(*verdict.world, &writer);
-  sim2d::TraceHeader header = verdict.world->header();
-  app::noteMetricsFile(verdict.scenarioMetrics, header);
-  const app::FinishedRun run{
-      std::move(header), std::move(result), {}, writer.evaluation(), {}, false, {}, {}};
+  const app::FinishedRun run =
+      app::simulate(session, *verdict.world, verdict.scenarioMetrics, writer,
+                    [](const sim2d::Frame& /*frame*/) { return false; });
   return app::errorsOf(app::writeRunFolder(**output, run, writer, bundle, {"hunavsim"}));
 }

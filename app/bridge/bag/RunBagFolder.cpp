@@ -1,5 +1,6 @@
 #include "app/bridge/bag/RunBagFolder.h"
 
+#include <cassert>
 #include <filesystem>
 #include <utility>
 
@@ -93,8 +94,8 @@ void RunBagFolder::work() {
           bag_.setHeader(*std::move(taken.header));
         }
         bag_.append(taken.frame);
+        hasFailed_ = bag_.hasFailed();
       }
-      hasFailed_ = bag_.hasFailed();
     }
     if (conclusion_) {
       problems_ = bag_.finish(*conclusion_);
@@ -127,11 +128,8 @@ void RunBagFolder::end() {
   }
 }
 
-base::Diagnostics RunBagFolder::finish(app::OutputFolder& output,
-                                       const sim2d::TraceHeader& header) {
-  if (!conclusion_) {
-    conclude(header);
-  }
+base::Diagnostics RunBagFolder::finish(app::OutputFolder& output) {
+  assert(conclusion_);
   end();
   if (thrown_ != nullptr) {
     std::rethrow_exception(thrown_);

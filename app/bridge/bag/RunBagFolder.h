@@ -38,7 +38,7 @@ class RunBagFolder final : public app::RunCompanion {
   void append(const sim2d::Frame& frame) override;
   bool hasFailed() const override { return hasFailed_; }
   void conclude(const sim2d::TraceHeader& header) override;
-  base::Diagnostics finish(app::OutputFolder& output, const sim2d::TraceHeader& header) override;
+  base::Diagnostics finish(app::OutputFolder& output) override;
 
  private:
   struct Taken {

@@ -6,10 +6,13 @@
 #include <fastdds/rtps/common/WriteParams.h>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
-#include <malloc.h>
 #include <utility>
 
 #include "app/bridge/dds/RawType.h"
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace bridge {
 namespace {
@@ -26,9 +29,8 @@ constexpr int kKeptBytes = 16 << 20, kLargestKept = 4 << 20;
 /// would be asked for again page by page.
 void keepFreedMemory() {
 #ifdef __GLIBC__
-  static const bool isSet =
+  [[maybe_unused]] static const bool isSet =
       mallopt(M_TRIM_THRESHOLD, kKeptBytes) == 1 && mallopt(M_MMAP_THRESHOLD, kLargestKept) == 1;
-  static_cast<void>(isSet);
 #endif
 }
 
