@@ -23,6 +23,7 @@ constexpr unsigned kFirstPort = 7400, kPortsPerDomain = 250, kUnicastOffset = 10
 constexpr unsigned kPeers = 40;     // participants that are looked for on this machine
 constexpr int kUsualSamples = 400;  // as Fast DDS has it
 constexpr int kAllocatedSamples = 4;
+constexpr unsigned kReceiveBuffer = 4 << 20;  // [bytes]; the system gives what it allows
 constexpr int kKeptBytes = 16 << 20, kLargestKept = 4 << 20;
 
 /// Messages come and go many times a second: their memory, handed back to the system each time,
@@ -34,9 +35,17 @@ void keepFreedMemory() {
 #endif
 }
 
+/// No shared memory, which outlives a crash. The states of a crowd come in more bytes at once than
+/// the system keeps for a socket if it is not asked: what it drops is sent again or lost.
+std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udpTransport() {
+  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  udp->receiveBufferSize = kReceiveBuffer;
+  return udp;
+}
+
 /// 127.0.0.1 alone: no multicast, so others are asked at the ports that they take in turn.
 void keepToThisMachine(const DomainSettings& settings, efd::DomainParticipantQos& qos) {
-  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  const auto udp = udpTransport();
   udp->interfaceWhiteList = {"127.0.0.1"};
   qos.transport().user_transports = {udp};
   rtps::Locator_t own;
@@ -56,12 +65,11 @@ efd::DomainParticipantQos participantQos(const DomainSettings& settings) {
   qos.name("/");
   const std::string enclave = "enclave=/;";
   qos.user_data().data_vec({enclave.c_str(), enclave.c_str() + enclave.size() + 1});
-  qos.transport().use_builtin_transports = false;  // no shared memory, which outlives a crash
+  qos.transport().use_builtin_transports = false;
   if (settings.localhostOnly) {
     keepToThisMachine(settings, qos);
   } else {
-    qos.transport().user_transports = {
-        std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>()};
+    qos.transport().user_transports = {udpTransport()};
   }
   qos.wire_protocol().builtin.discovery_config.leaseDuration_announcementperiod =
       eprosima::fastrtps::Duration_t(0, kAnnouncementPeriodMs * 1000000U);
