@@ -85,8 +85,9 @@ class RunTopicsTest : public QObject {
     }
   }
 
-  void agentsOf_tellsWhatIsKnown() {
-    const hunav_msgs::Agents all = agentsOf(smallHeader(), smallFrame());
+  void setAgents_tellsWhatIsKnown() {
+    hunav_msgs::Agents all;
+    setAgents(smallHeader(), smallFrame(), all);
     QCOMPARE(all.header.frameId, std::string("map"));
     QCOMPARE(all.agents.size(), std::size_t{1});
     const hunav_msgs::Agent& anna = all.agents.front();
@@ -142,6 +143,33 @@ class RunTopicsTest : public QObject {
     QCOMPARE(message.ranges[1], 2.5F);
     QVERIFY(std::isinf(message.ranges[2]));
     QCOMPARE(message.header.stamp.nanosec, 500000000U);
+  }
+
+  /// Messages are made in the memory of those of before, of which nothing may be left.
+  void tell_saysNothingOfStatesBefore() {
+    sim2d::Frame crowd = smallFrame();
+    crowd.humans.add(8, {{2.5, 1.0}, 0.5}, {1.0, 0.0}, 0.0, 0);  // not in the header
+    crowd.humans.group.push_back(3);
+    crowd.humans.state.push_back(0);
+    sim2d::Frame stranger;  // stands where Anna was
+    stranger.time = 12.6;
+    stranger.humans.add(9, {{4.0, 2.0}, 0.0}, {0.0, 0.0}, 0.0, 0);
+    stranger.humans.group.push_back(-1);
+    stranger.humans.state.push_back(0);
+    sim2d::Frame last = smallFrame();  // at her last goal, standing
+    last.humans.goal[0] = 3;
+    last.humans.vy[0] = 0.0;
+    last.robots.vy[0] = 0.0;
+    RunTopics topics(smallHeader());
+    for (const sim2d::Frame& frame : {smallFrame(), crowd, stranger, last, crowd}) {
+      auto again = toldBy(topics, frame);
+      RunTopics fresh(smallHeader());
+      auto first = toldBy(fresh, frame);
+      for (const char* name : {"/tf", "/markers", "/human_states", "/people"}) {
+        QCOMPARE(again[name].size(), std::size_t{1});
+        QVERIFY2(again[name] == first[name], name);
+      }
+    }
   }
 
   void tell_sendsWhatIsLatchedOnce() {

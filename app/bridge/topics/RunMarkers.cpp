@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 #include "app/bridge/topics/RunMessages.h"
@@ -27,52 +27,80 @@ constexpr std_msgs::ColorRGBA kTextColor{0.55F, 0.55F, 0.55F, 1.0F};  // on ligh
 constexpr std_msgs::ColorRGBA kWallColor{0.35F, 0.35F, 0.40F, 1.0F};
 constexpr std_msgs::ColorRGBA kDoorColor{0.62F, 0.42F, 0.20F, 1.0F};
 
-/// Valid until the next one is added.
-Marker& addMarker(MarkerArray& to, double seconds, std::string kind, int id, int type) {
-  Marker& made = to.markers.emplace_back();
-  made.header = headerOf(seconds);
-  made.ns = std::move(kind);
-  made.id = id;
-  made.type = type;
-  made.action = Marker::kAdd;
-  made.scale = {1.0, 1.0, 1.0};
-  return made;
-}
+struct Kind {  // names of ROS
+  const char* body = "";
+  const char* velocity = "";
+  const char* name = "";
+};
+constexpr Kind kPeople{"people", "people/velocity", "people/name"};
+constexpr Kind kRobots{"robots", "robots/velocity", "robots/name"};
 
-/// All of before goes.
-void addEraser(MarkerArray& to, double seconds) {
-  addMarker(to, seconds, "", 0, Marker::kArrow).action = Marker::kDeleteall;
-}
+/// The markers of one state, one after the other into the places of those of before.
+class Markers {
+ public:
+  Markers(MarkerArray& to, double seconds) : to_(to), header_(headerOf(seconds)) {}
+  ~Markers() { to_.markers.resize(count_); }
+  Markers(const Markers&) = delete;
+  Markers& operator=(const Markers&) = delete;
+  Markers(Markers&&) = delete;
+  Markers& operator=(Markers&&) = delete;
+
+  /// Valid until the next one is added.
+  Marker& add(std::string_view kind, int id, int type) {
+    if (count_ == to_.markers.size()) {
+      to_.markers.emplace_back();
+    }
+    Marker& made = to_.markers[count_++];
+    made.header = header_;
+    made.ns = kind;
+    made.id = id;
+    made.type = type;
+    made.action = Marker::kAdd;
+    made.pose = {};
+    made.scale = {1.0, 1.0, 1.0};
+    made.color = {};
+    made.points.clear();
+    made.text.clear();
+    return made;
+  }
+  /// All of before goes.
+  void addEraser() { add("", 0, Marker::kArrow).action = Marker::kDeleteall; }
+
+ private:
+  MarkerArray& to_;
+  std_msgs::Header header_;
+  std::size_t count_ = 0;
+};
 
 geometry_msgs::Point pointOf(const base::Vec2& point, double height) {
   return {point.x(), point.y(), height};
 }
 
 struct Body {
-  std::string kind;  // "people", "robots"
+  Kind kind;
   int id = 0;
-  std::string name;
+  std::string_view name;
   base::Pose2 pose;
   base::Vec2 velocity = base::Vec2::Zero();
   double radius = 0.35, height = 1.7;  // [m]
   std_msgs::ColorRGBA color;
 };
 
-void addBody(MarkerArray& to, double seconds, const Body& body) {
-  Marker& cylinder = addMarker(to, seconds, body.kind, body.id, Marker::kCylinder);
+void addBody(Markers& to, const Body& body) {
+  Marker& cylinder = to.add(body.kind.body, body.id, Marker::kCylinder);
   cylinder.pose = poseOf(body.pose);
   cylinder.pose.position.z = body.height / 2.0;
   cylinder.scale = {2.0 * body.radius, 2.0 * body.radius, body.height};
   cylinder.color = body.color;
   if (body.velocity.norm() > kSlowest) {
-    Marker& arrow = addMarker(to, seconds, body.kind + "/velocity", body.id, Marker::kArrow);
+    Marker& arrow = to.add(body.kind.velocity, body.id, Marker::kArrow);
     const double height = body.height + kArrowHead;
     arrow.points = {pointOf(body.pose.position, height),
                     pointOf(body.pose.position + body.velocity, height)};  // a second's way
     arrow.scale = {kArrowShaft, kArrowHead, 0.0};
     arrow.color = kArrowColor;
   }
-  Marker& text = addMarker(to, seconds, body.kind + "/name", body.id, Marker::kTextViewFacing);
+  Marker& text = to.add(body.kind.name, body.id, Marker::kTextViewFacing);
   text.pose = poseOf(body.pose.position);
   text.pose.position.z = body.height + kTextGap;
   text.scale.z = kTextSize;
@@ -80,9 +108,9 @@ void addBody(MarkerArray& to, double seconds, const Body& body) {
   text.text = body.name;
 }
 
-Marker& addOutline(MarkerArray& to, double seconds, const std::string& kind, int id,
+Marker& addOutline(Markers& to, std::string_view kind, int id,
                    const std::vector<base::Vec2>& points, const std_msgs::ColorRGBA& color) {
-  Marker& line = addMarker(to, seconds, kind, id, Marker::kLineStrip);
+  Marker& line = to.add(kind, id, Marker::kLineStrip);
   line.scale.x = kLineWidth;
   line.color = color;
   for (std::size_t k = 0; k <= points.size() && !points.empty(); ++k) {
@@ -91,29 +119,30 @@ Marker& addOutline(MarkerArray& to, double seconds, const std::string& kind, int
   return line;
 }
 
-void addPeople(MarkerArray& to, const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
+void addPeople(Markers& to, const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
   const sim2d::HumanColumns& humans = frame.humans;
   for (std::size_t k = 0; k < humans.size(); ++k) {
     const sim2d::TraceHuman* const human = humanOf(header, humans, k);
+    const std::string number = human != nullptr ? "" : std::to_string(humans.id[k]);
     Body body;
-    body.kind = "people";
+    body.kind = kPeople;
     body.id = humans.id[k];
-    body.name = human != nullptr ? human->name : std::to_string(humans.id[k]);
+    body.name = human != nullptr ? human->name : number;
     body.pose = poseIn(humans, k);
     body.velocity = {humans.vx[k], humans.vy[k]};
     body.radius = human != nullptr ? human->radius : body.radius;
     body.height = kPersonHeight;
     body.color = humans.state[k] != 0 ? kActiveColor : kPersonColor;
-    addBody(to, frame.time, body);
+    addBody(to, body);
   }
 }
 
-void addRobots(MarkerArray& to, const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
+void addRobots(Markers& to, const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
   const sim2d::RobotColumns& robots = frame.robots;
   for (std::size_t k = 0; k < robots.size() && k < header.robots.size(); ++k) {
     const sim2d::TraceRobot& robot = header.robots[k];
     Body body;
-    body.kind = "robots";
+    body.kind = kRobots;
     body.id = robots.id[k];
     body.name = robot.name;
     body.pose = poseIn(robots, k);
@@ -121,29 +150,16 @@ void addRobots(MarkerArray& to, const sim2d::TraceHeader& header, const sim2d::F
     body.radius = robot.radius;
     body.height = kRobotHeight;
     body.color = kRobotColor;
-    addBody(to, frame.time, body);
+    addBody(to, body);
     if (!robot.footprint.empty()) {
-      addOutline(to, frame.time, "robots/footprint", body.id, robot.footprint, kRobotColor).pose =
+      addOutline(to, "robots/footprint", body.id, robot.footprint, kRobotColor).pose =
           poseOf(body.pose);
     }
   }
 }
 
-}  // namespace
-
-MarkerArray bodyMarkersOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
-  MarkerArray all;
-  all.markers.reserve(1 + 3 * frame.humans.size() + 4 * frame.robots.size());
-  addEraser(all, frame.time);
-  addPeople(all, header, frame);
-  addRobots(all, header, frame);
-  return all;
-}
-
-MarkerArray obstacleMarkersOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
-                              double seconds) {
-  MarkerArray all;
-  addEraser(all, seconds);
+void addObstacles(Markers&& to, const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
+  to.addEraser();
   std::size_t door = 0;
   for (const sim2d::TraceObstacle& obstacle : header.obstacles) {
     const bool isOpen = obstacle.isDoor &&
@@ -154,10 +170,26 @@ MarkerArray obstacleMarkersOf(const sim2d::TraceHeader& header, const sim2d::Fra
     }
     int id = 0;
     for (const sim2d::Outline& outline : obstacle.outlines) {
-      addOutline(all, seconds, obstacle.name, id++, outline.points,
+      addOutline(to, obstacle.name, id++, outline.points,
                  obstacle.isDoor ? kDoorColor : kWallColor);
     }
   }
+}
+
+}  // namespace
+
+void setBodyMarkers(const sim2d::TraceHeader& header, const sim2d::Frame& frame, MarkerArray& to) {
+  to.markers.reserve(1 + 3 * frame.humans.size() + 4 * frame.robots.size());
+  Markers markers(to, frame.time);
+  markers.addEraser();
+  addPeople(markers, header, frame);
+  addRobots(markers, header, frame);
+}
+
+MarkerArray obstacleMarkersOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
+                              double seconds) {
+  MarkerArray all;
+  addObstacles(Markers(all, seconds), header, frame);
   return all;
 }
 

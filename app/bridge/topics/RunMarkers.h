@@ -7,9 +7,10 @@
 namespace bridge {
 
 /// Everybody: a body, an arrow along the velocity, a name; robots with their footprints. The first
-/// marker takes away those of before, so one message is all there is to see.
-visualization_msgs::MarkerArray bodyMarkersOf(const sim2d::TraceHeader& header,
-                                              const sim2d::Frame& frame);
+/// marker takes away those of before, so one message is all there is to see. Into the message of a
+/// state before, whose memory is used again, or into an empty one.
+void setBodyMarkers(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
+                    visualization_msgs::MarkerArray& to);
 /// Outlines of what stands beside the map's walls; doors as they are in the frame. `seconds`: its
 /// stamp.
 visualization_msgs::MarkerArray obstacleMarkersOf(const sim2d::TraceHeader& header,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <string_view>
 #include <utility>
@@ -10,7 +11,7 @@ namespace bridge {
 namespace {
 
 constexpr std::int64_t kNanoseconds = 1000000000;
-constexpr std::size_t kTags = 3;  // of a person
+constexpr const char* kTagNames[] = {"id", "group_id", "behavior"};  // of a person
 
 float floatOf(double value) {
   return static_cast<float>(value);
@@ -33,10 +34,10 @@ std::size_t placeOf(const std::vector<sim2d::TraceGoal>& goals, int current) {
 }
 
 /// From the current one on; around when they are walked for ever.
-std::vector<geometry_msgs::Pose> goalsFrom(const std::vector<sim2d::TraceGoal>& goals, int current,
-                                           bool isCyclic) {
-  std::vector<geometry_msgs::Pose> poses;
+void setGoals(const std::vector<sim2d::TraceGoal>& goals, int current, bool isCyclic,
+              std::vector<geometry_msgs::Pose>& poses) {
   const std::size_t first = placeOf(goals, current);
+  poses.clear();
   poses.reserve(isCyclic ? goals.size() : goals.size() - first);
   for (std::size_t k = first; k < goals.size(); ++k) {
     poses.push_back(poseOf(goals[k].position));
@@ -44,7 +45,6 @@ std::vector<geometry_msgs::Pose> goalsFrom(const std::vector<sim2d::TraceGoal>& 
   for (std::size_t k = 0; isCyclic && first < goals.size() && k < first; ++k) {
     poses.push_back(poseOf(goals[k].position));
   }
-  return poses;
 }
 
 void setMotion(const sim2d::BodyColumns& bodies, std::size_t at, hunav_msgs::Agent& agent) {
@@ -85,29 +85,26 @@ hunav_msgs::AgentBehavior behaviorOf(const sim2d::TraceHuman& human, std::uint8_
   return behavior;
 }
 
-hunav_msgs::Agent agentOf(const sim2d::TraceHeader& header, const sim2d::HumanColumns& humans,
-                          std::size_t at) {
-  hunav_msgs::Agent agent;
+void setAgent(const sim2d::TraceHeader& header, const sim2d::HumanColumns& humans, std::size_t at,
+              hunav_msgs::Agent& agent) {
+  const sim2d::TraceHuman* const human = humanOf(header, humans, at);
+  if (human == nullptr) {
+    agent = {};
+  }
   agent.id = humans.id[at];
   agent.type = hunav_msgs::Agent::kPerson;
   agent.groupId = static_cast<std::int8_t>(std::clamp(humans.group[at], -1, 127));
   setMotion(humans, at, agent);
-  if (const sim2d::TraceHuman* const human = humanOf(header, humans, at)) {
+  if (human != nullptr) {
     agent.name = human->name;
     agent.desiredVelocity = floatOf(human->desiredSpeed);
     agent.radius = floatOf(human->radius);
     agent.behavior = behaviorOf(*human, humans.state[at]);
-    agent.goals = goalsFrom(human->goals, humans.goal[at], human->cyclicGoals);
+    setGoals(human->goals, humans.goal[at], human->cyclicGoals, agent.goals);
     agent.cyclicGoals = human->cyclicGoals;
     agent.goalRadius = human->goals.empty() ? floatOf(parameterOf(*human, "goal_radius"))
                                             : floatOf(human->goals.front().radius);
   }
-  return agent;
-}
-
-void addTag(people_msgs::Person& to, const char* name, int value) {
-  to.tagnames.emplace_back(name);
-  to.tags.push_back(std::to_string(value));
 }
 
 const sim2d::TraceRobot* robotIn(const sim2d::TraceHeader& header, int id) {
@@ -167,14 +164,13 @@ base::Pose2 poseIn(const sim2d::BodyColumns& bodies, std::size_t at) {
   return {{bodies.x[at], bodies.y[at]}, bodies.heading[at]};
 }
 
-hunav_msgs::Agents agentsOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
-  hunav_msgs::Agents all;
-  all.header = headerOf(frame.time);
-  all.agents.reserve(frame.humans.size());
+void setAgents(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
+               hunav_msgs::Agents& to) {
+  to.header = headerOf(frame.time);
+  to.agents.resize(frame.humans.size());
   for (std::size_t k = 0; k < frame.humans.size(); ++k) {
-    all.agents.push_back(agentOf(header, frame.humans, k));
+    setAgent(header, frame.humans, k, to.agents[k]);
   }
-  return all;
 }
 
 hunav_msgs::Agent robotOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
@@ -189,31 +185,31 @@ hunav_msgs::Agent robotOf(const sim2d::TraceHeader& header, const sim2d::Frame& 
     agent.name = known->name;
     agent.radius = floatOf(known->radius);
     agent.desiredVelocity = floatOf(known->maxVel);
-    agent.goals = goalsFrom(known->goals, frame.robots.goal[robot], false);
+    setGoals(known->goals, frame.robots.goal[robot], false, agent.goals);
     agent.goalRadius = known->goals.empty() ? 0.0F : floatOf(known->goals.front().radius);
   }
   return agent;
 }
 
-people_msgs::People peopleOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame) {
-  people_msgs::People all;
-  all.header = headerOf(frame.time);
+void setPeople(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
+               people_msgs::People& to) {
+  to.header = headerOf(frame.time);
   const sim2d::HumanColumns& humans = frame.humans;
-  all.people.reserve(humans.size());
+  to.people.resize(humans.size());
   for (std::size_t k = 0; k < humans.size(); ++k) {
     const sim2d::TraceHuman* const human = humanOf(header, humans, k);
-    people_msgs::Person& person = all.people.emplace_back();
+    people_msgs::Person& person = to.people[k];
     person.name = human != nullptr ? human->name : std::to_string(humans.id[k]);
     person.position = {humans.x[k], humans.y[k], humans.heading[k]};
     person.velocity = {humans.vx[k], humans.vy[k], humans.omega[k]};
     person.reliability = 1.0;
-    person.tagnames.reserve(kTags);
-    person.tags.reserve(kTags);
-    addTag(person, "id", humans.id[k]);
-    addTag(person, "group_id", humans.group[k]);
-    addTag(person, "behavior", human != nullptr ? human->behavior : 0);
+    const int tags[] = {humans.id[k], humans.group[k], human != nullptr ? human->behavior : 0};
+    person.tagnames.assign(std::begin(kTagNames), std::end(kTagNames));
+    person.tags.resize(std::size(tags));
+    for (std::size_t tag = 0; tag < std::size(tags); ++tag) {
+      person.tags[tag] = std::to_string(tags[tag]);
+    }
   }
-  return all;
 }
 
 nav_msgs::Odometry odometryOf(const sim2d::Frame& frame, std::size_t robot,

@@ -35,13 +35,16 @@ geometry_msgs::Transform transformOf(const base::Pose2& pose);
 base::Pose2 poseIn(const sim2d::BodyColumns& bodies, std::size_t at);
 
 /// The people in the world, with what is known of them; goals from the current one on. What a
-/// record does not have (skin, closest_obs) is empty.
-hunav_msgs::Agents agentsOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame);
+/// record does not have (skin, closest_obs) is empty. Into the message of a state before, whose
+/// memory is used again, or into an empty one.
+void setAgents(const sim2d::TraceHeader& header, const sim2d::Frame& frame, hunav_msgs::Agents& to);
 /// The robot at this place in the frame; type ROBOT, goals from the current one on.
 hunav_msgs::Agent robotOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
                           std::size_t robot);
-/// position.z = heading, velocity = (vx, vy, turning), as HuNavSim fills them.
-people_msgs::People peopleOf(const sim2d::TraceHeader& header, const sim2d::Frame& frame);
+/// position.z = heading, velocity = (vx, vy, turning), as HuNavSim fills them. Into a message of
+/// before, or an empty one.
+void setPeople(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
+               people_msgs::People& to);
 
 /// The pose is `believed` (frame "odom"), the twist in the robot's frame.
 nav_msgs::Odometry odometryOf(const sim2d::Frame& frame, std::size_t robot,

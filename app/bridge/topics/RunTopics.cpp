@@ -65,12 +65,24 @@ struct RunTopics::Telling {
   std::vector<std::size_t>& lengths;  // [bytes] of the last messages
 
   bool isWanted(std::size_t topic) const { return !wants || wants(topic); }
+  template <class M>
+  void sendMade(std::size_t topic, const M& message) const {
+    std::string bytes = encode(message, lengths[topic]);
+    lengths[topic] = bytes.size();
+    send(topic, std::move(bytes));
+  }
   template <class Make>
   void tell(std::size_t topic, const Make& make) const {
     if (isWanted(topic)) {
-      std::string bytes = encode(make(), lengths[topic]);
-      lengths[topic] = bytes.size();
-      send(topic, std::move(bytes));
+      sendMade(topic, make());
+    }
+  }
+  /// One that is made in the memory of the last.
+  template <class M, class Set>
+  void tellAgain(std::size_t topic, M& message, const Set& set) const {
+    if (isWanted(topic)) {
+      set(message);
+      sendMade(topic, message);
     }
   }
   /// One that is shorter than the others of its topic.
@@ -224,28 +236,28 @@ void RunTopics::tellFixedTransforms(const Telling& telling) {
   });
 }
 
+void RunTopics::setTransforms(const sim2d::Frame& frame, tf2_msgs::TFMessage& to) const {
+  const std::size_t robots = std::min(robots_.size(), frame.robots.size());
+  to.transforms.resize(2 * robots + frame.humans.size());
+  auto next = to.transforms.begin();
+  for (std::size_t k = 0; k < robots; ++k) {
+    const base::Pose2 believed = believedBy(frame, k);
+    const std::string odometry = robots_[k].frames + kOdometry;
+    *next++ =
+        transform(frame.time, kMapFrame, odometry, frameOf(poseIn(frame.robots, k), believed));
+    *next++ = transform(frame.time, odometry, robots_[k].frames + kFootprint, believed);
+  }
+  for (std::size_t k = 0; k < frame.humans.size(); ++k, ++next) {
+    const sim2d::TraceHuman* const human = humanOf(header_, frame.humans, k);
+    next->header = headerOf(frame.time);
+    next->childFrameId =
+        human != nullptr ? human->name : "agent" + std::to_string(frame.humans.id[k]);
+    next->transform = transformOf(poseIn(frame.humans, k));
+  }
+}
+
 void RunTopics::tellTransforms(const Telling& telling) {
-  const sim2d::Frame& frame = telling.frame;
-  telling.tell(Tf, [&] {
-    tf2_msgs::TFMessage all;
-    all.transforms.reserve(2 * frame.robots.size() + frame.humans.size());
-    for (std::size_t k = 0; k < robots_.size() && k < frame.robots.size(); ++k) {
-      const base::Pose2 believed = believedBy(frame, k);
-      const std::string odometry = robots_[k].frames + kOdometry;
-      all.transforms.push_back(
-          transform(frame.time, kMapFrame, odometry, frameOf(poseIn(frame.robots, k), believed)));
-      all.transforms.push_back(
-          transform(frame.time, odometry, robots_[k].frames + kFootprint, believed));
-    }
-    for (std::size_t k = 0; k < frame.humans.size(); ++k) {
-      const sim2d::TraceHuman* const human = humanOf(header_, frame.humans, k);
-      all.transforms.push_back(
-          transform(frame.time, kMapFrame,
-                    human != nullptr ? human->name : "agent" + std::to_string(frame.humans.id[k]),
-                    poseIn(frame.humans, k)));
-    }
-    return all;
-  });
+  telling.tellAgain(Tf, large_.transforms, [&](auto& to) { setTransforms(telling.frame, to); });
 }
 
 void RunTopics::tellSurroundings(const Telling& telling) {
@@ -261,9 +273,9 @@ void RunTopics::tellSurroundings(const Telling& telling) {
 
 void RunTopics::tellPeople(const Telling& telling) {
   const sim2d::Frame& frame = telling.frame;
-  telling.tell(Markers, [&] { return bodyMarkersOf(header_, frame); });
-  telling.tell(HumanStates, [&] { return agentsOf(header_, frame); });
-  telling.tell(People, [&] { return peopleOf(header_, frame); });
+  telling.tellAgain(Markers, large_.markers, [&](auto& to) { setBodyMarkers(header_, frame, to); });
+  telling.tellAgain(HumanStates, large_.agents, [&](auto& to) { setAgents(header_, frame, to); });
+  telling.tellAgain(People, large_.people, [&](auto& to) { setPeople(header_, frame, to); });
 }
 
 void RunTopics::tellRobot(const Telling& telling, std::size_t robot) {

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "app/bridge/messages/GeometryMessages.h"
+#include "app/bridge/messages/HunavMessages.h"
+#include "app/bridge/messages/MarkerMessages.h"
 #include "sim2d/base/Types.h"
 #include "sim2d/trace/Trace.h"
 
@@ -86,6 +88,13 @@ class RunTopics {
     const sim2d::TraceGoal* goal = nullptr;  // of the header, or the order
   };
   struct Telling;
+  /// Those of the last state that grow with its people.
+  struct Large {
+    tf2_msgs::TFMessage transforms;
+    visualization_msgs::MarkerArray markers;
+    hunav_msgs::Agents agents;
+    people_msgs::People people;
+  };
 
   void addTopics();
   std::size_t topicOf(std::size_t robot, OfRobot what) const {
@@ -93,6 +102,7 @@ class RunTopics {
   }
   void tellSurroundings(const Telling& telling);
   void tellTransforms(const Telling& telling);
+  void setTransforms(const sim2d::Frame& frame, tf2_msgs::TFMessage& to) const;
   void tellFixedTransforms(const Telling& telling);
   void tellPeople(const Telling& telling);
   void tellRobot(const Telling& telling, std::size_t robot);
@@ -111,6 +121,7 @@ class RunTopics {
   std::vector<std::string> latched_;    // by topic
   std::vector<std::string> unstamped_;  // the same at the time 0
   std::vector<std::size_t> lengths_;    // of the last message, by topic
+  Large large_;                         // its memory is used again
   std::vector<Robot> robots_;
   std::vector<char> doors_;  // as they were told
 };
