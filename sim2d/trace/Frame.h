@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -171,6 +172,10 @@ struct RobotSenses {
     double range = 30.0;            // [m]; beams without a hit have it
     std::vector<double> distances;  // [m]
   };
+  struct LaterScan {                    // of a turn that nobody has looked at
+    double time = 0.0;                  // [s]
+    std::function<const Scan&()> make;  // once, and lives as long as this; any thread
+  };
   struct Body {  // a track of its detector
     int id = 0;
     bool isRobot = false;
@@ -184,8 +189,9 @@ struct RobotSenses {
     std::vector<std::pair<std::string, double>> scores{};  // parts of the cost; none: not told
   };
 
-  base::Pose2 believed;      // by odometry
-  std::optional<Scan> scan;  // none: no lidar, or not turned yet
+  base::Pose2 believed;                        // by odometry
+  std::optional<Scan> scan;                    // none: no lidar, not turned yet, or for later
+  std::shared_ptr<const LaterScan> laterScan;  // instead of it; where scans alone are told
   std::vector<Body> bodies;
   std::vector<Way> ways;
   CostGridPtr localCosts, globalCosts;  // of its planner, while somebody looks at them

@@ -10,10 +10,6 @@
 namespace sim2d {
 namespace {
 
-RobotSenses::Scan shownScan(const LaserScan& scan) {
-  return {scan.sensor, scan.time, scan.angleMin, scan.perBeam, scan.range, scan.distances};
-}
-
 /// Whether its planner is asked.
 bool wantsToBeAsked(const Planner& planner, const ResolvedRobot& robot, const RobotState& state,
                     double time) {
@@ -40,15 +36,17 @@ RobotDrive::RobotDrive(std::vector<std::shared_ptr<Planner>> planners, const Wor
 /// Turns that nobody looks at are not made: they take more time than most planners.
 void RobotDrive::sense(const FrozenWorld& world) {
   const std::vector<ResolvedRobot>& robots = world.model.robots;
-  isScanRead_.resize(robots.size());
+  scanUses_.resize(robots.size());
   for (std::size_t i = 0; i < robots.size(); ++i) {
     const bool isUnderWay =
         currentGoal(robots[i], world.state.robots[i]) || !planners_[i]->needsGoal();
-    const bool isRead = wantsSenses_ || wantsScans_ || robots[i].recordsScans ||
-                        (isUnderWay && planners_[i]->readsScan());
-    isScanRead_[i] = isRead ? 1 : 0;
+    const bool readsScan = planners_[i]->readsScan();
+    const bool isRead = wantsSenses_ || robots[i].recordsScans || (isUnderWay && readsScan);
+    // A planner that waits sets off with the last turn.
+    const bool mayBeRead = wantsScans_ || readsScan;
+    scanUses_[i] = isRead ? ScanUse::Now : mayBeRead ? ScanUse::Later : ScanUse::None;
   }
-  sensors_.update(world, isScanRead_);
+  sensors_.update(world, scanUses_);
   scans_.clear();
   for (std::size_t i = 0; i < robots.size(); ++i) {
     if (robots[i].recordsScans && sensors_.hasTurned(i)) {
@@ -127,7 +125,9 @@ void RobotDrive::addSenses(std::size_t robot, bool isAsked) {
   }
   RobotSenses& senses = (*senses_)[robot];
   senses.believed = sensors_.odometry(robot).pose();
-  if (const LaserScan* const scan = sensors_.scan(robot)) {
+  senses.laterScan = sensors_.laterScan(robot);
+  if (const LaserScan* const scan = sensors_.scan(robot);
+      scan != nullptr && senses.laterScan == nullptr) {
     senses.scan = shownScan(*scan);
   }
   if (!wantsSenses_) {

@@ -73,7 +73,7 @@ class RobotDrive {
   std::vector<std::shared_ptr<Planner>> planners_;
   std::vector<RobotBody> bodies_;
   RobotSensors sensors_;
-  std::vector<char> isScanRead_;  // of each robot, in this step
+  std::vector<ScanUse> scanUses_;  // of each robot, in this step
   std::vector<RecordedScan> scans_;
   std::vector<std::vector<base::NodeStatus>> statuses_;  // of trees, in the last step
   TreeChanges treeChanges_;

@@ -2,15 +2,20 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "sim2d/nav/Lidar.h"
 #include "sim2d/nav/Odometry.h"
 #include "sim2d/nav/PeopleDetector.h"
+#include "sim2d/trace/Frame.h"
 #include "sim2d/world/WorldState.h"
 
 namespace sim2d {
+
+/// As a frame has it.
+RobotSenses::Scan shownScan(LaserScan scan);
 
 /// What the robots of a world sense with, held into the world step by step. Draws depend on seed
 /// and robot alone. Takes no memory once its buffers have grown.
@@ -18,9 +23,8 @@ class RobotSensors {
  public:
   explicit RobotSensors(const WorldModel& model);
 
-  /// Each step from the first one on, before anybody decides. `isScanRead`, by robot: somebody
-  /// looks at its scan.
-  void update(const FrozenWorld& world, const std::vector<char>& isScanRead);
+  /// Each step from the first one on, before anybody decides. `scans`, by robot: who looks at them.
+  void update(const FrozenWorld& world, const std::vector<ScanUse>& scans);
 
   /// It was put there, at rest: errors of odometry add up from here.
   void relocate(std::size_t robot, const Pose2& pose) { robots_[robot].odometry.reset(pose); }
@@ -39,20 +43,29 @@ class RobotSensors {
   }
   /// That turn was made in the last update.
   bool hasTurned(std::size_t robot) const { return robots_[robot].hasTurned; }
+  /// The last turn of its lidar where nobody has looked at it so far, else null. Its scan can be
+  /// made when these sensors are gone.
+  const std::shared_ptr<const RobotSenses::LaterScan>& laterScan(std::size_t robot) const {
+    return robots_[robot].laterScan;
+  }
 
  private:
   struct Sensors {
     Odometry odometry;
     std::optional<Lidar> lidar;
     PeopleDetector detector;
-    Footprint footprint;
+    std::shared_ptr<const RobotSenses::LaterScan> laterScan;
     bool hasTurned = false;
   };
   void gatherBodies(const FrozenWorld& world);
+  static std::shared_ptr<const RobotSenses::LaterScan> laterScanOf(
+      const Lidar& lidar, std::shared_ptr<const std::vector<Footprint>> footprints);
+  void updateLidar(Sensors& sensors, const SensedWorld& world, ScanUse use) const;
   void updateOdometry(Sensors& sensors, const RobotState& now, const FrozenWorld& world) const;
 
   std::vector<Sensors> robots_;
-  std::vector<SensedBody> bodies_;  // of this step
+  std::shared_ptr<const std::vector<Footprint>> footprints_;  // by robot
+  std::vector<SensedBody> bodies_;                            // of this step
   bool hasBegun_ = false;
 };
 

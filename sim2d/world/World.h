@@ -84,7 +84,7 @@ class World {
   /// From the next step on frames have the senses of robots and the ways of people, or no more.
   virtual void tellSenses(bool wanted) = 0;
   /// The same of what robots believe and scan alone: senses without bodies and ways, unless those
-  /// are wanted too.
+  /// are wanted too. Scans that neither planner nor record looks at are `laterScan`.
   virtual void tellScans(bool wanted) = 0;
   /// With them, of planners, what is switched on there at each step; null: no costs, no ways of
   /// planners that gather them for display only.

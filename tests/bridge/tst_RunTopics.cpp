@@ -245,6 +245,44 @@ class RunTopicsTest : public QObject {
     QVERIFY(toldBy(topics, frame).count("/scan") == 1);
   }
 
+  void tell_scanForLater_isMadeForWhoHearsIt() {
+    RunTopicsOptions options;
+    options.lidarMounts = {base::Pose2{}};  // else /tf tells where it sits
+    RunTopics topics(smallHeader(), options);
+    sim2d::RobotSenses::Scan scan;
+    scan.distances = {1.0, 2.0};
+    int made = 0;
+    int told = 0;
+    const auto tell = [&](double time, bool isLater, bool isHeard) {
+      sim2d::RobotSenses senses;
+      scan.time = time;
+      if (isLater) {
+        senses.laterScan = std::make_shared<const sim2d::RobotSenses::LaterScan>(
+            sim2d::RobotSenses::LaterScan{time, [&]() -> const sim2d::RobotSenses::Scan& {
+                                            ++made;
+                                            return scan;
+                                          }});
+      } else {
+        senses.scan = scan;
+      }
+      sim2d::Frame frame = smallFrame();
+      frame.senses = std::make_shared<const std::vector<sim2d::RobotSenses>>(1, senses);
+      const auto isScan = [&](std::size_t topic) { return topics.topics()[topic].name == "/scan"; };
+      topics.tell(
+          frame, [&](std::size_t topic, const std::string&) { told += isScan(topic) ? 1 : 0; },
+          [&](std::size_t topic) { return isHeard || !isScan(topic); });
+    };
+    tell(12.45, true, false);
+    QCOMPARE(made, 0);
+    tell(12.55, true, true);
+    tell(12.55, true, true);   // the same turn
+    tell(12.55, false, true);  // a planner has looked at it meanwhile
+    QCOMPARE(made, 1);
+    QCOMPARE(told, 1);
+    tell(12.65, false, true);
+    QCOMPARE(told, 2);
+  }
+
   void tell_markers_takeTheOldAwayFirst() {
     RunTopics topics(smallHeader());
     const auto told = toldBy(topics, smallFrame());

@@ -201,6 +201,7 @@ class LidarTest : public QObject {
   void stepLength_walkingSpeeds_isThatOfGrieveAndGear();
   void update_afterTheFirstTurn_allocatesNothing();
   void update_readFromSomeTimeOn_isTheSame();
+  void update_nowAfterLater_isTheLastTurn();
 };
 
 void LidarTest::turn_randomScenes_equalBeamsCastAlone_data() {
@@ -642,7 +643,7 @@ void LidarTest::update_readFromSomeTimeOn_isTheSame() {
     const SensedWorld world{pose, pose, floor.obstacles, floor.bodies, 0.05 * step};
     const bool isTurn = always.update(world);
     QCOMPARE(isTurn, step % 2 == 0);
-    QCOMPARE(late.update(world, step >= 31), isTurn && step >= 31);
+    QCOMPARE(late.update(world, step >= 31 ? ScanUse::Now : ScanUse::None), isTurn && step >= 31);
     for (SensedBody& body : floor.bodies) {
       body.position += 0.05 * body.velocity;
     }
@@ -651,6 +652,35 @@ void LidarTest::update_readFromSomeTimeOn_isTheSame() {
     } else {
       QVERIFY(late.scan()->time == always.scan()->time);
       QVERIFY(late.scan()->distances == always.scan()->distances);
+    }
+  }
+}
+
+/// What was for later is there as soon as somebody looks, also between turns.
+void LidarTest::update_nowAfterLater_isTheLastTurn() {
+  std::mt19937 random(7);
+  Floor floor;
+  addSolids(floor, random);
+  addBodies(floor, random, 40, 6);
+  LidarParameters parameters;
+  parameters.noise = 0.01;
+  Lidar always(parameters, 1, 99);
+  Lidar late(parameters, 1, 99);
+  for (int step = 0; step < 8; ++step) {  // every second one is a turn
+    const Pose2 pose{{0.05 * step, 0.0}, 0.1 * step};
+    const SensedWorld world{pose, pose, floor.obstacles, floor.bodies, 0.05 * step};
+    always.update(world);
+    const bool isNow = step == 3 || step == 7;
+    QVERIFY(!late.update(world, isNow ? ScanUse::Now : ScanUse::Later));
+    QCOMPARE(late.laterTurn() == nullptr, isNow);
+    if (isNow) {
+      QVERIFY(late.scan()->time == always.scan()->time);
+      QVERIFY(late.scan()->distances == always.scan()->distances);
+    } else {
+      QVERIFY(late.laterTurn()->time == always.scan()->time);
+    }
+    for (SensedBody& body : floor.bodies) {
+      body.position += 0.05 * body.velocity;
     }
   }
 }

@@ -28,9 +28,11 @@ class RobotSensesTest : public QObject {
   void lidar_ofTheType_isThere();
   void lidar_recorded_isInTheFrames();
   void scansAlone_areThoseOfAllSenses();
+  void scansForLater_areThoseOfTheirInstant();
   void run_noisySensors_dependsOnTheSeedAlone();
   void planner_blindRobot_drivesOn();
   void planner_blindDetector_avoidsWhatItsLidarMeets();
+  void planner_setsOffAgain_knowsTheLastTurn();
   void create_badSensors_isRefused_data();
   void create_badSensors_isRefused();
   void create_keysWithoutEffect_warns();
@@ -336,20 +338,55 @@ void RobotSensesTest::scansAlone_areThoseOfAllSenses() {
     const RobotSenses& wanted = sensesOf(all->frame());
     const RobotSenses& told = sensesOf(frame);
     QVERIFY(told.believed == wanted.believed);
-    QVERIFY(told.scan && told.scan->time == wanted.scan->time);
-    QVERIFY(told.scan->distances == wanted.scan->distances);
+    QVERIFY(!told.scan && told.laterScan && told.laterScan->time == wanted.scan->time);
+    QVERIFY(told.laterScan->make().distances == wanted.scan->distances);
     QVERIFY(wanted.bodies.size() == 1 && told.bodies.empty());
     QVERIFY(frame.humanPaths == nullptr);
   });
   world->tellSenses(true);
   advance(*world, 1);
   QCOMPARE(sensesOf(world->frame()).bodies.size(), std::size_t{1});
+  QVERIFY(sensesOf(world->frame()).scan && !sensesOf(world->frame()).laterScan);
   world->tellSenses(false);  // scans are still wanted
-  advance(*world, 1);
-  QVERIFY(sensesOf(world->frame()).scan && sensesOf(world->frame()).bodies.empty());
+  advance(*world, 2);        // one of them is a turn
+  QVERIFY(sensesOf(world->frame()).laterScan && sensesOf(world->frame()).bodies.empty());
   world->tellScans(false);
   advance(*world, 1);
   QVERIFY(world->frame().senses == nullptr);
+}
+
+/// Robots, one with corners, among people, a door that closes and opens, errors: looked at when the
+/// world is gone.
+void RobotSensesTest::scansForLater_areThoseOfTheirInstant() {
+  Scenario scenario;
+  addGoal(scenario, 1, -4.0, 0.5);
+  addGoal(scenario, 2, 2.0, -3.0);
+  addPerson(scenario, 1, Vec2(4.0, 0.0), {1});
+  addPerson(scenario, 2, Vec2(2.0, 3.0), {2});
+  addDoor(scenario, {-2.0, 5.0}, {5.0, 5.0}, true, {1.0, 3.0});
+  addRobot(scenario, Vec2(0.0, 0.0), Vec2(6.0, 3.0)).lidar.noise = 0.03;
+  Robot& other = addRobot(scenario, Vec2(6.0, 0.3), Vec2(0.0, 2.0));
+  other.type = "jackal";
+  other.lidar.range = 8.0;
+  const std::unique_ptr<World> all = watched(scenario);
+  std::unique_ptr<World> world = make(scenario);
+  world->tellScans(true);
+  std::vector<RobotSenses::Scan> wanted;
+  std::vector<RobotSenses::LaterScan> later;
+  advance(*world, 100, [&](const Frame& frame) {
+    QVERIFY(all->step());
+    for (std::size_t robot = 0; robot < 2; ++robot) {
+      wanted.push_back(*sensesOf(all->frame(), robot).scan);
+      later.push_back(*sensesOf(frame, robot).laterScan);
+    }
+  });
+  world.reset();
+  QCOMPARE(later.size(), std::size_t{200});
+  for (std::size_t k = later.size(); k-- > 0;) {  // in another order
+    const RobotSenses::Scan made = later[k].make();
+    QCOMPARE(made.time, wanted[k].time);
+    QVERIFY(made.sensor == wanted[k].sensor && made.distances == wanted[k].distances);
+  }
 }
 
 namespace {
@@ -428,6 +465,54 @@ void RobotSensesTest::planner_blindDetector_avoidsWhatItsLidarMeets() {
     const std::unique_ptr<World> world = make(
         scenario, [](const WorldView&, Intents& intents) { intents.of(0).motion = Motion::Stand; });
     QCOMPARE(ofKind(advance(*world, 200), EventKind::Contact).empty(), hasLidar);
+  }
+}
+
+namespace {
+
+/// Drives ahead; notes what time its scan was of, call by call.
+class ScanReader : public Planner {
+ public:
+  explicit ScanReader(std::vector<double>& times) : times_(times) {}
+  base::Result<BodyTwist> command(const Observation& observation) override {
+    times_.push_back(observation.scan != nullptr ? observation.scan->time : -1.0);
+    return BodyTwist{0.5, 0.0};
+  }
+
+ private:
+  std::vector<double>& times_;
+};
+
+}  // namespace
+
+/// Whether others hear its lidar or not. Turns are made in the steps from states 0, 2, 4 ….
+void RobotSensesTest::planner_setsOffAgain_knowsTheLastTurn() {
+  for (const bool isHeard : {false, true}) {
+    std::vector<double> times;
+    auto own = std::make_shared<Registries>(programRegistries());
+    own->planners.add("scan_reader", {}, [&times](const PlannerSetup& /*setup*/) {
+      return base::Result<std::shared_ptr<Planner>>(std::make_shared<ScanReader>(times));
+    });
+    Scenario scenario;
+    addRobot(scenario, Vec2(0.0, 0.0), Vec2(0.1, 0.0)).planner = "scan_reader";
+    WorldSetup setup;
+    setup.scenario = std::make_shared<const Scenario>(scenario);
+    setup.behavior = std::make_unique<ScriptedBehavior>();
+    setup.registries = own;
+    const base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
+    QVERIFY(static_cast<bool>(world));
+    (*world)->tellScans(isHeard);
+    QCOMPARE(ofKind(advance(**world, 41), EventKind::Arrived).size(), std::size_t{1});
+    times.clear();
+    Input order;
+    order.kind = InputKind::Goal;
+    order.id = -1;
+    order.pose.position = {8.0, 0.0};
+    QVERIFY((*world)->step({order}));  // from state 41
+    QVERIFY((*world)->step());
+    QCOMPARE(times.size(), std::size_t{2});
+    QVERIFY(std::fabs(times[0] - 40 * kStep) < 1e-9);
+    QVERIFY(std::fabs(times[1] - 42 * kStep) < 1e-9);
   }
 }
 

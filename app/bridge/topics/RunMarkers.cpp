@@ -27,7 +27,7 @@ constexpr std_msgs::ColorRGBA kTextColor{0.55F, 0.55F, 0.55F, 1.0F};  // on ligh
 constexpr std_msgs::ColorRGBA kWallColor{0.35F, 0.35F, 0.40F, 1.0F};
 constexpr std_msgs::ColorRGBA kDoorColor{0.62F, 0.42F, 0.20F, 1.0F};
 
-struct Kind {  // names of ROS
+struct Kind {  // namespaces of markers
   const char* body = "";
   const char* velocity = "";
   const char* name = "";

@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "app/bridge/messages/Codec.h"
 #include "app/bridge/topics/RunMarkers.h"
 #include "app/bridge/topics/RunMessages.h"
+#include "app/bridge/topics/Telling.h"
 #include "sim2d/scenario/Defaults.h"
 
 namespace bridge {
 namespace {
 
-constexpr const char* kOdometry = "odom";
 constexpr const char* kFootprint = "base_footprint";
 constexpr const char* kBase = "base_link";
-constexpr const char* kSensor = "base_scan";
-constexpr double kUsualRate = 10.0;  // [Hz] of a lidar
 constexpr int kDepthOfTf = 100;
 constexpr int kDepthOfStates = 1;  // as HuNavSim has them
 
@@ -27,11 +25,6 @@ Topic topic(std::string name, int depth = 10) {
 template <class M>
 Topic latchedTopic(std::string name) {
   return {std::move(name), M::kType, true, 1};
-}
-
-geometry_msgs::TransformStamped transform(double seconds, const std::string& parent,
-                                          const std::string& child, const base::Pose2& pose) {
-  return {headerOf(seconds, parent), child, transformOf(pose)};
 }
 
 /// The frame in which a body that is at `inFrame` is at `inWorld`.
@@ -57,42 +50,10 @@ const sim2d::TraceGoal* goalIn(const std::vector<sim2d::TraceGoal>& goals, int i
 
 }  // namespace
 
-/// One frame on its way.
-struct RunTopics::Telling {
-  const sim2d::Frame& frame;
-  const Send& send;
-  const Wants& wants;
-  std::vector<std::size_t>& lengths;  // [bytes] of the last messages
-
-  bool isWanted(std::size_t topic) const { return !wants || wants(topic); }
-  template <class M>
-  void sendMade(std::size_t topic, const M& message) const {
-    std::string bytes = encode(message, lengths[topic]);
-    lengths[topic] = bytes.size();
-    send(topic, std::move(bytes));
-  }
-  template <class Make>
-  void tell(std::size_t topic, const Make& make) const {
-    if (isWanted(topic)) {
-      sendMade(topic, make());
-    }
-  }
-  /// One that is made in the memory of the last.
-  template <class M, class Set>
-  void tellAgain(std::size_t topic, M& message, const Set& set) const {
-    if (isWanted(topic)) {
-      set(message);
-      sendMade(topic, message);
-    }
-  }
-  /// One that is shorter than the others of its topic.
-  template <class Make>
-  void tellShort(std::size_t topic, const Make& make) const {
-    if (isWanted(topic)) {
-      send(topic, encode(make()));
-    }
-  }
-};
+geometry_msgs::TransformStamped transformTo(double seconds, const std::string& parent,
+                                            const std::string& child, const base::Pose2& pose) {
+  return {headerOf(seconds, parent), child, transformOf(pose)};
+}
 
 RunTopicsOptions lidarsOf(const sim2d::Scenario& scenario) {
   RunTopicsOptions options;
@@ -227,9 +188,9 @@ void RunTopics::tellFixedTransforms(const Telling& telling) {
     tf2_msgs::TFMessage all;
     for (std::size_t k = 0; k < robots_.size(); ++k) {
       const std::string& frames = robots_[k].frames;
-      all.transforms.push_back(transform(seconds, frames + kFootprint, frames + kBase, {}));
+      all.transforms.push_back(transformTo(seconds, frames + kFootprint, frames + kBase, {}));
       if (const std::optional<base::Pose2> mount = mountOf(k)) {
-        all.transforms.push_back(transform(seconds, frames + kBase, frames + kSensor, *mount));
+        all.transforms.push_back(transformTo(seconds, frames + kBase, frames + kSensor, *mount));
       }
     }
     return all;
@@ -244,8 +205,8 @@ void RunTopics::setTransforms(const sim2d::Frame& frame, tf2_msgs::TFMessage& to
     const base::Pose2 believed = believedBy(frame, k);
     const std::string odometry = robots_[k].frames + kOdometry;
     *next++ =
-        transform(frame.time, kMapFrame, odometry, frameOf(poseIn(frame.robots, k), believed));
-    *next++ = transform(frame.time, odometry, robots_[k].frames + kFootprint, believed);
+        transformTo(frame.time, kMapFrame, odometry, frameOf(poseIn(frame.robots, k), believed));
+    *next++ = transformTo(frame.time, odometry, robots_[k].frames + kFootprint, believed);
   }
   for (std::size_t k = 0; k < frame.humans.size(); ++k, ++next) {
     const sim2d::TraceHuman* const human = humanOf(header_, frame.humans, k);
@@ -257,7 +218,7 @@ void RunTopics::setTransforms(const sim2d::Frame& frame, tf2_msgs::TFMessage& to
 }
 
 void RunTopics::tellTransforms(const Telling& telling) {
-  telling.tellAgain(Tf, large_.transforms, [&](auto& to) { setTransforms(telling.frame, to); });
+  telling.tellReused(Tf, ofPeople_.transforms, [&](auto& to) { setTransforms(telling.frame, to); });
 }
 
 void RunTopics::tellSurroundings(const Telling& telling) {
@@ -273,9 +234,11 @@ void RunTopics::tellSurroundings(const Telling& telling) {
 
 void RunTopics::tellPeople(const Telling& telling) {
   const sim2d::Frame& frame = telling.frame;
-  telling.tellAgain(Markers, large_.markers, [&](auto& to) { setBodyMarkers(header_, frame, to); });
-  telling.tellAgain(HumanStates, large_.agents, [&](auto& to) { setAgents(header_, frame, to); });
-  telling.tellAgain(People, large_.people, [&](auto& to) { setPeople(header_, frame, to); });
+  telling.tellReused(Markers, ofPeople_.markers,
+                     [&](auto& to) { setBodyMarkers(header_, frame, to); });
+  telling.tellReused(HumanStates, ofPeople_.agents,
+                     [&](auto& to) { setAgents(header_, frame, to); });
+  telling.tellReused(People, ofPeople_.people, [&](auto& to) { setPeople(header_, frame, to); });
 }
 
 void RunTopics::tellRobot(const Telling& telling, std::size_t robot) {
@@ -286,36 +249,8 @@ void RunTopics::tellRobot(const Telling& telling, std::size_t robot) {
     return odometryOf(frame, robot, believedBy(frame, robot), frames + kOdometry,
                       frames + kFootprint);
   });
-  tellScan(telling, robot);
+  tellNewScan(telling, robot);
   tellWay(telling, robot);
-}
-
-/// The last turn of its lidar in this frame: seen, or else recorded.
-const sim2d::RobotSenses::Scan* RunTopics::scanIn(const sim2d::Frame& frame, std::size_t robot) {
-  if (frame.senses != nullptr && robot < frame.senses->size() && (*frame.senses)[robot].scan) {
-    return &*(*frame.senses)[robot].scan;
-  }
-  const auto found = std::find_if(
-      frame.scans.rbegin(), frame.scans.rend(),
-      [&](const sim2d::RecordedScan& each) { return each.robot == frame.robots.id[robot]; });
-  return found == frame.scans.rend() ? nullptr : &found->scan;
-}
-
-void RunTopics::tellScan(const Telling& telling, std::size_t robot) {
-  const sim2d::RobotSenses::Scan* const scan = scanIn(telling.frame, robot);
-  if (scan == nullptr || robots_[robot].scanned == scan->time) {
-    return;
-  }
-  robots_[robot].scanned = scan->time;
-  const std::string& frames = robots_[robot].frames;
-  if (!mountOf(robot)) {
-    telling.tellShort(Tf, [&] {
-      return tf2_msgs::TFMessage{
-          {transform(scan->time, frames + kOdometry, frames + kSensor, scan->sensor)}};
-    });
-  }
-  const double rate = robot < options_.lidarRates.size() ? options_.lidarRates[robot] : kUsualRate;
-  telling.tell(topicOf(robot, Scan), [&] { return scanOf(*scan, 1.0 / rate, frames + kSensor); });
 }
 
 void RunTopics::tellWay(const Telling& telling, std::size_t robot) {

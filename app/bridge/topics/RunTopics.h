@@ -88,8 +88,8 @@ class RunTopics {
     const sim2d::TraceGoal* goal = nullptr;  // of the header, or the order
   };
   struct Telling;
-  /// Those of the last state that grow with its people.
-  struct Large {
+  /// Messages of the last state that grow with its people.
+  struct OfPeople {
     tf2_msgs::TFMessage transforms;
     visualization_msgs::MarkerArray markers;
     hunav_msgs::Agents agents;
@@ -106,7 +106,9 @@ class RunTopics {
   void tellFixedTransforms(const Telling& telling);
   void tellPeople(const Telling& telling);
   void tellRobot(const Telling& telling, std::size_t robot);
-  void tellScan(const Telling& telling, std::size_t robot);
+  void tellNewScan(const Telling& telling, std::size_t robot);
+  void tellScan(const Telling& telling, std::size_t robot,
+                const sim2d::RobotSenses::Scan& scan) const;
   void tellWay(const Telling& telling, std::size_t robot);
   /// `make(seconds)` makes the message; it is sent when it differs from the last but for its stamp.
   template <class Make>
@@ -121,7 +123,7 @@ class RunTopics {
   std::vector<std::string> latched_;    // by topic
   std::vector<std::string> unstamped_;  // the same at the time 0
   std::vector<std::size_t> lengths_;    // of the last message, by topic
-  Large large_;                         // its memory is used again
+  OfPeople ofPeople_;                   // its memory is used again
   std::vector<Robot> robots_;
   std::vector<char> doors_;  // as they were told
 };
