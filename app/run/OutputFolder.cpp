@@ -247,6 +247,7 @@ base::Diagnostics OutputFolder::write(const std::string& name, std::string_view 
   if (!isWithin(name)) {
     return {base::error("file.outside", {folder_}, name)};
   }
+  known_.erase(name);
   return atTheirPlaces(base::writeFileAtomically(inFolder(staging_, name), content));
 }
 
@@ -275,7 +276,9 @@ base::Diagnostics OutputFolder::commit(const std::string& manifest, Earlier earl
     hashes.erase(name);
   }
   for (const std::string& name : *names) {
-    const std::optional<std::string> hash = sha256OfFile(inFolder(staging_, name));
+    const auto known = known_.find(name);
+    const std::optional<std::string> hash =
+        known != known_.end() ? known->second : sha256OfFile(inFolder(staging_, name));
     if (!hash) {
       return {base::error("file.cannot-read", {"it is gone or damaged"}, inFolder(folder_, name))};
     }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/run/FolderLock.h"
@@ -45,6 +46,8 @@ class OutputFolder {
   const std::string& staging() const { return staging_; }
   /// Error: a name that leaves the folder.
   base::Diagnostics write(const std::string& name, std::string_view content);
+  /// SHA-256 of a file of the staging folder that is complete: it is not read again for that.
+  void knowHash(const std::string& name, std::string sha256) { known_[name] = std::move(sha256); }
   /// Problems with files of the staging folder, told of the places that they are made for.
   base::Diagnostics atTheirPlaces(base::Diagnostics problems) const;
 
@@ -67,6 +70,7 @@ class OutputFolder {
   const char* manifest_;
   std::unique_ptr<FolderLock> lock_;
   FileHashes listed_;  // by the manifest that was there
+  FileHashes known_;   // of new files
   std::vector<std::string> dropped_;
 };
 

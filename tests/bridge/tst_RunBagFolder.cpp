@@ -1,4 +1,7 @@
 #include <filesystem>
+#include <iterator>
+
+#include <nlohmann/json.hpp>
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -6,6 +9,7 @@
 #include "app/bridge/bag/RunBagFolder.h"
 #include "app/run/Bundle.h"
 #include "app/run/OutputFolder.h"
+#include "app/run/Sha256.h"
 #include "sim2d/base/Text.h"
 #include "tests/support/FullDisk.h"
 
@@ -53,17 +57,20 @@ class RunBagFolderTest : public QObject {
 
  private Q_SLOTS:
   /// What goes through the thread beside what is written at once, of so many steps: none, less than
-  /// what is handed over together, just that, one more, often. Every third state is recorded,
-  /// orders come between them, and somebody enters.
+  /// what is handed over together, just that, one more, often, more than may wait. Every third
+  /// state is recorded, or each; orders come between them, and somebody enters.
   void anySteps_isTheBagMadeAtOnce_data() {
     QTest::addColumn<int>("steps");
+    QTest::addColumn<int>("recordEvery");
     for (const int steps : {0, 5, 16, 17, 48, 49, 300}) {
-      QTest::addRow("%d", steps) << steps;
+      QTest::addRow("%d", steps) << steps << 3;
     }
+    QTest::newRow("1000, all recorded") << 1000 << 1;
   }
   void anySteps_isTheBagMadeAtOnce() {
     QFETCH(const int, steps);
-    const app::Bundle bundle = cafe(3);
+    QFETCH(const int, recordEvery);
+    const app::Bundle bundle = cafe(recordEvery);
     const app::Verdict verdict = app::check(bundle);
     QVERIFY(verdict.world);
     sim2d::World& world = *verdict.world;
@@ -86,6 +93,13 @@ class RunBagFolderTest : public QObject {
     QVERIFY(!folder.hasFailed());
     const std::string made = bytesOf((*output)->staging() + "/" + kBagFiles[0]);
     QVERIFY(made.size() > 1000 && made == bytesOf(atOnce));
+    QVERIFY((*output)->commit("{}", app::OutputFolder::Earlier::Removed).empty());
+    const auto manifest = nlohmann::json::parse(bytesOf((*output)->path() + "/manifest.json"));
+    QCOMPARE(manifest["outputs"].size(), std::size(kBagFiles));
+    for (const nlohmann::json& file : manifest["outputs"]) {
+      const std::string place = (*output)->path() + "/" + file["path"].get<std::string>();
+      QVERIFY(app::sha256OfFile(place) == file["sha256"].get<std::string>());
+    }
   }
 
   void fullDisk_isToldAndEnds() {

@@ -14,15 +14,20 @@ constexpr int kLevel = 1;  // the fastest that is not much larger: a run goes on
 
 }  // namespace
 
-std::string zstdPacked(std::string_view bytes) {
-  std::string packed(ZSTD_compressBound(bytes.size()), '\0');
-  const std::size_t size =
-      ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), kLevel);
+ZstdPacker::ZstdPacker() : context_(ZSTD_createCCtx(), &ZSTD_freeCCtx) {
+  if (context_ == nullptr) {
+    throw std::bad_alloc();
+  }
+}
+
+std::string_view ZstdPacker::packed(std::string_view bytes) {
+  packed_.resize(std::max(packed_.size(), ZSTD_compressBound(bytes.size())));
+  const std::size_t size = ZSTD_compressCCtx(context_.get(), packed_.data(), packed_.size(),
+                                             bytes.data(), bytes.size(), kLevel);
   if (ZSTD_isError(size) != 0U) {  // there is room, so it is memory that is missing
     throw std::bad_alloc();
   }
-  packed.resize(size);
-  return packed;
+  return {packed_.data(), size};
 }
 
 std::optional<std::string> zstdUnpacked(std::string_view packed, std::size_t size) {

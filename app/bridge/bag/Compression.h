@@ -1,14 +1,27 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
+struct ZSTD_CCtx_s;
+
 namespace bridge {
 
-/// As one frame of zstd.
-std::string zstdPacked(std::string_view bytes);
+/// Packs one piece after the other in the same memory. Thread: one at a time.
+class ZstdPacker {
+ public:
+  ZstdPacker();
+  /// As one frame of zstd, valid until the next call.
+  std::string_view packed(std::string_view bytes);
+
+ private:
+  std::unique_ptr<ZSTD_CCtx_s, std::size_t (*)(ZSTD_CCtx_s*)> context_;
+  std::string packed_;
+};
+
 /// None: they are no frame of zstd, or not of `size` bytes. Memory is taken as bytes come.
 std::optional<std::string> zstdUnpacked(std::string_view packed, std::size_t size);
 

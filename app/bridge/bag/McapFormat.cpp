@@ -49,8 +49,8 @@ McapRecord& McapRecord::counts(const std::map<std::uint16_t, std::uint64_t>& cou
   return *this;
 }
 
-const std::string& McapRecord::finish() {
-  const std::uint64_t size = bytes_.size() - kRecordHead;
+const std::string& McapRecord::finish(std::size_t following) {
+  const std::uint64_t size = bytes_.size() - kRecordHead + following;
   for (std::size_t k = 0; k < sizeof(size); ++k) {
     bytes_[1 + k] = static_cast<char>((size >> (8U * k)) & 0xFFU);
   }

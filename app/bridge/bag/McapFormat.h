@@ -48,14 +48,16 @@ class McapRecord {
   McapRecord& text(std::string_view text);      // length of four bytes
   McapRecord& bytes(std::string_view bytes);    // the same
   McapRecord& bytes64(std::string_view bytes);  // length of eight bytes
-  McapRecord& raw(std::string_view bytes);
   McapRecord& entries(const McapEntries& entries);
   /// A map from channels to numbers.
   McapRecord& counts(const std::map<std::uint16_t, std::uint64_t>& counts);
 
-  const std::string& finish();
+  /// `following`: so many bytes of its content come behind what stands here.
+  const std::string& finish(std::size_t following = 0);
 
  private:
+  McapRecord& raw(std::string_view bytes);
+
   std::string bytes_;
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/bridge/bag/Compression.h"
 #include "app/bridge/bag/Crc32.h"
 #include "app/run/DataPaths.h"
 
@@ -94,8 +93,8 @@ void McapWriter::write(std::uint16_t channel, std::int64_t time, std::string_vie
                 .number(to.messages++)
                 .number(time)
                 .number(time)
-                .raw(message)
-                .finish();
+                .finish(message.size());
+  chunk_ += message;
   Span all{totals_.begin, totals_.end};
   all.add(time, totals_.messages == 0);
   totals_.begin = all.begin;
@@ -128,7 +127,7 @@ void McapWriter::endChunk() {
     return;
   }
   const std::uint64_t begin = position_;
-  const std::string packed = zstdPacked(chunk_);
+  const std::string_view packed = packer_.packed(chunk_);
   append(McapRecord(McapOp::Chunk)
              .number(chunkSpan_.begin)
              .number(chunkSpan_.end)

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/bridge/bag/Compression.h"
 #include "app/bridge/bag/McapFormat.h"
 #include "sim2d/base/Files.h"
 
@@ -75,6 +76,7 @@ class McapWriter {
   std::vector<Schema> schemas_;    // ids from 1
   std::vector<Channel> channels_;  // ids from 0
   Totals totals_;
+  ZstdPacker packer_;
   // the chunk that is being made
   std::string chunk_;
   Span chunkSpan_;

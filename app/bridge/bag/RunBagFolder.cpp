@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/run/Sha256.h"
+
 namespace bridge {
 
 namespace fs = std::filesystem;
@@ -11,13 +13,15 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kTogether = 16;  // states that are handed over at once
+constexpr std::size_t kWaiting = 8;  // such batches at most: a chunk of the bag is packed meanwhile
 
 }  // namespace
 
 RunBagFolder::RunBagFolder(const std::string& staging, const sim2d::Scenario& scenario,
                            const sim2d::World& world)
     : world_(world),
-      bag_((fs::path(staging) / kBagFiles[0]).string(), world.header(), lidarsOf(scenario)) {
+      path_((fs::path(staging) / kBagFiles[0]).string()),
+      bag_(path_, world.header(), lidarsOf(scenario)) {
   for (const sim2d::TraceHuman& human : world.header().humans) {
     known_.insert(human.id);
   }
@@ -62,26 +66,36 @@ void RunBagFolder::append(const sim2d::Frame& frame) {
   }
 }
 
-/// Waits until those of before have been taken.
+/// Waits where too many have not been taken yet.
 void RunBagFolder::handOver() {
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [this] { return taken_.count == 0 || thrown_ != nullptr || isOver_; });
+  changed_.wait(lock,
+                [this] { return waiting_.size() < kWaiting || thrown_ != nullptr || isOver_; });
   if (thrown_ != nullptr) {
     std::rethrow_exception(thrown_);
   }
-  std::swap(taken_, gathered_);
-  gathered_.count = 0;
+  waiting_.push_back(std::move(gathered_));
+  gathered_ = {};
+  if (!spare_.empty()) {
+    gathered_ = std::move(spare_.back());
+    spare_.pop_back();
+  }
   changed_.notify_all();
 }
 
-/// Into the memory of the batch; false: there are no more.
+/// In exchange for a batch whose memory is used again; false: there are no more.
 bool RunBagFolder::next(Batch& batch) {
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [this] { return isOver_ || taken_.count > 0; });
-  std::swap(taken_, batch);
-  taken_.count = 0;
+  batch.count = 0;
+  spare_.push_back(std::move(batch));
+  changed_.wait(lock, [this] { return isOver_ || !waiting_.empty(); });
+  if (waiting_.empty()) {
+    return false;
+  }
+  batch = std::move(waiting_.front());
+  waiting_.pop_front();
   changed_.notify_all();
-  return batch.count > 0;
+  return true;
 }
 
 void RunBagFolder::work() {
@@ -99,6 +113,7 @@ void RunBagFolder::work() {
     }
     if (conclusion_) {
       problems_ = bag_.finish(*conclusion_);
+      hash_ = app::sha256OfFile(path_);
     }
   } catch (...) {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -121,6 +136,9 @@ void RunBagFolder::end() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     isOver_ = true;
+    if (!conclusion_) {
+      waiting_.clear();  // the run was given up
+    }
     changed_.notify_all();
   }
   if (thread_.joinable()) {
@@ -135,6 +153,9 @@ base::Diagnostics RunBagFolder::finish(app::OutputFolder& output) {
     std::rethrow_exception(thrown_);
   }
   base::Diagnostics problems = std::move(problems_);
+  if (hash_) {
+    output.knowHash(kBagFiles[0], *hash_);
+  }
   const std::string name = fs::path(kBagFiles[0]).filename().string();
   base::append(problems, output.write(kBagFiles[1], bag_.metadata(name)));
   base::append(problems, output.write(kBagFiles[2], foxgloveLayout()));

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <deque>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -21,8 +22,9 @@ constexpr const char* kBagFiles[] = {"bag/bag_0.mcap", "bag/metadata.yaml",
                                      "bag/foxglove_layout.json"};
 
 /// Makes the bag of a run beside its other files, in a thread of its own: the run goes on while
-/// messages are made, compressed and written, and waits only when many states are still to be
-/// taken. All calls come from the thread of the run.
+/// messages are made, compressed and written, and waits only when many states (128) are still to be
+/// taken; no more than that are kept, but for the batches at hand. All calls come from the thread
+/// of the run.
 class RunBagFolder final : public app::RunCompanion {
  public:
   /// `staging`: of the run's output. The world must outlive this.
@@ -57,16 +59,19 @@ class RunBagFolder final : public app::RunCompanion {
   void end();
 
   const sim2d::World& world_;
+  std::string path_;
   std::set<int> known_;  // people of the header
   Batch gathered_;       // of the run, until they are enough to hand over
   RunBag bag_;           // of the thread, until it has ended
   std::atomic<bool> hasFailed_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
-  Batch taken_;
+  std::deque<Batch> waiting_;  // to be taken
+  std::vector<Batch> spare_;   // taken, their memory for others
   bool isOver_ = false;
   std::optional<sim2d::TraceHeader> conclusion_;  // of the whole run
   base::Diagnostics problems_;                    // of the thread
+  std::optional<std::string> hash_;               // of the bag's file, by the thread
   std::exception_ptr thrown_;
   std::thread thread_;
 };
