@@ -628,61 +628,72 @@ void LidarTest::update_afterTheFirstTurn_allocatesNothing() {
   QCOMPARE(static_cast<long>(allocations) - before, 0L);
 }
 
-/// Turns that nobody looked at leave nothing behind, in legs and errors neither.
-void LidarTest::update_readFromSomeTimeOn_isTheSame() {
-  std::mt19937 random(7);
-  Floor floor;
-  addSolids(floor, random);
-  addBodies(floor, random, 40, 6);
-  LidarParameters parameters;
-  parameters.noise = 0.01;
-  Lidar always(parameters, 1, 99);
-  Lidar late(parameters, 1, 99);
-  for (int step = 0; step < 60; ++step) {
-    const Pose2 pose{{0.05 * step, 0.0}, 0.1 * step};
-    const SensedWorld world{pose, pose, floor.obstacles, floor.bodies, 0.05 * step};
-    const bool isTurn = always.update(world);
-    QCOMPARE(isTurn, step % 2 == 0);
-    QCOMPARE(late.update(world, step >= 31 ? ScanUse::Now : ScanUse::None), isTurn && step >= 31);
-    for (SensedBody& body : floor.bodies) {
-      body.position += 0.05 * body.velocity;
-    }
-    if (step < 32) {
-      QVERIFY(late.scan() == nullptr);
-    } else {
-      QVERIFY(late.scan()->time == always.scan()->time);
-      QVERIFY(late.scan()->distances == always.scan()->distances);
+namespace {
+
+/// A lidar that is read at each turn, and one beside it that is read as it is said.
+struct ReadAlwaysAndElse {
+  /// `use`, by step, of the other; `check(step, isTurn, isTurnOfTheOther)` after each. Every second
+  /// step is a turn.
+  template <class Use, class Check>
+  void walk(int steps, const Use& use, const Check& check) {
+    std::mt19937 random(7);
+    Floor floor;
+    addSolids(floor, random);
+    addBodies(floor, random, 40, 6);
+    for (int step = 0; step < steps; ++step) {
+      const Pose2 pose{{0.05 * step, 0.0}, 0.1 * step};
+      const SensedWorld world{pose, pose, floor.obstacles, floor.bodies, 0.05 * step};
+      const bool isTurn = always.update(world);
+      check(step, isTurn, other.update(world, use(step)));
+      for (SensedBody& body : floor.bodies) {
+        body.position += 0.05 * body.velocity;
+      }
     }
   }
+  bool areScansEqual() const {
+    return other.scan()->time == always.scan()->time &&
+           other.scan()->distances == always.scan()->distances;
+  }
+
+  static LidarParameters noisy() {
+    LidarParameters parameters;
+    parameters.noise = 0.01;
+    return parameters;
+  }
+  Lidar always{noisy(), 1, 99}, other{noisy(), 1, 99};
+};
+
+}  // namespace
+
+/// Turns that nobody looked at leave nothing behind, in legs and errors neither.
+void LidarTest::update_readFromSomeTimeOn_isTheSame() {
+  ReadAlwaysAndElse lidars;
+  const auto use = [](int step) { return step >= 31 ? ScanUse::Now : ScanUse::None; };
+  lidars.walk(60, use, [&](int step, bool isTurn, bool isTurnOfTheOther) {
+    QCOMPARE(isTurn, step % 2 == 0);
+    QCOMPARE(isTurnOfTheOther, isTurn && step >= 31);
+    if (step < 32) {
+      QVERIFY(lidars.other.scan() == nullptr);
+    } else {
+      QVERIFY(lidars.areScansEqual());
+    }
+  });
 }
 
 /// What was for later is there as soon as somebody looks, also between turns.
 void LidarTest::update_nowAfterLater_isTheLastTurn() {
-  std::mt19937 random(7);
-  Floor floor;
-  addSolids(floor, random);
-  addBodies(floor, random, 40, 6);
-  LidarParameters parameters;
-  parameters.noise = 0.01;
-  Lidar always(parameters, 1, 99);
-  Lidar late(parameters, 1, 99);
-  for (int step = 0; step < 8; ++step) {  // every second one is a turn
-    const Pose2 pose{{0.05 * step, 0.0}, 0.1 * step};
-    const SensedWorld world{pose, pose, floor.obstacles, floor.bodies, 0.05 * step};
-    always.update(world);
-    const bool isNow = step == 3 || step == 7;
-    QVERIFY(!late.update(world, isNow ? ScanUse::Now : ScanUse::Later));
-    QCOMPARE(late.laterTurn() == nullptr, isNow);
-    if (isNow) {
-      QVERIFY(late.scan()->time == always.scan()->time);
-      QVERIFY(late.scan()->distances == always.scan()->distances);
+  ReadAlwaysAndElse lidars;
+  const auto isNow = [](int step) { return step == 3 || step == 7; };
+  const auto use = [&](int step) { return isNow(step) ? ScanUse::Now : ScanUse::Later; };
+  lidars.walk(8, use, [&](int step, bool /*isTurn*/, bool isTurnOfTheOther) {
+    QVERIFY(!isTurnOfTheOther);
+    QCOMPARE(lidars.other.laterTurn() == nullptr, isNow(step));
+    if (isNow(step)) {
+      QVERIFY(lidars.areScansEqual());
     } else {
-      QVERIFY(late.laterTurn()->time == always.scan()->time);
+      QVERIFY(lidars.other.laterTurn()->time == lidars.always.scan()->time);
     }
-    for (SensedBody& body : floor.bodies) {
-      body.position += 0.05 * body.velocity;
-    }
-  }
+  });
 }
 
 QTEST_GUILESS_MAIN(LidarTest)
