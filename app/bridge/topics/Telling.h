@@ -14,6 +14,7 @@ namespace bridge {
 constexpr const char* kOdometry = "odom";
 constexpr const char* kSensor = "base_scan";
 
+/// Where the frame `child` is in the frame `parent`, at `seconds` of simulation time.
 geometry_msgs::TransformStamped transformTo(double seconds, const std::string& parent,
                                             const std::string& child, const base::Pose2& pose);
 
