@@ -32,6 +32,8 @@ class ParticipantTest : public QObject {
   void service_everyCall_isAnswered();
   void service_twoClients_getTheirOwnAnswers_data();
   void service_twoClients_getTheirOwnAnswers();
+  void service_manyAnswersToOthersMeanwhile_ownIsThere_data();
+  void service_manyAnswersToOthersMeanwhile_ownIsThere();
   void service_clientGoneInMidCall_othersAreAnswered();
   void service_serverComesLast_isFound();
   void service_payloadTooShort_isHandedOut();
@@ -279,6 +281,35 @@ void ParticipantTest::service_twoClients_getTheirOwnAnswers() {
   }));
   QCOMPARE(answers[0], std::vector<std::string>(10, "anna!"));
   QCOMPARE(answers[1], std::vector<std::string>(10, "bert!"));
+}
+
+void ParticipantTest::service_manyAnswersToOthersMeanwhile_ownIsThere_data() {
+  addRmws();
+}
+
+/// Answers go to all clients of a service. One that is busy must not lose its own among them.
+void ParticipantTest::service_manyAnswersToOthersMeanwhile_ownIsThere() {
+  QFETCH(const Rmw, rmw);
+  const auto a = participant(inDomain(kDomain, rmw));
+  const auto b = participant(inDomain(kDomain, rmw));
+  const auto c = participant(inDomain(kDomain, rmw));
+  const auto server = echo(*a, a->addNode("/", "server"));
+  const auto busy = b->client(b->addNode("/", "busy"), "echo", kService);
+  const auto other = c->client(c->addNode("/", "other"), "echo", kService);
+  QVERIFY(server && busy && other);
+  QVERIFY(spinBoth(*b, *c, [&] {
+    const bool first = (*busy)->isReady();
+    return (*other)->isReady() && first;
+  }));
+  const std::int64_t number = (*busy)->send(text("busy"));
+  for (int i = 0; i < 400; ++i) {
+    QVERIFY((*other)->send(text(std::to_string(i))) >= 0);
+    QVERIFY(spinBoth(*a, *c, [&] { return (*other)->receive().has_value(); }));
+  }
+  std::optional<std::pair<std::int64_t, Bytes>> reply;
+  QVERIFY(spinBoth(*a, *b, [&] { return (reply = (*busy)->receive()).has_value(); }));
+  QCOMPARE(reply->first, number);
+  QCOMPARE(wordsOf(reply->second), std::string("busy!"));
 }
 
 void ParticipantTest::service_clientGoneInMidCall_othersAreAnswered() {

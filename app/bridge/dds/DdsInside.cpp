@@ -214,14 +214,15 @@ efd::DataWriter* DdsEntities::makeWriter(const std::string& topic, const std::st
 }
 
 efd::DataReader* DdsEntities::makeReader(const std::string& topic, const std::string& type,
-                                         const Qos& qos, const std::string& userData) {
+                                         const Qos& qos, const std::string& userData,
+                                         efd::DataReaderListener* listener) {
   efd::Topic* const on = topicOf(topic, type);
   if (on == nullptr) {
     return nullptr;
   }
   efd::DataReaderQos wanted = subscriber_->get_default_datareader_qos();
   apply(qos, userData, wanted);
-  return subscriber_->create_datareader(on, wanted, &bell,
+  return subscriber_->create_datareader(on, wanted, listener != nullptr ? listener : &bell,
                                         efd::StatusMask::data_available()
                                             << efd::StatusMask::subscription_matched());
 }
@@ -260,6 +261,16 @@ int OwnedWriter::matched() const {
   return status.current_count;
 }
 
+bool takeNext(efd::DataReader& reader, Bytes& bytes, efd::SampleInfo& info) {
+  while (reader.take_next_sample(&bytes, &info) ==
+         eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
+    if (info.valid_data) {
+      return true;
+    }
+  }
+  return false;
+}
+
 OwnedReader::OwnedReader(DdsPtr dds, int node, efd::DataReader* reader)
     : dds_(std::move(dds)), node_(node), reader_(reader) {
   if (node_ >= 0) {
@@ -273,16 +284,6 @@ OwnedReader::~OwnedReader() {
     all.erase(std::remove(all.begin(), all.end(), guidOf(reader_->guid())), all.end());
   }
   dds_->drop(reader_);
-}
-
-bool OwnedReader::take(Bytes& bytes, efd::SampleInfo& info) const {
-  while (reader_->take_next_sample(&bytes, &info) ==
-         eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK) {
-    if (info.valid_data) {
-      return true;
-    }
-  }
-  return false;
 }
 
 int OwnedReader::matched() const {

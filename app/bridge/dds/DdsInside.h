@@ -85,7 +85,8 @@ class DdsEntities {
   efd::DataWriter* makeWriter(const std::string& topic, const std::string& type, const Qos& qos,
                               const std::string& userData, MetReaders* listener);
   efd::DataReader* makeReader(const std::string& topic, const std::string& type, const Qos& qos,
-                              const std::string& userData);
+                              const std::string& userData,
+                              efd::DataReaderListener* listener = nullptr);  // null: the bell
   void drop(efd::DataWriter* writer);
   void drop(efd::DataReader* reader);
 
@@ -130,6 +131,10 @@ class OwnedWriter {
   int node_;
   efd::DataWriter* writer_;
 };
+
+/// The next sample with data; false: none.
+bool takeNext(efd::DataReader& reader, Bytes& bytes, efd::SampleInfo& info);
+
 class OwnedReader {
  public:
   OwnedReader(DdsPtr dds, int node, efd::DataReader* reader);
@@ -139,8 +144,7 @@ class OwnedReader {
   OwnedReader(OwnedReader&&) = delete;
   OwnedReader& operator=(OwnedReader&&) = delete;
   efd::DataReader* operator->() const { return reader_; }
-  /// The next sample with data; false: none.
-  bool take(Bytes& bytes, efd::SampleInfo& info) const;
+  bool take(Bytes& bytes, efd::SampleInfo& info) const { return takeNext(*reader_, bytes, info); }
   int matched() const;
 
  private:

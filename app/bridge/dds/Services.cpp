@@ -4,6 +4,7 @@
 
 #include "app/bridge/dds/AnswerWriter.h"
 #include "app/bridge/dds/DdsInside.h"
+#include "app/bridge/dds/OwnAnswers.h"
 
 /// Calls of services in both ways of writing who asked. rmw_fastrtps has it beside the sample
 /// (`related_sample_identity`), rmw_cyclonedds as 16 bytes in front of the fields.
@@ -152,12 +153,17 @@ class DdsServer : public Server, public Source {
 
 class DdsClient : public Client {
  public:
-  DdsClient(DdsPtr dds, int node, efd::DataReader* replies, efd::DataWriter* requests)
-      : dds_(std::move(dds)), replies_(dds_, node, replies), requests_(dds_, node, requests) {
+  DdsClient(DdsPtr dds, int node, efd::DataReader* replies, efd::DataWriter* requests,
+            std::unique_ptr<OwnAnswers> answers)
+      : dds_(std::move(dds)),
+        answers_(std::move(answers)),
+        replies_(dds_, node, replies),
+        requests_(dds_, node, requests) {
     const Guid own = guidOf(requests_->guid());
     for (const std::uint8_t byte : own) {  // FNV-1a: any number of its own will do
       number_.client = (number_.client ^ byte) * 1099511628211U;
     }
+    sortAnswers();
   }
 
   bool isReady() override {
@@ -186,25 +192,7 @@ class DdsClient : public Client {
     return static_cast<std::int64_t>(parameters.sample_identity().sequence_number().to64long());
   }
 
-  std::optional<std::pair<std::int64_t, Bytes>> receive() override {
-    Bytes bytes;
-    efd::SampleInfo info;
-    while (replies_.take(bytes, info)) {
-      if (dds_->settings.rmw == Rmw::CycloneDds) {
-        const std::optional<CallId> id = takeCallId(bytes);
-        if (id && id->client == number_.client) {
-          return std::pair(id->number, std::move(bytes));
-        }
-        continue;
-      }
-      const rtps::SampleIdentity& to = info.related_sample_identity;
-      if (to.writer_guid() == replies_->guid() || to.writer_guid() == requests_->guid()) {
-        return std::pair(static_cast<std::int64_t>(to.sequence_number().to64long()),
-                         std::move(bytes));
-      }
-    }
-    return std::nullopt;
-  }
+  std::optional<std::pair<std::int64_t, Bytes>> receive() override { return answers_->next(); }
 
   std::optional<Bytes> call(const Bytes& request, Milliseconds atMost) override {
     const Clock::time_point until = Clock::now() + atMost;
@@ -224,9 +212,27 @@ class DdsClient : public Client {
   }
 
  private:
+  void sortAnswers() {
+    if (dds_->settings.rmw == Rmw::CycloneDds) {
+      answers_->sortBy([client = number_.client](Bytes& bytes, const efd::SampleInfo& /*info*/) {
+        const std::optional<CallId> id = takeCallId(bytes);
+        return id && id->client == client ? std::optional(id->number) : std::nullopt;
+      });
+      return;
+    }
+    answers_->sortBy([reader = replies_->guid(), writer = requests_->guid()](
+                         Bytes& /*bytes*/, const efd::SampleInfo& info) {
+      const rtps::SampleIdentity& to = info.related_sample_identity;
+      const bool isOurs = to.writer_guid() == reader || to.writer_guid() == writer;
+      return isOurs ? std::optional(static_cast<std::int64_t>(to.sequence_number().to64long()))
+                    : std::nullopt;
+    });
+  }
+
   DdsPtr dds_;
   CallId number_{14695981039346656037U, 0};  // of the request last sent
   std::optional<Clock::time_point> met_;
+  std::unique_ptr<OwnAnswers> answers_;  // the listener of what follows
   OwnedReader replies_;
   OwnedWriter requests_;
 };
@@ -256,8 +262,10 @@ std::unique_ptr<Server> makeServer(const DdsPtr& dds, int node, const ServiceNam
 std::unique_ptr<Client> makeClient(const DdsPtr& dds, int node, const ServiceNames& names) {
   const bool tellsId = dds->settings.rmw == Rmw::CycloneDds;
   const std::string id = tellsId ? idText("clientid", callerGuid(*dds)) : std::string();
-  const Qos qos = Qos::keepLast(100);  // answers to others come too
-  efd::DataReader* const replies = dds->makeReader(names.replyTopic, names.replyType, qos, id);
+  const Qos qos = Qos::keepLast(100);
+  auto answers = std::make_unique<OwnAnswers>(dds->bell);
+  efd::DataReader* const replies =
+      dds->makeReader(names.replyTopic, names.replyType, qos, id, answers.get());
   efd::DataWriter* const requests =
       replies == nullptr ? nullptr
                          : dds->makeWriter(names.requestTopic, names.requestType, qos, id, nullptr);
@@ -267,7 +275,7 @@ std::unique_ptr<Client> makeClient(const DdsPtr& dds, int node, const ServiceNam
     }
     return nullptr;
   }
-  return std::make_unique<DdsClient>(dds, node, replies, requests);
+  return std::make_unique<DdsClient>(dds, node, replies, requests, std::move(answers));
 }
 
 }  // namespace bridge
