@@ -9,17 +9,17 @@
 
 #include "sim2d/map/Obstacles.h"
 
-/// What `Obstacles::boundaryPoints` keeps on each thread of what it has found; private to it.
+/// What `Obstacles` keeps on each thread of what it has found; private to it.
 namespace sim2d {
 
 /// What was asked, bit by bit.
+template <std::size_t N>
 struct Question {
   std::uint64_t version = 0;  // of nothing that was built
-  std::array<std::uint64_t, 3> bits{};
+  std::array<std::uint64_t, N> bits{};
 
   Question() = default;
-  Question(std::uint64_t itsVersion, const Vec2& position, double range) : version(itsVersion) {
-    const std::array<double, 3> numbers = {position.x(), position.y(), range};
+  Question(std::uint64_t itsVersion, const std::array<double, N>& numbers) : version(itsVersion) {
     std::memcpy(bits.data(), numbers.data(), sizeof(bits));
   }
   bool operator==(const Question& other) const {
@@ -27,16 +27,12 @@ struct Question {
   }
 };
 
-/// The last answers that are not too long, few enough to stay near at hand.
+/// The last answers to questions of N numbers, few enough to stay near at hand. `Answer` holds its
+/// `question`.
+template <std::size_t N, class Answer, std::size_t kSlots>
 class LastAnswers {
  public:
-  struct Slot {
-    Question question;
-    std::size_t count = 0;
-    std::array<Obstacles::Point, 32> points;
-  };
-
-  Slot& slotOf(const Question& question) {
+  Answer& slotOf(const Question<N>& question) {
     std::uint64_t mixed = question.version;
     for (const std::uint64_t word : question.bits) {
       mixed = (mixed ^ word) * 0x9E3779B97F4A7C15U;
@@ -46,12 +42,26 @@ class LastAnswers {
   }
 
  private:
-  static constexpr std::size_t kSlots = 256;
-  std::vector<Slot> slots_ = std::vector<Slot>(kSlots);
+  std::vector<Answer> slots_ = std::vector<Answer>(kSlots);
 };
 
-inline LastAnswers& lastAnswers() {
-  thread_local LastAnswers answers;
+/// Those that are not too long.
+struct PointsAnswer {
+  Question<3> question;  // position and range
+  std::size_t count = 0;
+  std::array<Obstacles::Point, 32> points;
+};
+inline LastAnswers<3, PointsAnswer, 256>& lastPoints() {
+  thread_local LastAnswers<3, PointsAnswer, 256> answers;
+  return answers;
+}
+
+struct SightAnswer {
+  Question<4> question;  // both ends
+  bool isSeen = false;
+};
+inline LastAnswers<4, SightAnswer, 512>& lastSights() {
+  thread_local LastAnswers<4, SightAnswer, 512> answers;
   return answers;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "sim2d/map/ObstacleMemory.h"
 #include "sim2d/map/Obstacles.h"
@@ -73,18 +74,30 @@ const std::vector<Obstacles::PointQuery::Rank>& Obstacles::PointQuery::nearestFi
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     ranks.push_back({candidates[k].point.distance, k});
   }
-  std::sort(ranks.begin(), ranks.end(), [this](const Rank& a, const Rank& b) {
+  const auto isBefore = [this](const Rank& a, const Rank& b) {
     return std::abs(a.distance - b.distance) > kSurely
                ? a.distance < b.distance
                : isNearer(candidates[a.candidate].point, candidates[b.candidate].point);
-  });
+  };
+  if (ranks.size() > NearEdges::kMost) {
+    std::sort(ranks.begin(), ranks.end(), isBefore);
+    return ranks;
+  }
+  for (std::size_t k = 1; k < ranks.size(); ++k) {  // most stand in their order
+    const Rank rank = ranks[k];
+    std::size_t at = k;
+    for (; at > 0 && isBefore(rank, ranks[at - 1]); --at) {
+      ranks[at] = ranks[at - 1];
+    }
+    ranks[at] = rank;
+  }
   return ranks;
 }
 
 void Obstacles::boundaryPoints(const Vec2& position, std::vector<Point>& points,
                                double range) const {
-  const Question question(version_, position, range);
-  LastAnswers::Slot& slot = lastAnswers().slotOf(question);
+  const Question<3> question(version_, {position.x(), position.y(), range});
+  PointsAnswer& slot = lastPoints().slotOf(question);
   if (version_ != 0 && slot.question == question) {
     points.insert(points.end(), slot.points.begin(),
                   slot.points.begin() + static_cast<std::ptrdiff_t>(slot.count));
@@ -162,17 +175,27 @@ const NearEdges* Obstacles::PointQuery::nearEdges() const {
   return kept.count <= NearEdges::kMost ? &kept : nullptr;
 }
 
+/// From near to far, so that there is little to sort at any position.
 void Obstacles::PointQuery::findNearEdges(NearEdges& square) const {
   const Vec2 middle = square.middle();
-  square.count = 0;
+  thread_local std::vector<std::pair<double, unsigned>> found;  // distance from the middle [m]
+  found.clear();
   obstacles.cells_.visitNear(middle, range + kHalfDiagonal, [&](int edge) {
     const unsigned has = (mayHaveFoot(edge, middle) ? NearEdges::kFoot : 0U) |
                          (mayBeCorner(edge, middle) ? NearEdges::kCorner : 0U);
-    if (has != 0 && square.count < NearEdges::kMost) {
-      square.edges[square.count] = static_cast<unsigned>(edge) * 4U + has;
+    if (has != 0) {
+      const Segment& segment = obstacles.segments_[static_cast<std::size_t>(edge)];
+      found.emplace_back(has == NearEdges::kCorner ? (segment.a - middle).norm()
+                                                   : distanceToSegment(segment, middle),
+                         static_cast<unsigned>(edge) * 4U + has);
     }
-    square.count += has != 0 ? 1 : 0;
   });
+  square.count = found.size();
+  if (square.count <= NearEdges::kMost) {
+    std::sort(found.begin(), found.end());
+    std::transform(found.begin(), found.end(), square.edges.begin(),
+                   [](const auto& each) { return each.second; });
+  }
 }
 
 /// Whether `addFoot` may find one for a position in the square around the middle.

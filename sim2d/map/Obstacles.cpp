@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/map/ObstacleMemory.h"
 
 namespace sim2d {
 
@@ -307,12 +308,22 @@ bool Obstacles::isHit(const Vec2& from, const Vec2& direction, double range) con
   return isHit;
 }
 
+/// Asked from one end, whichever it is: who is seen sees. The last answers stay, as those of
+/// `boundaryPoints` do: people, a robot's sensors and the metrics ask the same.
 bool Obstacles::isVisible(const Vec2& from, const Vec2& to) const {
-  if (isInside(from) || isInside(to)) {
-    return false;
+  const bool isForward = from.x() != to.x() ? from.x() < to.x() : from.y() <= to.y();
+  const Vec2& first = isForward ? from : to;
+  const Vec2& second = isForward ? to : from;
+  const Question<4> question(version_, {first.x(), first.y(), second.x(), second.y()});
+  SightAnswer& slot = lastSights().slotOf(question);
+  if (version_ == 0 || !(slot.question == question)) {
+    const Vec2 whole = second - first;
+    const double range = whole.norm();
+    slot.isSeen = !isInside(first) && !isInside(second) &&
+                  (range == 0.0 || !isHit(first, whole / range, range));
+    slot.question = question;
   }
-  const double range = (to - from).norm();
-  return range == 0.0 || !isHit(from, (to - from) / range, range);
+  return slot.isSeen;
 }
 
 double Obstacles::raycast(const Vec2& from, const Vec2& direction, double range) const {

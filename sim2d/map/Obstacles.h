@@ -55,7 +55,7 @@ class Obstacles {
   /// Distance to the nearest boundary [m], negative inside, `limit` when nothing is nearer.
   double clearance(const Vec2& position, double limit = 5.0) const;
   bool isInside(const Vec2& position) const { return solidPartAt(position) >= 0; }
-  /// Nothing solid between the points: line of sight, way of sound.
+  /// Nothing solid between the points: line of sight, way of sound. The same from both ends.
   bool isVisible(const Vec2& from, const Vec2& to) const;
   /// Distance along the unit vector to the first hit, `range` if there is none, 0 inside.
   double raycast(const Vec2& from, const Vec2& direction, double range) const;
