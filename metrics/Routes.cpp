@@ -28,10 +28,12 @@ std::vector<sim2d::Outline> wallsOf(const sim2d::TraceHeader& header) {
 
 std::vector<Vec2> Routes::shortest(const Vec2& from, const Vec2& to) {
   constexpr std::size_t kMostKept = 4;
-  for (const Answer& known : known_) {
-    if (known.from == from && known.to == to) {
-      return known.way;
-    }
+  const auto found = std::find_if(known_.begin(), known_.end(), [&](const Answer& known) {
+    return known.from == from && known.to == to;
+  });
+  if (found != known_.end()) {
+    std::rotate(found, found + 1, known_.end());
+    return known_.back().way;
   }
   if (known_.size() >= kMostKept) {
     known_.erase(known_.begin());

@@ -188,9 +188,10 @@ Sample SampleBuilder::sampleOf(const sim2d::Frame& frame, std::vector<Person> pe
     }
   }
   sample.people = std::move(people);
-  for (Person& person : sample.people) {
-    person.screened =
-        hasDrawn_ && robot != nullptr && !drawn_.isVisible(person.position, sample.robot.position);
+  const Vec2& eye = sample.robot.position;
+  for (Person& person : sample.people) {  // all first: the robot's sensors have asked that mostly
+    person.screened = hasDrawn_ && robot != nullptr && !all_.isVisible(person.position, eye) &&
+                      !drawn_.isVisible(person.position, eye);
   }
   return sample;
 }

@@ -44,9 +44,11 @@ struct Seen {
   bool isMate = false;
 };
 
-std::vector<Seen> seenBy(const Pedestrian& self, const std::vector<Pedestrian>& others) {
+/// Valid until the next call.
+const std::vector<Seen>& seenBy(const Pedestrian& self, const std::vector<Pedestrian>& others) {
   const Vec2& way = self.desired.direction;
-  std::vector<Seen> seen;
+  thread_local std::vector<Seen> seen;
+  seen.clear();
   seen.reserve(others.size());
   for (const Pedestrian& other : others) {
     Seen item{other};
@@ -267,7 +269,7 @@ base::ParameterTable<DensityParameters> densityTable() {
 DensityForce densityForce(const DensityParameters& parameters, const Pedestrian& self,
                           const std::vector<Pedestrian>& others) {
   const Vec2& way = self.desired.direction;
-  const std::vector<Seen> seen = seenBy(self, others);
+  const std::vector<Seen>& seen = seenBy(self, others);
   const CrowdAround crowd = crowdOf(parameters, seen);
   DensityForce force;
   force.activation = crowd.activation;
@@ -309,11 +311,14 @@ Vec2 guardContacts(const DensityParameters& parameters, const Pedestrian& self,
                    const std::vector<Pedestrian>& others,
                    const std::vector<Obstacles::Point>& points, const Vec2& velocity, double dt) {
   const double look = std::max(dt, kShortestLook);
-  std::vector<Bound> contacts, givingWay;
+  thread_local std::vector<Bound> contacts, givingWay;
+  thread_local std::vector<HalfPlane> planes;
+  contacts.clear();
+  givingWay.clear();
+  planes.clear();
   contacts.reserve(points.size() + others.size());
   boundByWalls(self, points, look, contacts);
   boundByPeople(parameters, self, others, look, contacts, givingWay);
-  std::vector<HalfPlane> planes;
   planes.reserve(contacts.size() + givingWay.size());
   for (const std::vector<Bound>* part : {&contacts, &givingWay}) {
     for (const Bound& bound : *part) {

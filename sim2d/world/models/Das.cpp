@@ -84,12 +84,14 @@ class Das : public PedestrianModel {
     return seen;
   }
 
-  static std::vector<Pedestrian> neighborsOf(const Situation& situation, double range) {
+  /// Valid until the next call.
+  static const std::vector<Pedestrian>& neighborsOf(const Situation& situation, double range) {
     static_assert(kGuardRange <= kDensityRange);
     if (!situation.seen) {
       situation.seen = seenBy(situation);
     }
-    std::vector<Pedestrian> found;
+    thread_local std::vector<Pedestrian> found;
+    found.clear();
     found.reserve(situation.seen->size());
     for (const std::size_t i : *situation.seen) {
       if (isWithin(situation, situation.others[i], range)) {
