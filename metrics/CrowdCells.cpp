@@ -63,7 +63,8 @@ double areaAt(const Vec2& a, const Vec2& b, double radius) {
   const double to = std::clamp((-half + std::sqrt(root)) / squared, 0.0, 1.0);
   const Vec2 in = a + from * edge;
   const Vec2 out = a + to * edge;
-  return sectorArea(a, in, radius) + 0.5 * base::cross(in, out) + sectorArea(out, b, radius);
+  const double before = from > 0.0 ? sectorArea(a, in, radius) : 0.0;
+  return before + 0.5 * base::cross(in, out) + (out != b ? sectorArea(out, b, radius) : 0.0);
 }
 
 }  // namespace
@@ -176,17 +177,15 @@ void CellAreas::findWallsAround(const Vec2& point, double reach, const RunContex
       !context.seam.isThere() && context.walls->clearance(point, kOffWalls) >= kOffWalls;
   for (const double shift : {0.0, turn, -turn}) {
     const Vec2 centre = point - Vec2(shift, 0.0);
-    found_.clear();
-    context.walls->segmentsNear(centre, reach, found_);
-    for (const sim2d::Segment& segment : found_) {
+    context.walls->visitNear(centre, reach, [&](const sim2d::Segment& segment) {
       if (seesFrontsOnly && base::cross(segment.a - centre, segment.b - centre) >= 0.0) {
-        continue;  // solid on the left
+        return;  // solid on the left
       }
       const std::optional<sim2d::Segment> wall = within(context.seam, segment);
       if (wall && sim2d::distanceToSegment(*wall, centre) < reach) {
         walls_.push_back({wall->a - centre, wall->b - centre});
       }
-    }
+    });
     if (!context.seam.isThere()) {
       break;
     }

@@ -32,7 +32,7 @@ class CellAreas {
   double radius_;
   std::vector<Vec2> cell_, part_;  // corners around the point, which is the origin
   Panorama panorama_;              // of the walls within the circle, from the point
-  std::vector<sim2d::Segment> walls_, near_, found_;
+  std::vector<sim2d::Segment> walls_, near_;
 };
 
 /// Area that a circle around the origin shares with the polygon, whose corners turn to the left.
