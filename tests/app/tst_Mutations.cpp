@@ -1,8 +1,12 @@
 #include <cstdlib>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <QCryptographicHash>
 #include <QJsonArray>
 #include <QTemporaryDir>
+#include <QThread>
 #include <QtTest>
 
 #include "tests/app/ForkedProgram.h"
@@ -29,8 +33,8 @@ extern "C" const char* __ubsan_default_options() {
 /// nothing crashes, hangs or takes all memory, each refusal says what is wrong in words that a
 /// terminal can show, and what was read stays as it was.
 ///
-/// With HUNAV_ALL_TESTS they take about an hour. HUNAV_MUTATIONS="FIRST COUNT" makes other ones
-/// than the usual.
+/// With HUNAV_ALL_TESTS they take about an hour of a processor, and all processors.
+/// HUNAV_MUTATIONS= "FIRST COUNT" makes other ones than the usual.
 class MutationsTest : public QObject {
   Q_OBJECT
 
@@ -230,6 +234,19 @@ QString faultOfMutation(std::uint64_t number) {
       .arg(text(kind.file), fault, command.join(QLatin1Char(' ')), kept, ended.err.left(1500));
 }
 
+/// Of every `step`-th mutation; tells the first faults.
+bool standAll(std::uint64_t first, std::uint64_t end, std::uint64_t step) {
+  int faults = 0;
+  for (std::uint64_t number = first; number < end && faults < 20; number += step) {
+    const QString fault = faultOfMutation(number);
+    if (!fault.isEmpty()) {
+      ++faults;
+      qWarning("%s", qPrintable(fault));
+    }
+  }
+  return faults == 0;
+}
+
 /// A robot of Nav2 that sets out at once, with all that its files can say.
 void writeNav2Yard(const QString& folder) {
   outside::writeNav2Yard(folder);
@@ -277,15 +294,24 @@ void MutationsTest::damaged_isReadOrRefused() {
   const bool isLong = qEnvironmentVariableIsSet("HUNAV_ALL_TESTS");
   const std::uint64_t first = given.size() == 2 ? given[0].toULongLong() : 1;
   const std::uint64_t count = given.size() == 2 ? given[1].toULongLong() : (isLong ? 70000 : 200);
-  int faults = 0;
-  for (std::uint64_t number = first; number < first + count && faults < 20; ++number) {
-    const QString fault = faultOfMutation(number);
-    if (!fault.isEmpty()) {
-      ++faults;
-      qWarning("%s", qPrintable(fault));
+  const std::uint64_t workers =
+      isLong ? static_cast<std::uint64_t>(QThread::idealThreadCount()) : 1;
+  std::vector<pid_t> others;
+  for (std::uint64_t worker = 1; worker < workers; ++worker) {
+    const pid_t other = ::fork();
+    if (other == 0) {
+      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      ::_exit(standAll(first + worker, first + count, workers) ? 0 : 1);
     }
+    QVERIFY(other > 0);
+    others.push_back(other);
   }
-  QCOMPARE(faults, 0);
+  bool stands = standAll(first, first + count, workers);
+  for (const pid_t other : others) {
+    int status = 0;
+    stands = ::waitpid(other, &status, 0) == other && status == 0 && stands;
+  }
+  QVERIFY(stands);
 }
 
 QTEST_APPLESS_MAIN(MutationsTest)
