@@ -34,6 +34,7 @@ class ParticipantTest : public QObject {
   void service_twoClients_getTheirOwnAnswers();
   void service_manyAnswersToOthersMeanwhile_ownIsThere_data();
   void service_manyAnswersToOthersMeanwhile_ownIsThere();
+  void service_clientsGoWhileAnswersCome_othersAreAnswered();
   void service_clientGoneInMidCall_othersAreAnswered();
   void service_serverComesLast_isFound();
   void service_payloadTooShort_isHandedOut();
@@ -310,6 +311,36 @@ void ParticipantTest::service_manyAnswersToOthersMeanwhile_ownIsThere() {
   QVERIFY(spinBoth(*a, *b, [&] { return (reply = (*busy)->receive()).has_value(); }));
   QCOMPARE(reply->first, number);
   QCOMPARE(wordsOf(reply->second), std::string("busy!"));
+}
+
+/// Their readers are taken away while the threads of DDS hand them answers to others.
+void ParticipantTest::service_clientsGoWhileAnswersCome_othersAreAnswered() {
+  const auto a = participant(inDomain(kDomain));
+  const auto b = participant(inDomain(kDomain));
+  const auto c = participant(inDomain(kDomain));
+  const auto server = echo(*a, a->addNode("/", "server"));
+  const auto stays = b->client(b->addNode("/", "stays"), "echo", kService);
+  const int node = c->addNode("/", "short");
+  QVERIFY(server && stays);
+  QVERIFY(spinBoth(*a, *b, [&] { return (*stays)->isReady(); }));
+  for (int i = 0; i < 10; ++i) {
+    auto goes = c->client(node, "echo", kService);
+    QVERIFY(bool(goes));
+    QVERIFY(spinBoth(*a, *c, [&] { return (*goes)->isReady(); }));
+    for (int k = 0; k < 80; ++k) {
+      QVERIFY((*stays)->send(text("here")) >= 0);
+    }
+    int answered = 0;
+    QVERIFY(spinBoth(*a, *b, [&] {
+      while ((*stays)->receive()) {
+        ++answered;
+      }
+      if (answered > 5) {
+        (*goes).reset();
+      }
+      return answered == 80;
+    }));
+  }
 }
 
 void ParticipantTest::service_clientGoneInMidCall_othersAreAnswered() {

@@ -27,14 +27,14 @@ void OwnAnswers::on_data_available(efd::DataReader* reader) {
   efd::SampleInfo info;
   bool isAnyOurs = false;
   while (takeNext(*reader, bytes, info)) {
-    isAnyOurs = isKept(bytes, info) || isAnyOurs;
+    isAnyOurs = keepIfOurs(bytes, info) || isAnyOurs;
   }
   if (isAnyOurs) {
     bell_.ring();
   }
 }
 
-bool OwnAnswers::isKept(Bytes& bytes, const efd::SampleInfo& info) {
+bool OwnAnswers::keepIfOurs(Bytes& bytes, const efd::SampleInfo& info) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::optional<std::int64_t> number = sort_ ? sort_(bytes, info) : std::nullopt;
   if (!number) {

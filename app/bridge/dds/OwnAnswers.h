@@ -34,7 +34,7 @@ class OwnAnswers : public efd::DataReaderListener {
   }
 
  private:
-  bool isKept(Bytes& bytes, const efd::SampleInfo& info);
+  bool keepIfOurs(Bytes& bytes, const efd::SampleInfo& info);
 
   Bell& bell_;
   std::mutex mutex_;
