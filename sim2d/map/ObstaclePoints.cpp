@@ -169,8 +169,9 @@ const NearEdges* Obstacles::PointQuery::nearEdges() const {
   const NearEdges asked(obstacles.version_, range, position);
   NearEdges& kept = asked.slot();
   if (!kept.isOf(asked)) {
-    kept = asked;
-    findNearEdges(kept);
+    NearEdges found = asked;
+    findNearEdges(found);
+    kept = found;
   }
   return kept.count <= NearEdges::kMost ? &kept : nullptr;
 }
