@@ -38,7 +38,7 @@ class Routes {
   std::shared_ptr<const sim2d::Obstacles> obstacles_;
   double robotRadius_;
   std::unique_ptr<sim2d::PathPlanner> planner_;
-  std::vector<Answer> known_;  // the oldest first
+  std::vector<Answer> known_;  // the last used last
 };
 
 /// The routes of the last few surroundings and robots, for runs one after the other in the same
