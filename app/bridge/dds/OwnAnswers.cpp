@@ -7,9 +7,9 @@ constexpr std::size_t kMostWaiting = 100;
 
 }  // namespace
 
-void OwnAnswers::sortBy(Sort sort) {
+void OwnAnswers::recognizeBy(Recognize recognize) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  sort_ = std::move(sort);
+  recognize_ = std::move(recognize);
 }
 
 std::optional<OwnAnswers::Answer> OwnAnswers::next() {
@@ -36,7 +36,7 @@ void OwnAnswers::on_data_available(efd::DataReader* reader) {
 
 bool OwnAnswers::keepIfOurs(Bytes& bytes, const efd::SampleInfo& info) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const std::optional<std::int64_t> number = sort_ ? sort_(bytes, info) : std::nullopt;
+  const std::optional<std::int64_t> number = recognize_ ? recognize_(bytes, info) : std::nullopt;
   if (!number) {
     return false;
   }

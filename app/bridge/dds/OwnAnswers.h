@@ -19,12 +19,12 @@ class OwnAnswers : public efd::DataReaderListener {
   using Answer = std::pair<std::int64_t, Bytes>;  // number of the call, answer
   /// The number of the call, where the answer is ours; takes out of the bytes what is not of the
   /// answer.
-  using Sort = std::function<std::optional<std::int64_t>(Bytes&, const efd::SampleInfo&)>;
+  using Recognize = std::function<std::optional<std::int64_t>(Bytes&, const efd::SampleInfo&)>;
 
   explicit OwnAnswers(Bell& bell) : bell_(bell) {}  // rings when one has come
 
   /// To be called before anything is asked: what comes until then is of others.
-  void sortBy(Sort sort);
+  void recognizeBy(Recognize recognize);
   std::optional<Answer> next();
 
   void on_data_available(efd::DataReader* reader) override;
@@ -38,7 +38,7 @@ class OwnAnswers : public efd::DataReaderListener {
 
   Bell& bell_;
   std::mutex mutex_;
-  Sort sort_;
+  Recognize recognize_;
   std::deque<Answer> waiting_;  // the oldest first
 };
 

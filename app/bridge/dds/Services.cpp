@@ -163,7 +163,7 @@ class DdsClient : public Client {
     for (const std::uint8_t byte : own) {  // FNV-1a: any number of its own will do
       number_.client = (number_.client ^ byte) * 1099511628211U;
     }
-    sortAnswers();
+    recognizeAnswers();
   }
 
   bool isReady() override {
@@ -212,16 +212,17 @@ class DdsClient : public Client {
   }
 
  private:
-  void sortAnswers() {
+  void recognizeAnswers() {
     if (dds_->settings.rmw == Rmw::CycloneDds) {
-      answers_->sortBy([client = number_.client](Bytes& bytes, const efd::SampleInfo& /*info*/) {
-        const std::optional<CallId> id = takeCallId(bytes);
-        return id && id->client == client ? std::optional(id->number) : std::nullopt;
-      });
+      answers_->recognizeBy(
+          [client = number_.client](Bytes& bytes, const efd::SampleInfo& /*info*/) {
+            const std::optional<CallId> id = takeCallId(bytes);
+            return id && id->client == client ? std::optional(id->number) : std::nullopt;
+          });
       return;
     }
-    answers_->sortBy([reader = replies_->guid(), writer = requests_->guid()](
-                         Bytes& /*bytes*/, const efd::SampleInfo& info) {
+    answers_->recognizeBy([reader = replies_->guid(), writer = requests_->guid()](
+                              Bytes& /*bytes*/, const efd::SampleInfo& info) {
       const rtps::SampleIdentity& to = info.related_sample_identity;
       const bool isOurs = to.writer_guid() == reader || to.writer_guid() == writer;
       return isOurs ? std::optional(static_cast<std::int64_t>(to.sequence_number().to64long()))
