@@ -68,8 +68,8 @@ inline LastAnswers<4, SightAnswer, 512>& lastSights() {
 constexpr double kSquare = 0.25;               // [m] side of a square whose edges are kept
 constexpr double kHalfDiagonal = 0.176776696;  // [m] of it, rounded up
 
-/// The edges that may have a local minimum for any position in a square, from near to far: who walks
-/// asks of the same few again and again.
+/// The edges that may have a local minimum for any position in a square, from near to far: who
+/// walks asks of the same few again and again.
 struct NearEdges {
   static constexpr std::size_t kMost = 56;
   static constexpr unsigned kFoot = 1, kCorner = 2;
