@@ -31,6 +31,7 @@ sim2d::Outline boxAt(std::mt19937& random) {
 
 std::vector<sim2d::Outline> boxes(std::mt19937& random, int count) {
   std::vector<sim2d::Outline> all;
+  all.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     all.push_back(boxAt(random));
   }
