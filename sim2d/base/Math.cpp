@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "sim2d/base/MathEach.h"
 #include "sim2d/base/Types.h"
 
 // Arguments are reduced with constants split into parts whose products with the number of periods
@@ -31,11 +32,16 @@ constexpr double kHalfPiLow = 0x1.1a62633145c07p-54;
 
 constexpr double kLargestAngle = 1e5;  // below it the products with A, B and C are exact
 
+// What follows works on a number or, with the same bits each, on two.
+using Two = Eigen::Array2d;
+
 /// The nearest whole number, ties to the even one, of |x| < 2^51: what nearbyint gives, without a
 /// call. The sum has no bits left for a fraction.
-double nearest(double x) {
+template <class Number>
+Number nearest(const Number& x) {
   constexpr double kNoFraction = 0x1.8p52;
-  return (x + kNoFraction) - kNoFraction;
+  const Number sum = x + kNoFraction;
+  return sum - kNoFraction;
 }
 
 /// x * 2^exponent. Without a call where both factors are normal numbers and so is the product.
@@ -84,10 +90,10 @@ double negatedIf(double x, bool isNegative) {
 }
 
 /// Sum of c[i] * x^i.
-template <std::size_t N>
-double polynomial(const std::array<double, N>& c, double x) {
-  double sum = c[N - 1];
-  for (std::size_t i = N - 1; i > 0; --i) {
+template <class Number, std::size_t N>
+Number polynomial(const std::array<double, N>& c, const Number& x) {
+  Number sum = c[N - 1] * x + c[N - 2];
+  for (std::size_t i = N - 2; i > 0; --i) {
     sum = sum * x + c[i - 1];
   }
   return sum;
@@ -200,6 +206,22 @@ double limited(double component, bool anyInfinite) {
   return std::isinf(component) ? std::copysign(1.0, component) : 0.0;
 }
 
+/// value * 2^exponent
+template <class Number>
+struct SplitExp {
+  Number value, exponent;
+};
+
+/// exp of a number that is not beyond all.
+template <class Number>
+SplitExp<Number> splitExp(const Number& x) {
+  const Number k = nearest<Number>(x * kInvLn2);
+  const Number high = x - k * kLn2High;
+  const Number r = high - k * kLn2Low;
+  const Number lost = (high - r) - k * kLn2Low;
+  return {1.0 + (r + (lost + r * r * polynomial<Number>(kExp, r))), k};
+}
+
 }  // namespace
 
 double exp(double x) {
@@ -212,12 +234,28 @@ double exp(double x) {
   if (x < -745.14) {
     return 0.0;
   }
-  const double k = nearest(x * kInvLn2);
-  const double high = x - k * kLn2High;
-  const double r = high - k * kLn2Low;
-  const double lost = (high - r) - k * kLn2Low;
-  const double value = 1.0 + (r + (lost + r * r * polynomial(kExp, r)));
-  return scaled(value, static_cast<int>(k));
+  const SplitExp<double> split = splitExp(x);
+  return scaled(split.value, static_cast<int>(split.exponent));
+}
+
+void expEach(double* numbers, std::size_t count) {
+  const auto isUsual = [](double x) { return std::abs(x) < 700.0; };
+  std::size_t i = 0;
+  for (; i + 1 < count; i += 2) {
+    double& first = numbers[i];
+    double& second = numbers[i + 1];
+    if (isUsual(first) && isUsual(second)) {
+      const SplitExp<Two> split = splitExp(Two(first, second));
+      first = scaled(split.value[0], static_cast<int>(split.exponent[0]));
+      second = scaled(split.value[1], static_cast<int>(split.exponent[1]));
+    } else {
+      first = exp(first);
+      second = exp(second);
+    }
+  }
+  if (i < count) {
+    numbers[i] = exp(numbers[i]);
+  }
 }
 
 double log(double x) {

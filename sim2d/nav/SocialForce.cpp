@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/base/MathEach.h"
+#include "sim2d/nav/ObstacleForces.h"
 
 namespace sim2d {
 namespace {
@@ -139,22 +141,40 @@ double socialRange(const ForceParameters& parameters, double speed, double other
 
 Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,
                    const Obstacles::Point& point) {
-  const Vec2 away =
-      point.inside ? Vec2(point.position - self.position) : Vec2(self.position - point.position);
-  const double distance = away.norm();
-  if (distance < kShortest) {
-    return Vec2::Zero();
+  std::vector<Vec2> forces;
+  obstacleForces(parameters, self, {point}, forces);
+  return forces.front();
+}
+
+void obstacleForces(const ForceParameters& parameters, const Walker& self,
+                    const std::vector<Obstacles::Point>& points, std::vector<Vec2>& forces) {
+  thread_local std::vector<double> distances, shares;
+  distances.clear();
+  shares.clear();
+  forces.clear();
+  for (const Obstacles::Point& point : points) {
+    const Vec2 away =
+        point.inside ? Vec2(point.position - self.position) : Vec2(self.position - point.position);
+    const double distance = away.norm();
+    const double gap = distance - self.radius;
+    forces.push_back(away);
+    distances.push_back(distance);
+    shares.push_back(-gap / parameters.obstacleRange);
   }
-  const double gap = distance - self.radius;
-  const double strength = parameters.obstacleFactor * base::exp(-gap / parameters.obstacleRange);
-  return strength / distance * away;
+  base::expEach(shares.data(), shares.size());
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const double strength = parameters.obstacleFactor * shares[i];
+    forces[i] = distances[i] < kShortest ? Vec2::Zero() : Vec2(strength / distances[i] * forces[i]);
+  }
 }
 
 Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,
                    const std::vector<Obstacles::Point>& points) {
+  thread_local std::vector<Vec2> forces;
+  obstacleForces(parameters, self, points, forces);
   Vec2 sum = Vec2::Zero();
-  for (const Obstacles::Point& point : points) {
-    sum += obstacleForce(parameters, self, point);
+  for (const Vec2& force : forces) {
+    sum += force;
   }
   return sum;
 }

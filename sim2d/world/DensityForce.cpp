@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/nav/ObstacleForces.h"
 #include "sim2d/nav/ReciprocalVelocity.h"
 
 namespace sim2d {
@@ -286,20 +287,16 @@ Vec2 limitedObstacleForce(const DensityParameters& parameters, const Pedestrian&
                           const std::vector<Obstacles::Point>& points, double activation) {
   const Vec2& way = self.desired.direction;
   const double relief = (1.0 - parameters.crowdWallShare) * activation * narrowness(self, points);
-  std::vector<Vec2> relieved;  // forces of points
-  relieved.reserve(relief > 0.0 ? points.size() : 0);
+  thread_local std::vector<Vec2> forces;  // of points
+  obstacleForces(parameters.social, self.body, points, forces);
   Vec2 force = Vec2::Zero();
-  for (const Obstacles::Point& point : points) {
-    const Vec2 ofPoint = obstacleForce(parameters.social, self.body, point);
+  for (const Vec2& ofPoint : forces) {
     force += ofPoint;
-    if (relief > 0.0) {
-      relieved.push_back(ofPoint);
-    }
   }
-  for (const Vec2& ofPoint : relieved) {
-    const double along = ofPoint.dot(way);
-    const double aside = 1.0 - along * along / std::max(ofPoint.squaredNorm(), kNoForce);
-    force -= relief * aside * ofPoint;
+  for (std::size_t i = 0; relief > 0.0 && i < forces.size(); ++i) {
+    const double along = forces[i].dot(way);
+    const double aside = 1.0 - along * along / std::max(forces[i].squaredNorm(), kNoForce);
+    force -= relief * aside * forces[i];
   }
   const double against = -force.dot(way);
   const double most = parameters.pushBackLimit * parameters.social.goalFactor *

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/base/MathEach.h"
 #include "sim2d/base/Types.h"
 
 namespace {
@@ -26,6 +27,12 @@ double ulps(double got, long double wanted) {
 }
 
 enum class Spread { Even, Logarithmic, NearQuarterTurns };
+
+std::uint64_t bitsOf(double value) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
 
 /// The generator's own bits: std:: distributions differ between libraries.
 double draw(std::mt19937_64& generator, Spread spread, double low, double high) {
@@ -77,6 +84,7 @@ class MathTest : public QObject {
   void atan2_axesAndLimits_areExact_data();
   void atan2_axesAndLimits_areExact();
   void exp_atItsLimits_overflowsAndUnderflows();
+  void expEach_hasTheBitsOfExp();
   void log_outsideItsRange_isInfiniteOrNan();
   void sinCos_hugeArguments_areBoundedAndPeriodic();
   void sin_signedZero_keepsItsSign();
@@ -166,6 +174,23 @@ void MathTest::atan2_axesAndLimits_areExact() {
   QVERIFY(base::atan2(y, x) == angle);
 }
 
+void MathTest::expEach_hasTheBitsOfExp() {
+  std::mt19937_64 random(5);
+  std::vector<double> numbers = {kNan, 1.0,    kInf, -kInf, -744.0, 0.0,
+                                 -0.0, -800.0, 1e-9, 709.7, -699.9, 1e300};
+  for (int i = 0; i < 999; ++i) {
+    numbers.push_back(-60.0 + 65.0 * static_cast<double>(random() >> 11U) * 0x1p-53);
+  }
+  for (const std::size_t first : {0U, 1U}) {  // either of a pair
+    std::vector<double> each(numbers.begin() + static_cast<std::ptrdiff_t>(first), numbers.end());
+    base::expEach(each.data(), each.size());
+    for (std::size_t i = 0; i < each.size(); ++i) {
+      const double one = base::exp(numbers[first + i]);
+      QVERIFY2(bitsOf(each[i]) == bitsOf(one), qPrintable(QString::number(i)));
+    }
+  }
+}
+
 void MathTest::exp_atItsLimits_overflowsAndUnderflows() {
   QVERIFY(base::exp(0.0) == 1.0);
   QVERIFY(std::isfinite(base::exp(709.78)));
@@ -240,11 +265,7 @@ void MathTest::everyFunction_nan_staysNan() {
 void MathTest::everyFunction_anyBuild_givesTheSameBits() {
   std::mt19937_64 generator(11);
   std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a over words
-  const auto add = [&hash](double value) {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &value, sizeof bits);
-    hash = (hash ^ bits) * 1099511628211ULL;
-  };
+  const auto add = [&hash](double value) { hash = (hash ^ bitsOf(value)) * 1099511628211ULL; };
   for (int i = 0; i < 20000; ++i) {
     const double x = draw(generator, Spread::Even, -50.0, 50.0);
     const double y = draw(generator, Spread::Even, -1.0, 1.0);
