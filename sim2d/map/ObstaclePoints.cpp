@@ -38,6 +38,22 @@ bool isNearer(const Obstacles::Point& a, const Obstacles::Point& b) {
                                           : a.position.y() < b.position.y();
 }
 
+/// From each of the points, which are in their order and before it. None that is so much nearer to
+/// the position can be near the point.
+template <class Iterator>
+bool isFarFromAll(const Obstacles::Point& point, Iterator begin, Iterator end) {
+  while (begin != end) {
+    const Obstacles::Point& nearer = *--end;
+    if (point.distance - nearer.distance > kMergeDistance + kSurely) {
+      return true;
+    }
+    if ((nearer.position - point.position).squaredNorm() < kMergeDistance * kMergeDistance) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 struct Obstacles::PointQuery {
@@ -123,15 +139,10 @@ void Obstacles::findBoundaryPoints(const Vec2& position, std::vector<Point>& poi
   candidates.clear();
   const PointQuery query{*this, position, range, candidates};
   query.addCandidates();
-  const std::size_t first = points.size();
+  const auto start = static_cast<std::ptrdiff_t>(points.size());
   for (const PointQuery::Rank& rank : query.nearestFirst()) {
     const PointQuery::Candidate& each = candidates[rank.candidate];
-    const bool isAlone =
-        std::none_of(points.begin() + static_cast<std::ptrdiff_t>(first), points.end(),
-                     [&](const Point& nearer) {
-                       return (nearer.position - each.point.position).squaredNorm() <
-                              kMergeDistance * kMergeDistance;
-                     });
+    const bool isAlone = isFarFromAll(each.point, points.begin() + start, points.end());
     if (isAlone && isExposed(each.point.position, each.edge, each.other)) {  // the dear one last
       points.push_back(each.point);
     }
@@ -139,25 +150,22 @@ void Obstacles::findBoundaryPoints(const Vec2& position, std::vector<Point>& poi
 }
 
 void Obstacles::PointQuery::addCandidates() const {
-  const NearEdges* const near = nearEdges();
-  if (near == nullptr) {
-    obstacles.cells_.visitNear(position, range, [&](int edge) {
-      if (obstacles.isOn(edge)) {
-        obstacles.addFoot(edge, *this);
-        obstacles.addCorner(edge, *this);
-      }
-    });
-    return;
-  }
-  for (std::size_t k = 0; k < near->count; ++k) {
-    const auto edge = static_cast<int>(near->edges[k] >> 2U);
-    if (obstacles.isOn(edge) && (near->edges[k] & NearEdges::kFoot) != 0) {
+  const auto add = [&](int edge, unsigned has) {
+    if (obstacles.isOn(edge) && (has & NearEdges::kFoot) != 0) {
       obstacles.addFoot(edge, *this);
     }
-    if (obstacles.isOn(edge) && (near->edges[k] & NearEdges::kCorner) != 0) {
+    if (obstacles.isOn(edge) && (has & NearEdges::kCorner) != 0) {
       obstacles.addCorner(edge, *this);
     }
+  };
+  const NearEdges* const near = nearEdges();
+  if (near == nullptr) {
+    obstacles.cells_.visitNear(position, range,
+                               [&](int edge) { add(edge, NearEdges::kFoot | NearEdges::kCorner); });
+    return;
   }
+  std::for_each(near->edges.begin(), near->edges.begin() + static_cast<std::ptrdiff_t>(near->count),
+                [&](unsigned each) { add(static_cast<int>(each >> 2U), each); });
 }
 
 /// Of the square of the position; null where they are too many. Valid until the next call.
@@ -221,7 +229,7 @@ bool Obstacles::PointQuery::mayBeCorner(int edge, const Vec2& middle) const {
 }
 
 /// The foot of the perpendicular on an edge is a local minimum; edges face to their right.
-void Obstacles::addFoot(int edge, const PointQuery& query) const {
+inline void Obstacles::addFoot(int edge, const PointQuery& query) const {
   const Edge& info = edges_[static_cast<std::size_t>(edge)];
   const Vec2& start = segments_[static_cast<std::size_t>(edge)].a;
   const Vec2 offset = query.position - start;
@@ -237,7 +245,7 @@ void Obstacles::addFoot(int edge, const PointQuery& query) const {
 
 /// The first corner of an edge is a local minimum when the position lies ahead of neither of the
 /// two edges that leave it.
-void Obstacles::addCorner(int edge, const PointQuery& query) const {
+inline void Obstacles::addCorner(int edge, const PointQuery& query) const {
   const Edge& info = edges_[static_cast<std::size_t>(edge)];
   const Vec2& corner = segments_[static_cast<std::size_t>(edge)].a;
   const Vec2& in = edges_[static_cast<std::size_t>(info.previous)].along;
@@ -255,7 +263,7 @@ void Obstacles::addCorner(int edge, const PointQuery& query) const {
 
 /// Whether free space begins at a point of two edges (or twice the same), on their right: no other
 /// obstacle covers it.
-bool Obstacles::isExposed(const Vec2& place, int edge, int other) const {
+inline bool Obstacles::isExposed(const Vec2& place, int edge, int other) const {
   const Edge& info = edges_[static_cast<std::size_t>(edge)];
   const Edge& otherInfo = edges_[static_cast<std::size_t>(other)];
   const bool isBare = edge == other ? info.isBare

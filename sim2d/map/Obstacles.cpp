@@ -11,7 +11,7 @@ namespace sim2d {
 
 namespace {
 
-constexpr double kBucketSize = 1.0;  // [m]
+constexpr double kBucketSize = 0.5;  // [m]
 constexpr double kCellSide = 2.0;    // [m]
 
 /// The segment is crossed by the horizontal line of `y`, seen from its lower end (half open, so a
@@ -319,8 +319,8 @@ bool Obstacles::isVisible(const Vec2& from, const Vec2& to) const {
   if (version_ == 0 || !(slot.question == question)) {
     const Vec2 whole = second - first;
     const double range = whole.norm();
-    slot.isSeen = !isInside(first) && !isInside(second) &&
-                  (range == 0.0 || !isHit(first, whole / range, range));
+    slot.isSeen = !isInside(first) && (range == 0.0 || !isHit(first, whole / range, range)) &&
+                  !isInside(second);
     slot.question = question;
   }
   return slot.isSeen;

@@ -64,6 +64,35 @@ void SegmentGrid::build(const std::vector<Segment>& segments, double bucketSize)
       items_[static_cast<std::size_t>(fill[numberOf(bucket)]++)] = static_cast<int>(i);
     });
   }
+  findAway();
+}
+
+/// In two sweeps, one from each corner: each is a ring farther away than the nearest beside it.
+void SegmentGrid::findAway() {
+  constexpr int kMost = 255;
+  away_.assign(start_.size() - 1, 0);
+  const auto farther = [this](int column, int row) {
+    return contains({column, row}) ? away({column, row}) + 1 : kMost;
+  };
+  const auto lower = [&](Bucket at, int side, int most) {
+    const Items here = items(at);
+    const int before = at.row + side;
+    const int away =
+        std::min({most, farther(at.column + side, at.row), farther(at.column - 1, before),
+                  farther(at.column, before), farther(at.column + 1, before)});
+    away_[static_cast<std::size_t>(indexOf(at))] =
+        static_cast<std::uint8_t>(here.first != here.last ? 0 : away);
+  };
+  for (int row = 0; row < height_; ++row) {
+    for (int column = 0; column < width_; ++column) {
+      lower({column, row}, -1, kMost);
+    }
+  }
+  for (int row = height_ - 1; row >= 0; --row) {
+    for (int column = width_ - 1; column >= 0; --column) {
+      lower({column, row}, 1, away({column, row}));
+    }
+  }
 }
 
 SegmentGrid::Span SegmentGrid::rowsOf(const Segment& segment) const {
@@ -88,10 +117,6 @@ SegmentGrid::Span SegmentGrid::columnsIn(int row, const Segment& segment) const 
           std::min(toBucket((std::max(first, second) + kReach) / size_), width_ - 1)};
 }
 
-bool SegmentGrid::contains(Bucket bucket) const {
-  return bucket.column >= 0 && bucket.row >= 0 && bucket.column < width_ && bucket.row < height_;
-}
-
 SegmentGrid::Bucket SegmentGrid::bucketAt(const Vec2& point) const {
   const Vec2 offset = (point - origin_) / size_;
   return {toBucket(offset.x()), toBucket(offset.y())};
@@ -99,11 +124,6 @@ SegmentGrid::Bucket SegmentGrid::bucketAt(const Vec2& point) const {
 
 Vec2 SegmentGrid::centreOf(Bucket bucket) const {
   return origin_ + size_ * Vec2(bucket.column + 0.5, bucket.row + 0.5);
-}
-
-SegmentGrid::Items SegmentGrid::items(Bucket bucket) const {
-  const auto index = static_cast<std::size_t>(indexOf(bucket));
-  return {items_.data() + start_[index], items_.data() + start_[index + 1]};
 }
 
 /// Cuts the ray to the area of the buckets; false when it misses them.
@@ -132,6 +152,7 @@ SegmentGrid::Walk SegmentGrid::startWalk(const Vec2& from, const Vec2& direction
     const bool moves = direction[axis] != 0.0;
     walk.next[axis] = moves ? (border[axis] - from[axis]) / direction[axis] : kNever;
     walk.delta[axis] = moves ? size_ / std::fabs(direction[axis]) : kNever;
+    walk.borders[axis] = std::fabs(direction[axis]) / size_;
   }
   return walk;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "sim2d/map/Outlines.h"
@@ -26,11 +28,16 @@ class SegmentGrid {
   bool isEmpty() const { return width_ == 0; }
   int width() const { return width_; }
   int height() const { return height_; }
-  bool contains(Bucket bucket) const;
+  bool contains(Bucket bucket) const {
+    return bucket.column >= 0 && bucket.row >= 0 && bucket.column < width_ && bucket.row < height_;
+  }
   Bucket bucketAt(const Vec2& point) const;  // may lie outside
   Vec2 centreOf(Bucket bucket) const;
   int indexOf(Bucket bucket) const { return bucket.row * width_ + bucket.column; }
-  Items items(Bucket bucket) const;
+  Items items(Bucket bucket) const {
+    const auto index = static_cast<std::size_t>(indexOf(bucket));
+    return {items_.data() + start_[index], items_.data() + start_[index + 1]};
+  }
 
   /// visit(Bucket, int segment) for all buckets that touch the box.
   template <class Visit>
@@ -45,8 +52,8 @@ class SegmentGrid {
   template <class Visit>
   void visitNear(const Vec2& point, const double& limit, Visit visit) const;
 
-  /// visit(Items, double end) for the buckets along a ray in order; `end` = distance at which the
-  /// ray leaves the bucket. Returning false ends the walk.
+  /// visit(Items, double end) for the buckets along a ray in order that hold any; `end` = distance
+  /// at which the ray leaves the bucket. Returning false ends the walk.
   template <class Visit>
   void visitRay(const Vec2& from, const Vec2& direction, double range, Visit visit) const;
 
@@ -54,10 +61,14 @@ class SegmentGrid {
   struct Walk {  // state of a ray in the buckets
     Bucket bucket, step;
     Vec2 next = Vec2::Zero(), delta = Vec2::Zero();  // distance to the next border; between borders
+    Vec2 borders = Vec2::Zero();                     // on a metre
   };
   struct Span {
     int first = 0, last = -1;
   };
+  void findAway();
+  int away(Bucket bucket) const { return away_[static_cast<std::size_t>(indexOf(bucket))]; }
+  static double passEmpty(Walk& walk, int rings);
   Span columnsIn(int row, const Segment& segment) const;
   Span rowsOf(const Segment& segment) const;
   bool clip(const Vec2& from, const Vec2& direction, double& begin, double& end) const;
@@ -72,6 +83,7 @@ class SegmentGrid {
   double size_ = 1.0;
   int width_ = 0, height_ = 0;
   std::vector<int> start_, items_;
+  std::vector<std::uint8_t> away_;  // by bucket: the nearest that holds any, in rings around it
 };
 
 template <class Visit>
@@ -124,7 +136,8 @@ void SegmentGrid::visitNear(const Vec2& point, const double& limit, Visit visit)
   const int beside = std::max({0, -column, column - width_ + 1});
   const int above = std::max({0, -row, row - height_ + 1});
   const int last = std::max({column, row, width_ - 1 - column, height_ - 1 - row, 0});
-  for (int ring = std::max(beside, above); ring <= last; ++ring) {
+  const int empty = contains({column, row}) ? away({column, row}) : 0;
+  for (int ring = std::max({beside, above, empty}); ring <= last; ++ring) {
     if ((ring - 1) * size_ > limit) {
       return;
     }
@@ -148,9 +161,14 @@ void SegmentGrid::visitRay(const Vec2& from, const Vec2& direction, double range
   Walk walk = startWalk(from, direction, begin);
   double reached = begin;
   while (contains(walk.bucket) && reached <= end) {
+    const int rings = away(walk.bucket);
+    if (rings > 1) {
+      reached = passEmpty(walk, rings - 1);
+      continue;
+    }
     const bool alongX = walk.next.x() < walk.next.y();
     reached = alongX ? walk.next.x() : walk.next.y();
-    if (!visit(items(walk.bucket), reached)) {
+    if (rings == 0 && !visit(items(walk.bucket), reached)) {
       return;
     }
     if (alongX) {
@@ -161,6 +179,23 @@ void SegmentGrid::visitRay(const Vec2& from, const Vec2& direction, double range
       walk.next.y() += walk.delta.y();
     }
   }
+}
+
+/// Goes on to where the ray leaves so many rings around the bucket; returns that distance.
+inline double SegmentGrid::passEmpty(Walk& walk, int rings) {
+  const Vec2 leave = walk.next + static_cast<double>(rings) * walk.delta;
+  const double reached = std::min(leave.x(), leave.y());
+  const auto pass = [&](int axis, int& at, int step) {
+    const double beyond = reached - walk.next[axis];
+    if (beyond >= 0.0) {
+      const int borders = std::min(static_cast<int>(beyond * walk.borders[axis]), rings) + 1;
+      walk.next[axis] += borders * walk.delta[axis];
+      at += borders * step;
+    }
+  };
+  pass(0, walk.bucket.column, walk.step.column);
+  pass(1, walk.bucket.row, walk.step.row);
+  return reached;
 }
 
 }  // namespace sim2d

@@ -1,6 +1,7 @@
 #include "sim2d/map/TautWay.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -34,6 +35,12 @@ class Line {
     return isApart(base::cross(along_, a), base::cross(along_, b), 0.0) ||
            isApart(along_.dot(a), along_.dot(b), length_);
   }
+  /// Beyond the reach of the line on and on, at the other side than the point. As sure.
+  bool isFarBehind(const Segment& wall, const Vec2& point) const {
+    const double side = base::cross(along_, point - start_) < 0.0 ? -1.0 : 1.0;
+    return side * base::cross(along_, wall.a - start_) < -reach_ &&
+           side * base::cross(along_, wall.b - start_) < -reach_;
+  }
 
  private:
   /// Both beyond the reach at the same side of what goes from zero to `to`.
@@ -50,8 +57,16 @@ double roomFor(double clearance) {
   return std::max(clearance, kLeastRoom);
 }
 
+/// Whether the distance between them is less.
+bool isInTheWay(const Segment& wall, const Segment& way, double room) {
+  const double least = room - kSlack;
+  return segmentsTouch(way, wall) || distanceToSegment(wall, way.a) < least ||
+         distanceToSegment(wall, way.b) < least || distanceToSegment(way, wall.a) < least ||
+         distanceToSegment(way, wall.b) < least;
+}
+
 bool isInTheWay(const Segment& wall, const Line& line, const Segment& way, double room) {
-  return !line.isFarFrom(wall) && distanceBetween(way, wall) < room - kSlack;
+  return !line.isFarFrom(wall) && isInTheWay(wall, way, room);
 }
 
 /// One of the walls that a disc with that clearance would run into. Looked for piece by piece: a
@@ -95,12 +110,35 @@ class Puller {
   bool isClear(const Vec2& from, const Vec2& to) {
     const Segment way{from, to};
     const double room = roomFor(clearance_);
-    if (blocking_ && isInTheWay(*blocking_, Line(way, room), way, room)) {
+    if (blocking_ && isInTheWay(*blocking_, way, room)) {
       return false;
     }
     const std::optional<Segment> wall = wallInTheWay(way, obstacles_, clearance_);
     blocking_ = wall ? wall : blocking_;
     return !wall;
+  }
+
+  /// All that can be in the way of a chord of the corner a of the triangle, and perhaps others.
+  void findWallsWithin(const Vec2& a, const Vec2& b, const Vec2& c) {
+    const double room = roomFor(clearance_);
+    const std::array<Line, 3> sides = {Line({a, b}, room), Line({b, c}, room), Line({c, a}, room)};
+    const Vec2 middle = (a + b + c) / 3.0;
+    const double reach =
+        std::max({(a - middle).norm(), (b - middle).norm(), (c - middle).norm()}) + room;
+    walls_.clear();
+    obstacles_.visitNear(middle, reach, [&](const Segment& wall) {
+      if (!sides[0].isFarBehind(wall, c) && !sides[1].isFarBehind(wall, a) &&
+          !sides[2].isFarBehind(wall, b)) {
+        walls_.push_back(wall);
+      }
+    });
+  }
+
+  bool isChordClear(const Segment& way) const {
+    const double room = roomFor(clearance_);
+    const Line line(way, room);
+    return std::none_of(walls_.begin(), walls_.end(),
+                        [&](const Segment& wall) { return isInTheWay(wall, line, way, room); });
   }
 
   /// From each point straight on to the last of those ahead that can be reached so.
@@ -142,9 +180,10 @@ class Puller {
     const Vec2 v = ahead.normalized();
     double good = 0.0;
     double bad = 2.0 * longest;
+    findWallsWithin(corner, corner + bad * u, corner + bad * v);
     for (int k = 0; k < kBisections; ++k) {
       const double middle = 0.5 * (good + bad);
-      (isClear(corner + middle * u, corner + middle * v) ? good : bad) = middle;
+      (isChordClear({corner + middle * u, corner + middle * v}) ? good : bad) = middle;
     }
     good = std::min(good, longest);
     if (good < kLeastCut) {
@@ -159,6 +198,7 @@ class Puller {
   double clearance_;
   std::vector<Vec2> way_;
   std::optional<Segment> blocking_;  // a wall
+  std::vector<Segment> walls_;       // around a corner
 };
 
 }  // namespace

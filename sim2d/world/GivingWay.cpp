@@ -63,6 +63,18 @@ std::optional<double> meetingTime(const Vec2& apart, const Vec2& relative) {
   return time <= GivingWay::kForesight ? std::optional(time) : std::nullopt;
 }
 
+/// No outline at the distance or nearer comes to the line.
+bool isOffLine(const Footprint& footprint, const Vec2& place, double distance,
+               const std::vector<Vec2>& line) {
+  const double reach = (reachOf(footprint) + distance) * kOutlineExcess + kOutside;
+  for (std::size_t leg = 0; leg + 1 < line.size(); ++leg) {
+    if (distanceToSegment({line[leg], line[leg + 1]}, place) < reach) {
+      return false;
+    }
+  }
+  return true;
+}
+
 double lengthOrNone(const std::vector<Vec2>* way) {
   return way != nullptr ? lengthOfWay(*way) : 1e300;
 }
@@ -176,6 +188,12 @@ GivingWay::Lead GivingWay::lead(const FrozenWorld& world, const Walking& who) {
     return lead;
   }
   const std::vector<Vec2> line = lineOf(who);
+  if (std::all_of(met.begin(), met.end(), [&](const Met& item) {
+        return isOffLine(footprints_[item.robot], item.pose.position, who.radius + kLikedRoom,
+                         line);
+      })) {
+    return lead;
+  }
   std::optional<Conflict> conflict;
   for (const double room : {kLikedRoom, kLeastRoom}) {
     draw(met, who, room);
