@@ -15,8 +15,10 @@ namespace {
 using Turn = Panorama::Turn;
 using View = Panorama::View;
 
+constexpr double kHalfTurn = 2.0;  // rank
+
 Turn turnTo(const Vec2& place) {
-  return {std::atan2(place.y(), place.x()), place.normalized()};
+  return {rankOf(place), place.normalized()};
 }
 
 /// Where two segments cross each other, if they do.
@@ -34,10 +36,10 @@ std::optional<Vec2> crossing(const sim2d::Segment& first, const sim2d::Segment& 
 }
 
 const Turn& later(const Turn& one, const Turn& other) {
-  return one.angle < other.angle ? other : one;
+  return one.rank < other.rank ? other : one;
 }
 const Turn& sooner(const Turn& one, const Turn& other) {
-  return other.angle < one.angle ? other : one;
+  return other.rank < one.rank ? other : one;
 }
 
 /// Goes through views in their order.
@@ -51,7 +53,7 @@ class Walk {
   Turn from(const Turn& at) const {
     return isOver() ? Turn{HUGE_VAL, Vec2::UnitX()} : later(view().from, at);
   }
-  void pass(const Turn& at) { next_ += !isOver() && view().to.angle <= at.angle ? 1 : 0; }
+  void pass(const Turn& at) { next_ += !isOver() && view().to.rank <= at.rank ? 1 : 0; }
 
  private:
   const View* next_;
@@ -60,10 +62,10 @@ class Walk {
 
 /// Goes on with the view before where that is of the same wall.
 void append(const Turn& from, const Turn& to, std::size_t wall, std::vector<View>& views) {
-  if (!(from.angle < to.angle)) {
+  if (!(from.rank < to.rank)) {
     return;
   }
-  if (!views.empty() && views.back().wall == wall && views.back().to.angle == from.angle) {
+  if (!views.empty() && views.back().wall == wall && views.back().to.rank == from.rank) {
     views.back().to = to;
   } else {
     views.push_back({from, to, wall});
@@ -71,6 +73,15 @@ void append(const Turn& from, const Turn& to, std::size_t wall, std::vector<View
 }
 
 }  // namespace
+
+double rankOf(const Vec2& direction) {
+  const double sum = std::abs(direction.x()) + std::abs(direction.y());
+  const double share = sum > 0.0 ? direction.y() / sum : 0.0;
+  if (direction.x() >= 0.0) {
+    return share;
+  }
+  return share < 0.0 ? -kHalfTurn - share : kHalfTurn - share;
+}
 
 double along(const Vec2& direction, const sim2d::Segment& segment) {
   const double across = base::cross(direction, segment.b - segment.a);
@@ -82,14 +93,6 @@ void Panorama::look(const std::vector<sim2d::Segment>& walls) {
   walls_ = walls;
   views_.clear();
   addViewsOf(0, walls_.size());
-}
-
-void Panorama::add(const std::vector<sim2d::Segment>& walls) {
-  const std::size_t before = walls_.size();
-  walls_.insert(walls_.end(), walls.begin(), walls.end());
-  const std::size_t seen = views_.size();
-  addViewsOf(before, walls_.size());
-  mergeFrom(0, seen);
 }
 
 /// Those of some walls behind the others.
@@ -117,17 +120,17 @@ void Panorama::addViewsOfOne(std::size_t wall) {
   }
   const Turn from = turnTo(side > 0.0 ? its.a : its.b);
   const Turn to = turnTo(side > 0.0 ? its.b : its.a);
-  if (from.angle < to.angle) {
+  if (from.rank < to.rank) {
     views_.push_back({from, to, wall});
     return;
   }
   const auto addPart = [&](const Turn& begin, const Turn& end) {
-    if (begin.angle < end.angle) {
+    if (begin.rank < end.rank) {
       views_.push_back({begin, end, wall});
     }
   };
-  addPart({-base::kPi, -Vec2::UnitX()}, to);
-  addPart(from, {base::kPi, -Vec2::UnitX()});
+  addPart({-kHalfTurn, -Vec2::UnitX()}, to);
+  addPart(from, {kHalfTurn, -Vec2::UnitX()});
 }
 
 /// What is nearest of the views from `first` on and of those from `middle` on, in their place.
@@ -139,11 +142,11 @@ void Panorama::mergeFrom(std::size_t first, std::size_t middle) {
   while (!one.isOver() || !other.isOver()) {
     const Turn fromOne = one.from(at);
     const Turn fromOther = other.from(at);
-    if (fromOne.angle == fromOther.angle) {
+    if (fromOne.rank == fromOther.rank) {
       at = sooner(other.view().to, one.view().to);
       appendNearer(one.view(), other.view(), fromOne, at);
     } else {
-      const View& view = (fromOne.angle < fromOther.angle ? one : other).view();
+      const View& view = (fromOne.rank < fromOther.rank ? one : other).view();
       at = sooner(view.to, later(fromOne, fromOther));
       append(sooner(fromOne, fromOther), at, view.wall, merged_);
     }
@@ -159,10 +162,10 @@ void Panorama::appendNearer(const View& a, const View& b, const Turn& from, cons
   Turn middle = to;
   if (const std::optional<Vec2> place = crossing(walls_[a.wall], walls_[b.wall])) {
     const Turn there = turnTo(*place);
-    middle = there.angle > from.angle && there.angle < to.angle ? there : to;
+    middle = there.rank > from.rank && there.rank < to.rank ? there : to;
   }
   append(from, middle, nearer(a.wall, b.wall, from, middle), merged_);
-  if (middle.angle < to.angle) {
+  if (middle.rank < to.rank) {
     append(middle, to, nearer(a.wall, b.wall, middle, to), merged_);
   }
 }

@@ -12,7 +12,7 @@ namespace metrics {
 class Panorama {
  public:
   struct Turn {
-    double angle = 0.0;  // [rad], -pi to pi
+    double rank = 0.0;  // `rankOf` the direction; the turn of -pi has -2
     base::Vec2 towards = base::Vec2::UnitX();
   };
   /// Between two turns nothing is nearer than this wall.
@@ -23,8 +23,6 @@ class Panorama {
 
   /// Forgets the walls before.
   void look(const std::vector<sim2d::Segment>& walls);
-  /// Others as well.
-  void add(const std::vector<sim2d::Segment>& walls);
   /// By their turns, from -pi to pi; where there is none, no wall stands.
   const std::vector<View>& views() const { return views_; }
   const sim2d::Segment& wall(const View& view) const { return walls_[view.wall]; }
@@ -41,6 +39,9 @@ class Panorama {
   Views views_;   // while walls are looked at: of those merged so far, one after the other
   Views merged_;  // buffer
 };
+
+/// Among all directions: from -2 to 2 as the angle from -pi to pi, without its arc tangent.
+double rankOf(const base::Vec2& direction);
 
 /// Where the ray from the origin meets the line through the segment, as a multiple of the
 /// direction; infinite when it runs beside it.

@@ -57,11 +57,12 @@ class SightTurns {
 };
 
 /// The wall that is seen in a direction; null: none.
-const sim2d::Segment* wallTowards(const Panorama& panorama, double angle) {
+const sim2d::Segment* wallTowards(const Panorama& panorama, const Vec2& direction) {
+  const double rank = rankOf(direction);
   const std::vector<Panorama::View>& views = panorama.views();
   const auto found = std::partition_point(views.begin(), views.end(),
-                                          [&](const auto& view) { return view.to.angle < angle; });
-  return found != views.end() && found->from.angle <= angle ? &panorama.wall(*found) : nullptr;
+                                          [&](const auto& view) { return view.to.rank < rank; });
+  return found != views.end() && found->from.rank <= rank ? &panorama.wall(*found) : nullptr;
 }
 
 }  // namespace
@@ -80,8 +81,8 @@ std::vector<Vec2> sightPolygon(const base::Pose2& eye, double halfAngle, double 
   const double width = isAllAround ? 2.0 * base::kPi : 2.0 * halfAngle;
   SightTurns directions(from, width);
   for (const Panorama::View& view : panorama.views()) {
-    directions.add(view.from.angle);
-    directions.add(view.to.angle);
+    directions.add(base::headingOf(view.from.towards));
+    directions.add(base::headingOf(view.to.towards));
     directions.addCrossings(panorama.wall(view), range);
   }
   const std::vector<double> turns = directions.sorted();
@@ -90,7 +91,7 @@ std::vector<Vec2> sightPolygon(const base::Pose2& eye, double halfAngle, double 
     polygon.push_back(eye.position);
   }
   for (std::size_t k = 0; k + 1 < turns.size(); ++k) {
-    const double middle = base::angleDiff(from + 0.5 * (turns[k] + turns[k + 1]), 0.0);
+    const Vec2 middle = base::directionOf(from + 0.5 * (turns[k] + turns[k + 1]));
     const sim2d::Segment* const wall = wallTowards(panorama, middle);
     for (const double turn : {turns[k], turns[k + 1]}) {
       const Vec2 direction = base::directionOf(from + turn);

@@ -29,7 +29,7 @@ std::vector<Vec2> referencePath(const RunContext& context, const Sample& first) 
 /// The point of the way after this length; its end beyond.
 Vec2 pointAt(const std::vector<Vec2>& path, double length) {
   for (std::size_t k = 1; k < path.size(); ++k) {
-    const double part = lengthOf(path[k] - path[k - 1]);
+    const double part = (path[k] - path[k - 1]).norm();
     if (length <= part && part > 0.0) {
       return path[k - 1] + (length / part) * (path[k] - path[k - 1]);
     }
@@ -51,13 +51,13 @@ Vec2 recordedPlace(const TimedWay& reference, double time) {
 }
 
 double distanceToPath(const std::vector<Vec2>& path, const Vec2& point) {
-  double nearest = lengthOf(point - path.front());
+  double nearest = (point - path.front()).norm();
   for (std::size_t k = 1; k < path.size(); ++k) {
     const Vec2 edge = path[k] - path[k - 1];
     const double squared = edge.squaredNorm();
     const double share =
         squared > 0.0 ? std::clamp(edge.dot(point - path[k - 1]) / squared, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, lengthOf(point - path[k - 1] - share * edge));
+    nearest = std::min(nearest, (point - path[k - 1] - share * edge).norm());
   }
   return nearest;
 }
@@ -76,13 +76,21 @@ std::vector<Vec2> spread(const std::vector<Vec2>& path, std::size_t count) {
 /// Cheapest pairing of two ways in order, divided by the number of points of the first.
 double warped(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto count = static_cast<Eigen::Index>(b.size());
+  Eigen::ArrayXd x(count), y(count), distances(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    x[k] = b[static_cast<std::size_t>(k)].x();
+    y[k] = b[static_cast<std::size_t>(k)].y();
+  }
   std::vector<double> before(b.size() + 1, kInfinity);
   std::vector<double> now(b.size() + 1, kInfinity);
   before[0] = 0.0;
   for (const Vec2& point : a) {
+    distances = ((point.x() - x).square() + (point.y() - y).square()).sqrt();
     now[0] = kInfinity;
     for (std::size_t k = 1; k <= b.size(); ++k) {
-      now[k] = (point - b[k - 1]).norm() + std::min({before[k], now[k - 1], before[k - 1]});
+      now[k] = distances[static_cast<Eigen::Index>(k - 1)] +
+               std::min({before[k], now[k - 1], before[k - 1]});
     }
     before.swap(now);
   }

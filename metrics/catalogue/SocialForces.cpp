@@ -19,7 +19,7 @@ Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
   Vec2 sum = Vec2::Zero();
   for (const sim2d::Obstacles::Point& point : body.obstacles) {
     const Vec2 away = body.position - point.position;
-    const double length = lengthOf(away);
+    const double length = away.norm();
     if (length < kSmall) {
       continue;  // no direction
     }
