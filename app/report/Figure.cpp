@@ -241,8 +241,14 @@ Scale roomyScale(double low, double high, double from, double to) {
 
 std::vector<double> axisTicks(const Scale& scale) {
   constexpr double kRoom = 60.0;  // px for a number
-  return ticks(scale.low, scale.high,
-               std::max(2, static_cast<int>((scale.to - scale.from) / kRoom)));
+  constexpr int kEnough = 8;      // steps of the whole: two of them have ticks
+  int count = std::max(2, static_cast<int>((scale.to - scale.from) / kRoom));
+  std::vector<double> at = ticks(scale.low, scale.high, count);
+  while (at.size() < 2 && count < kEnough) {  // one alone tells no scale
+    count *= 2;
+    at = ticks(scale.low, scale.high, count);
+  }
+  return at;
 }
 
 void horizontalAxis(Figure& figure, const Scale& scale, double y, bool asPercent) {

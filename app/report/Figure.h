@@ -71,7 +71,7 @@ struct Scale {
 std::vector<double> ticks(double low, double high, int count);
 /// [low, high] with some room, never empty.
 Scale roomyScale(double low, double high, double from, double to);
-/// Ticks of a horizontal axis, as many as there is room for.
+/// Ticks of a horizontal axis, as many as there is room for, and two at least.
 std::vector<double> axisTicks(const Scale& scale);
 /// A thin axis below a panel with its numbers.
 void horizontalAxis(Figure& figure, const Scale& scale, double y, bool asPercent = false);
