@@ -286,7 +286,9 @@ DensityForce densityForce(const DensityParameters& parameters, const Pedestrian&
 Vec2 limitedObstacleForce(const DensityParameters& parameters, const Pedestrian& self,
                           const std::vector<Obstacles::Point>& points, double activation) {
   const Vec2& way = self.desired.direction;
-  const double relief = (1.0 - parameters.crowdWallShare) * activation * narrowness(self, points);
+  const double relief =
+      activation > 0.0 ? (1.0 - parameters.crowdWallShare) * activation * narrowness(self, points)
+                       : 0.0;
   thread_local std::vector<Vec2> forces;  // of points
   obstacleForces(parameters.social, self.body, points, forces);
   Vec2 force = Vec2::Zero();
