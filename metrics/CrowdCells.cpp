@@ -119,58 +119,30 @@ bool CellAreas::isHidden(const Vec2& other) const {
   });
 }
 
-/// Of a square around the circle what is nearer to the origin than to any other it sees.
-void CellAreas::takeShare(const Vec2& point, const std::vector<Vec2>& others) {
-  const double r = radius_;
-  cell_ = {Vec2(r, r), Vec2(-r, r), Vec2(-r, -r), Vec2(r, -r)};
-  for (const Vec2& place : others) {
-    const Vec2 other = place - point;
-    if (place != point && takes(other) && !isHidden(other)) {  // two in one place share it
-      cut(other);
-    }
-  }
-}
-
-/// Some of the cell lies nearer to the other.
-bool CellAreas::takes(const Vec2& other) const {
-  const double limit = 0.5 * other.squaredNorm();
-  return std::any_of(cell_.begin(), cell_.end(),
-                     [&](const Vec2& corner) { return other.dot(corner) > limit; });
-}
-
-/// Of the cell, which is convex, what no wall hides from the origin. Walls beyond it, and those
-/// beyond the circle, take nothing of the area.
+/// What of a square around the circle no wall hides from the point. Those beyond the circle take
+/// nothing of the area.
 void CellAreas::takeVisible() {
+  const double r = radius_;
   near_.clear();
-  std::copy_if(walls_.begin(), walls_.end(), std::back_inserter(near_),
-               [this](const sim2d::Segment& wall) {
-                 return !isBeyond(wall) && sim2d::distanceToSegment(wall, Vec2::Zero()) < radius_;
-               });
-  if (near_.empty()) {
+  std::copy_if(
+      walls_.begin(), walls_.end(), std::back_inserter(near_),
+      [r](const sim2d::Segment& wall) { return sim2d::distanceToSegment(wall, Vec2::Zero()) < r; });
+  panorama_.look(near_);
+  cell_ = {Vec2(r, r), Vec2(-r, r), Vec2(-r, -r), Vec2(r, -r)};
+  if (panorama_.views().empty()) {
     return;
   }
+  std::vector<sim2d::Segment> square;
   for (std::size_t k = 0; k < cell_.size(); ++k) {
-    near_.push_back({cell_[k], cell_[k + 1 < cell_.size() ? k + 1 : 0]});
+    square.push_back({cell_[k], cell_[(k + 1) % cell_.size()]});
   }
-  panorama_.look(near_);
+  panorama_.add(square);
   cell_.clear();
   for (const Panorama::View& view : panorama_.views()) {
     for (const Vec2& direction : {view.from.towards, view.to.towards}) {
       cell_.push_back(along(direction, panorama_.wall(view)) * direction);
     }
   }
-}
-
-/// Beyond one of the cell's edges.
-bool CellAreas::isBeyond(const sim2d::Segment& wall) const {
-  for (std::size_t k = 0; k < cell_.size(); ++k) {
-    const Vec2& a = cell_[k];
-    const Vec2 edge = cell_[k + 1 < cell_.size() ? k + 1 : 0] - a;
-    if (base::cross(edge, wall.a - a) < 0.0 && base::cross(edge, wall.b - a) < 0.0) {
-      return true;
-    }
-  }
-  return false;
 }
 
 /// Leaves the part that is nearer to the origin.
@@ -193,8 +165,8 @@ void CellAreas::cut(const Vec2& other) {
   cell_.swap(part_);
 }
 
-/// Walls, and their images beyond the seam, and perhaps some that are farther away. From what is
-/// free none is seen from behind: its outline is closed.
+/// Walls, and their images beyond the seam. From what is free none is seen from behind: its outline
+/// is closed.
 void CellAreas::findWallsAround(const Vec2& point, double reach, const RunContext& context) {
   walls_.clear();
   if (context.walls == nullptr) {
@@ -209,7 +181,8 @@ void CellAreas::findWallsAround(const Vec2& point, double reach, const RunContex
       if (seesFrontsOnly && base::cross(segment.a - centre, segment.b - centre) >= 0.0) {
         return;  // solid on the left
       }
-      if (const std::optional<sim2d::Segment> wall = within(context.seam, segment)) {
+      const std::optional<sim2d::Segment> wall = within(context.seam, segment);
+      if (wall && sim2d::distanceToSegment(*wall, centre) < reach) {
         walls_.push_back({wall->a - centre, wall->b - centre});
       }
     });
@@ -221,13 +194,14 @@ void CellAreas::findWallsAround(const Vec2& point, double reach, const RunContex
 
 double CellAreas::areaOf(const Vec2& point, const std::vector<Vec2>& others,
                          const RunContext& context) {
-  double reach = radius_;  // as far as somebody stands whom a wall may hide
-  for (const Vec2& other : others) {
-    reach = std::max(reach, (other - point).norm());
-  }
-  findWallsAround(point, reach, context);
-  takeShare(point, others);
+  // As far as others may stand who take a share.
+  findWallsAround(point, others.empty() ? radius_ : 2.0 * radius_, context);
   takeVisible();
+  for (const Vec2& other : others) {
+    if (other != point && !isHidden(other - point)) {  // two in one place share it
+      cut(other - point);
+    }
+  }
   return areaInCircle(cell_, radius_);
 }
 

@@ -26,11 +26,8 @@ class CellAreas {
  private:
   void findWallsAround(const Vec2& point, double reach, const RunContext& context);
   bool isHidden(const Vec2& other) const;
-  void takeShare(const Vec2& point, const std::vector<Vec2>& others);
-  bool takes(const Vec2& other) const;
-  void cut(const Vec2& other);
   void takeVisible();
-  bool isBeyond(const sim2d::Segment& wall) const;
+  void cut(const Vec2& other);
 
   double radius_;
   std::vector<Vec2> cell_, part_;  // corners around the point, which is the origin

@@ -95,6 +95,14 @@ void Panorama::look(const std::vector<sim2d::Segment>& walls) {
   addViewsOf(0, walls_.size());
 }
 
+void Panorama::add(const std::vector<sim2d::Segment>& walls) {
+  const std::size_t before = walls_.size();
+  walls_.insert(walls_.end(), walls.begin(), walls.end());
+  const std::size_t seen = views_.size();
+  addViewsOf(before, walls_.size());
+  mergeFrom(0, seen);
+}
+
 /// Those of some walls behind the others.
 void Panorama::addViewsOf(std::size_t first, std::size_t end) {
   if (end - first < 2) {
@@ -111,11 +119,13 @@ void Panorama::addViewsOf(std::size_t first, std::size_t end) {
   mergeFrom(start, second);
 }
 
-/// None of a wall that is seen edge-on.
+/// None of a wall that is seen edge-on, where rounding alone tells which end is the first.
 void Panorama::addViewsOfOne(std::size_t wall) {
+  constexpr double kEdgeOn = 1e-12;  // [rad]
   const sim2d::Segment& its = walls_[wall];
   const double side = base::cross(its.a, its.b);
-  if (side == 0.0) {
+  const double squares = its.a.squaredNorm() * its.b.squaredNorm();
+  if (side * side <= kEdgeOn * kEdgeOn * squares) {
     return;
   }
   const Turn from = turnTo(side > 0.0 ? its.a : its.b);

@@ -23,6 +23,8 @@ class Panorama {
 
   /// Forgets the walls before.
   void look(const std::vector<sim2d::Segment>& walls);
+  /// Others as well.
+  void add(const std::vector<sim2d::Segment>& walls);
   /// By their turns, from -pi to pi; where there is none, no wall stands.
   const std::vector<View>& views() const { return views_; }
   const sim2d::Segment& wall(const View& view) const { return walls_[view.wall]; }

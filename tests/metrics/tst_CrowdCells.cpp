@@ -57,6 +57,18 @@ Scene randomScene(std::uint32_t seed) {
   return scene;
 }
 
+Scene sceneOf(const sim2d::Outline& outline) {
+  Scene scene;
+  sim2d::Obstacles obstacles;
+  obstacles.add({outline});
+  obstacles.build();
+  scene.context.walls = std::make_shared<const sim2d::Obstacles>(std::move(obstacles));
+  for (std::size_t i = 0; i < outline.points.size(); ++i) {
+    scene.walls.push_back({outline.points[i], outline.points[(i + 1) % outline.points.size()]});
+  }
+  return scene;
+}
+
 /// Along the unit vector to the line of two points; infinite when it runs beside or away.
 double distanceAlong(const Vec2& direction, const Vec2& a, const Vec2& b) {
   const double distance = base::cross(a, b - a) / base::cross(direction, b - a);
@@ -178,6 +190,41 @@ class CrowdCellsTest : public QObject {
       isSmaller += expected < plainArea(open) - 1e-6 ? 1 : 0;
     }
     QVERIFY(isSmaller > 150);  // the walls mattered
+  }
+
+  /// Bisectors of four on one circle meet in one corner.
+  void area_inRowsBesideAWall_isThatOfThePlainWay() {
+    sim2d::Outline wall;
+    wall.points = {Vec2(-3.0, -0.6), Vec2(3.0, -0.6), Vec2(3.0, -0.4), Vec2(-3.0, -0.4)};
+    Scene scene = sceneOf(wall);
+    CellAreas areas(kRadius);
+    for (int i = 0; i < 20; ++i) {
+      for (int k = 0; k < 20; ++k) {
+        const double x = 0.3 + 0.05 * i;
+        const double y = 0.3 + 0.05 * k;
+        scene.others = {Vec2(x, 0.0), Vec2(-x, 0.0), Vec2(0.0, y), Vec2(x, y), Vec2(-x, y)};
+        const double expected = plainArea(scene);
+        const double area = areas.areaOf(Vec2(0, 0), scene.others, scene.context);
+        QVERIFY2(
+            std::fabs(area - expected) < 1e-9,
+            qPrintable(QStringLiteral("%1, %2: %3, not %4").arg(x).arg(y).arg(area).arg(expected)));
+      }
+    }
+  }
+
+  /// Which of its ends is the first is a matter of rounding.
+  void area_wallSeenEdgeOn_takesWhatIsBehind() {
+    CellAreas areas(kRadius);
+    for (int k = 0; k < 200; ++k) {
+      const Vec2 along = base::directionOf(-3.1 + 0.031 * k);
+      sim2d::Outline wedge;
+      wedge.points = {0.6 * along, 1.7 * along, 1.1 * along + 0.3 * Vec2(-along.y(), along.x())};
+      const Scene scene = sceneOf(wedge);
+      const double expected = plainArea(scene);
+      const double area = areas.areaOf(Vec2(0, 0), {}, scene.context);
+      QVERIFY2(std::fabs(area - expected) < 1e-9,
+               qPrintable(QStringLiteral("%1: %2, not %3").arg(k).arg(area).arg(expected)));
+    }
   }
 
   /// Walls cubed would take minutes: the limit of the program ends it then.
