@@ -241,12 +241,16 @@ Scale roomyScale(double low, double high, double from, double to) {
 
 std::vector<double> axisTicks(const Scale& scale) {
   constexpr double kRoom = 60.0;  // px for a number
-  constexpr int kEnough = 8;      // steps of the whole: two of them have ticks
-  int count = std::max(2, static_cast<int>((scale.to - scale.from) / kRoom));
-  std::vector<double> at = ticks(scale.low, scale.high, count);
-  while (at.size() < 2 && count < kEnough) {  // one alone tells no scale
-    count *= 2;
-    at = ticks(scale.low, scale.high, count);
+  const int most = std::max(2, static_cast<int>((scale.to - scale.from) / kRoom));
+  std::vector<double> at = ticks(scale.low, scale.high, most);
+  for (int count = 2 * most; at.size() < 2 && count <= 4 * most; count *= 2) {
+    at = ticks(scale.low, scale.high, count);  // one alone tells no scale
+  }
+  if (at.size() > static_cast<std::size_t>(most) + 1) {  // each second one
+    for (std::size_t k = 0; 2 * k < at.size(); ++k) {
+      at[k] = at[2 * k];
+    }
+    at.resize((at.size() + 1) / 2);
   }
   return at;
 }

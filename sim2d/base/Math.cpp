@@ -212,7 +212,7 @@ struct SplitExp {
   Number value, exponent;
 };
 
-/// exp of a number that is not beyond all.
+/// exp of a number for which it neither overflows nor underflows to 0.
 template <class Number>
 SplitExp<Number> splitExp(const Number& x) {
   const Number k = nearest<Number>(x * kInvLn2);

@@ -38,8 +38,9 @@ bool isNearer(const Obstacles::Point& a, const Obstacles::Point& b) {
                                           : a.position.y() < b.position.y();
 }
 
-/// From each of the points, which are in their order and before it. None that is so much nearer to
-/// the position can be near the point.
+/// From each of the points before it, which are sorted by distance. One that is nearer to the
+/// position by more than the merge distance is farther than that from the point, and so are all
+/// before it.
 template <class Iterator>
 bool isFarFromAll(const Obstacles::Point& point, Iterator begin, Iterator end) {
   while (begin != end) {
@@ -229,7 +230,7 @@ bool Obstacles::PointQuery::mayBeCorner(int edge, const Vec2& middle) const {
 }
 
 /// The foot of the perpendicular on an edge is a local minimum; edges face to their right.
-inline void Obstacles::addFoot(int edge, const PointQuery& query) const {
+void Obstacles::addFoot(int edge, const PointQuery& query) const {
   const Edge& info = edges_[static_cast<std::size_t>(edge)];
   const Vec2& start = segments_[static_cast<std::size_t>(edge)].a;
   const Vec2 offset = query.position - start;
@@ -245,7 +246,7 @@ inline void Obstacles::addFoot(int edge, const PointQuery& query) const {
 
 /// The first corner of an edge is a local minimum when the position lies ahead of neither of the
 /// two edges that leave it.
-inline void Obstacles::addCorner(int edge, const PointQuery& query) const {
+void Obstacles::addCorner(int edge, const PointQuery& query) const {
   const Edge& info = edges_[static_cast<std::size_t>(edge)];
   const Vec2& corner = segments_[static_cast<std::size_t>(edge)].a;
   const Vec2& in = edges_[static_cast<std::size_t>(info.previous)].along;
@@ -263,7 +264,7 @@ inline void Obstacles::addCorner(int edge, const PointQuery& query) const {
 
 /// Whether free space begins at a point of two edges (or twice the same), on their right: no other
 /// obstacle covers it.
-inline bool Obstacles::isExposed(const Vec2& place, int edge, int other) const {
+bool Obstacles::isExposed(const Vec2& place, int edge, int other) const {
   const Edge& info = edges_[static_cast<std::size_t>(edge)];
   const Edge& otherInfo = edges_[static_cast<std::size_t>(other)];
   const bool isBare = edge == other ? info.isBare

@@ -11,7 +11,7 @@ namespace sim2d {
 
 namespace {
 
-constexpr double kBucketSize = 0.5;  // [m]
+constexpr double kBucketSize = 1.0;  // [m]
 constexpr double kCellSide = 2.0;    // [m]
 
 /// The segment is crossed by the horizontal line of `y`, seen from its lower end (half open, so a

@@ -67,7 +67,7 @@ void SegmentGrid::build(const std::vector<Segment>& segments, double bucketSize)
   findAway();
 }
 
-/// In two sweeps, one from each corner: each is a ring farther away than the nearest beside it.
+/// In two sweeps, from opposite corners: each is a ring farther away than the nearest beside it.
 void SegmentGrid::findAway() {
   constexpr int kMost = 255;
   away_.assign(start_.size() - 1, 0);

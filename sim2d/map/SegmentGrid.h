@@ -52,8 +52,8 @@ class SegmentGrid {
   template <class Visit>
   void visitNear(const Vec2& point, const double& limit, Visit visit) const;
 
-  /// visit(Items, double end) for the buckets along a ray in order that hold any; `end` = distance
-  /// at which the ray leaves the bucket. Returning false ends the walk.
+  /// visit(Items, double end) for those buckets along a ray that hold any, in order; `end` =
+  /// distance at which the ray leaves the bucket. Returning false ends the walk.
   template <class Visit>
   void visitRay(const Vec2& from, const Vec2& direction, double range, Visit visit) const;
 
@@ -61,7 +61,7 @@ class SegmentGrid {
   struct Walk {  // state of a ray in the buckets
     Bucket bucket, step;
     Vec2 next = Vec2::Zero(), delta = Vec2::Zero();  // distance to the next border; between borders
-    Vec2 borders = Vec2::Zero();                     // on a metre
+    Vec2 borders = Vec2::Zero();                     // crossed per metre
   };
   struct Span {
     int first = 0, last = -1;

@@ -35,7 +35,7 @@ class Line {
     return isApart(base::cross(along_, a), base::cross(along_, b), 0.0) ||
            isApart(along_.dot(a), along_.dot(b), length_);
   }
-  /// Beyond the reach of the line on and on, at the other side than the point. As sure.
+  /// Beyond the reach of the endless line, at the other side than the point. Sure, too.
   bool isFarBehind(const Segment& wall, const Vec2& point) const {
     const double side = base::cross(along_, point - start_) < 0.0 ? -1.0 : 1.0;
     return side * base::cross(along_, wall.a - start_) < -reach_ &&
@@ -57,7 +57,7 @@ double roomFor(double clearance) {
   return std::max(clearance, kLeastRoom);
 }
 
-/// Whether the distance between them is less.
+/// Whether `distanceBetween` is less than the room, but for the slack; mostly known early.
 bool isInTheWay(const Segment& wall, const Segment& way, double room) {
   const double least = room - kSlack;
   return segmentsTouch(way, wall) || distanceToSegment(wall, way.a) < least ||

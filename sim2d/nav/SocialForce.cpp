@@ -39,6 +39,16 @@ double sideOf(double theta, double width) {
   return theta > 0.0 ? 1.0 : (theta < 0.0 ? -1.0 : 0.0);
 }
 
+Vec2 awayFrom(const Obstacles::Point& point, const Walker& self) {
+  return point.inside ? Vec2(point.position - self.position) : Vec2(self.position - point.position);
+}
+
+/// `share` of the factor that is left at the distance.
+Vec2 pushOf(const ForceParameters& parameters, const Vec2& away, double distance, double share) {
+  return distance < kShortest ? Vec2::Zero()
+                              : Vec2(parameters.obstacleFactor * share / distance * away);
+}
+
 }  // namespace
 
 base::ParameterTable<ForceParameters> forceTable() {
@@ -141,9 +151,10 @@ double socialRange(const ForceParameters& parameters, double speed, double other
 
 Vec2 obstacleForce(const ForceParameters& parameters, const Walker& self,
                    const Obstacles::Point& point) {
-  std::vector<Vec2> forces;
-  obstacleForces(parameters, self, {point}, forces);
-  return forces.front();
+  const Vec2 away = awayFrom(point, self);
+  const double distance = away.norm();
+  const double gap = distance - self.radius;
+  return pushOf(parameters, away, distance, base::exp(-gap / parameters.obstacleRange));
 }
 
 void obstacleForces(const ForceParameters& parameters, const Walker& self,
@@ -153,8 +164,7 @@ void obstacleForces(const ForceParameters& parameters, const Walker& self,
   shares.clear();
   forces.clear();
   for (const Obstacles::Point& point : points) {
-    const Vec2 away =
-        point.inside ? Vec2(point.position - self.position) : Vec2(self.position - point.position);
+    const Vec2 away = awayFrom(point, self);
     const double distance = away.norm();
     const double gap = distance - self.radius;
     forces.push_back(away);
@@ -163,8 +173,7 @@ void obstacleForces(const ForceParameters& parameters, const Walker& self,
   }
   base::expEach(shares.data(), shares.size());
   for (std::size_t i = 0; i < forces.size(); ++i) {
-    const double strength = parameters.obstacleFactor * shares[i];
-    forces[i] = distances[i] < kShortest ? Vec2::Zero() : Vec2(strength / distances[i] * forces[i]);
+    forces[i] = pushOf(parameters, forces[i], distances[i], shares[i]);
   }
 }
 
