@@ -6,8 +6,8 @@
 
 namespace sim2d {
 
-/// The force of each point of an obstacle (`obstacleForce`), in their order; takes the place of
-/// what `forces` held.
+/// `obstacleForce` [m/s^2] of each point of a wall by itself, in their order and with the same
+/// bits; they take the place of what `forces` held. In SocialForce.cpp, beside it. Any thread.
 void obstacleForces(const ForceParameters& parameters, const Walker& self,
                     const std::vector<Obstacles::Point>& points, std::vector<Vec2>& forces);
 
