@@ -1,6 +1,7 @@
 #include "sim2d/nav/SocialForce.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sim2d/base/Math.h"
@@ -119,9 +120,11 @@ Vec2 socialForce(const ForceParameters& parameters, const Walker& self, const Wa
   const double theta = base::wrapToPi(angle + parameters.epsilon * reach);
   const double forSpeed = parameters.nPrime * reach * theta;
   const double forTurn = parameters.n * reach * theta;
-  const double slowing = -base::exp(-distance / reach - forSpeed * forSpeed);
-  const double side = sideOf(theta, parameters.turnWidth);
-  const double turning = -side * base::exp(-distance / reach - forTurn * forTurn);
+  const double decay = -distance / reach;
+  std::array<double, 2> shares = {decay - forSpeed * forSpeed, decay - forTurn * forTurn};
+  base::expEach(shares.data(), shares.size());
+  const double slowing = -shares[0];
+  const double turning = -sideOf(theta, parameters.turnWidth) * shares[1];
   return parameters.socialFactor * (slowing * along + turning * left);
 }
 

@@ -18,6 +18,7 @@ class BoundaryWalkTest : public QObject {
  private Q_SLOTS:
   void boundaryPoints_alongWalks_areThoseOfAllEdges_data();
   void boundaryPoints_alongWalks_areThoseOfAllEdges();
+  void boundaryPoints_manyCorners_areThoseOfAllEdges_data();
   void boundaryPoints_manyCorners_areThoseOfAllEdges();
 };
 
@@ -25,8 +26,9 @@ namespace {
 
 constexpr double kSpacing = 3.0;  // [m] of shapes, which touch nobody
 
-/// L shapes and polygons of many corners, turned at random, counter-clockwise.
-std::vector<Outline> scatteredShapes(int side, int corners, unsigned seed) {
+/// L shapes and polygons of many corners, turned at random, counter-clockwise. Every second corner
+/// of a polygon lies deeper by the share `notch`.
+std::vector<Outline> scatteredShapes(int side, int corners, unsigned seed, double notch = 0.0) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> turn(0.0, 6.28);
   std::uniform_real_distribution<double> aside(-0.2, 0.2);
@@ -43,7 +45,9 @@ std::vector<Outline> scatteredShapes(int side, int corners, unsigned seed) {
     } else {
       for (int i = 0; i < corners; ++i) {
         const double angle = 6.283185307179586 * i / corners;
-        shape.points.push_back(pose.toWorld({0.9 * std::cos(angle), 0.6 * std::sin(angle)}));
+        const double size = i % 2 == 0 ? 1.0 : 1.0 - notch;
+        shape.points.push_back(
+            pose.toWorld({0.9 * size * std::cos(angle), 0.6 * size * std::sin(angle)}));
       }
     }
     shapes.push_back(shape);
@@ -149,9 +153,18 @@ void BoundaryWalkTest::boundaryPoints_alongWalks_areThoseOfAllEdges() {
   walk(scatteredShapes(5, 9, 7), 5, range, 6000, 11);
 }
 
-/// More edges than are kept of a square.
+void BoundaryWalkTest::boundaryPoints_manyCorners_areThoseOfAllEdges_data() {
+  QTest::addColumn<int>("corners");
+  QTest::addColumn<double>("notch");
+  QTest::newRow("round") << 160 << 0.0;
+  QTest::newRow("jagged") << 40 << 0.05;
+  QTest::newRow("more edges than are kept of a square") << 600 << 0.01;
+}
+
 void BoundaryWalkTest::boundaryPoints_manyCorners_areThoseOfAllEdges() {
-  walk(scatteredShapes(4, 160, 3), 4, 5.0, 1000, 5);
+  QFETCH(int, corners);
+  QFETCH(double, notch);
+  walk(scatteredShapes(4, corners, 3, notch), 4, 5.0, 1000, 5);
 }
 
 QTEST_APPLESS_MAIN(BoundaryWalkTest)
