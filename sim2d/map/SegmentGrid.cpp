@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace sim2d {
 
@@ -135,6 +136,8 @@ bool SegmentGrid::clip(const Vec2& from, const Vec2& direction, double& begin, d
     }
     clipParameter(from[axis], direction[axis], origin_[axis], high[axis], begin, end);
   }
+  // Of places too far apart for a number the direction is 0: such a ray leaves no bucket.
+  end = std::min(end, std::numeric_limits<double>::max());
   return begin <= end;
 }
 

@@ -116,6 +116,7 @@ class ObstaclesTest : public QObject {
   void raycast_throughCorner_hits();
   void raycast_inside_isZero();
   void isVisible_cases();
+  void isVisible_placesTooFarApart_ends();
   void setEnabled_door_opensSight();
   void segmentsNear_openDoor_areThoseOfTheRestOnceInOrder();
   void segmentsNear_enoughRoom_takesNoMemory();
@@ -398,6 +399,16 @@ void ObstaclesTest::isVisible_cases() {
   QVERIFY(box.isVisible({-3, 2}, {-3, 2}));
   QVERIFY(!box.isVisible({0.1, 0}, {0.2, 0}));  // both in the solid
   QVERIFY(Obstacles().isVisible({0, 0}, {5, 5}));
+}
+
+/// Their distance is infinite and the direction 0; what stands is far from where the ray begins.
+void ObstaclesTest::isVisible_placesTooFarApart_ends() {
+  const Obstacles boxes =
+      obstaclesOf({{boxOutline({{-9, -9}, 0.0}, 1.0, 1.0)}, {boxOutline({{9, 9}, 0.0}, 1.0, 1.0)}});
+  for (const double far : {1e155, 1e308, -1e308}) {
+    QVERIFY(boxes.isVisible({0, 0}, {far, 3}));
+    QVERIFY(boxes.isVisible({3, far}, {0, 0}));
+  }
 }
 
 void ObstaclesTest::setEnabled_door_opensSight() {
