@@ -33,7 +33,18 @@ void ElidedLabel::setWords(const QString& words) {
 }
 
 QString ElidedLabel::shownWords() const {
-  return fontMetrics().elidedText(text(), Qt::ElideMiddle, contentsRect().width());
+  static const QString between = QStringLiteral(" · ");
+  const QString all = text();
+  const int room = contentsRect().width();
+  const auto fits = [&](const QString& words) {
+    return fontMetrics().horizontalAdvance(words) <= room;
+  };
+  QString shown = all;
+  for (int end = all.lastIndexOf(between); end > 0 && !fits(shown);
+       end = all.lastIndexOf(between, end - 1)) {
+    shown = all.left(end) + QStringLiteral(" …");
+  }
+  return fits(shown) ? shown : fontMetrics().elidedText(all, Qt::ElideMiddle, room);
 }
 
 void ElidedLabel::paintEvent(QPaintEvent* /*event*/) {

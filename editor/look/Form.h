@@ -47,8 +47,8 @@ class FormSection : public QWidget {
   QGridLayout* grid_;
 };
 
-/// One line that asks for no width of its own: what does not fit loses its middle, and the tool tip
-/// has the whole. `text` stays whole.
+/// One line that asks for no width of its own: of what does not fit the last parts go (they stand
+/// between " · "), of one part the middle. The tool tip has the whole, and `text` stays whole.
 class ElidedLabel : public QLabel {
  public:
   explicit ElidedLabel(QWidget* parent);

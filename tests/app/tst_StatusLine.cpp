@@ -87,7 +87,7 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     QVERIFY(isHinted("Until the robot arrives, at most 120 s"));
   }
 
-  void hint_thatDoesNotFit_losesItsMiddleAndHasATooltip() {
+  void hint_thatDoesNotFit_losesItsLastPartsFirst() {
     window_->resize(window_->minimumSize());
     runner().play();
     QVector<editor::ElidedLabel*> hints;
@@ -98,8 +98,15 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     }
     QVERIFY(!hints.isEmpty());
     QCoreApplication::processEvents();
-    const editor::ElidedLabel& hint = *hints.front();
+    editor::ElidedLabel& hint = *hints.front();
     QVERIFY(hint.shownWords().size() < hint.text().size());
+    QCOMPARE(hint.text(), QStringLiteral("Space pauses · Click a person to watch"));
+    hint.resize(hint.fontMetrics().horizontalAdvance(hint.text()) - 5, hint.height());
+    QCOMPARE(hint.shownWords(), QStringLiteral("Space pauses …"));
+    hint.resize(hint.fontMetrics().horizontalAdvance(QStringLiteral("Space pau")), hint.height());
+    const QString shown = hint.shownWords();  // of one part the middle
+    QVERIFY2(shown.startsWith(QStringLiteral("Sp")) && !shown.endsWith(QStringLiteral("…")),
+             qPrintable(shown));
     QCOMPARE(hint.toolTip(), hint.text());
   }
 };
