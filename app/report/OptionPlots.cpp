@@ -147,8 +147,8 @@ std::optional<Figure> paretoFigure(const Study& study, const MetricComparison& x
   constexpr double kWidth = 720.0;
   constexpr double kHeight = 360.0;
   Figure figure("pareto", kWidth, kHeight);
-  const Plane plane{roomyScale(wide.low, wide.high, 64.0, kWidth - 130.0),
-                    roomyScale(high.low, high.high, kHeight - 52.0, 34.0)};
+  const Plane plane{scaleOfValues(wide, 64.0, kWidth - 130.0),
+                    scaleOfValues(high, kHeight - 52.0, 34.0)};
   plane.draw(figure, metricX, metricY);
   Numbers atX;
   Numbers atY;

@@ -38,6 +38,11 @@ void Extent::add(double value) {
   }
 }
 
+Scale scaleOfValues(const Extent& values, double from, double to) {
+  const bool areZeros = values.low == 0.0 && values.high == 0.0;
+  return roomyScale(values.low, areZeros ? 1.0 : values.high, from, to);
+}
+
 std::vector<const MetricComparison*> ofKind(const Study& study, const Comparisons& comparisons,
                                             bool rates) {
   std::vector<const MetricComparison*> found;

@@ -25,6 +25,8 @@ struct Extent {
   bool isEmpty() const { return low > high; }
 };
 
+/// As roomyScale does; where there is nothing but zeros, from them to one.
+Scale scaleOfValues(const Extent& values, double from, double to);
 /// The comparisons of rates, or of the other metrics.
 std::vector<const MetricComparison*> ofKind(const Study& study, const Comparisons& comparisons,
                                             bool rates);

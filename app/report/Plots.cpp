@@ -25,7 +25,7 @@ void intervalPanel(Figure& figure, const Study& study, const MetricComparison& c
   }
   const double right = left + width - 18.0;
   const Scale scale = metric.isRate ? Scale{0.0, 1.0, left + kNames, right}
-                                    : roomyScale(extent.low, extent.high, left + kNames, right);
+                                    : scaleOfValues(extent, left + kNames, right);
   optionNames(figure, study, left, top + kTitle, kRow);
   const double bottom = top + kTitle + static_cast<double>(study.options.size()) * kRow;
   for (const double tick : axisTicks(scale)) {
@@ -99,7 +99,7 @@ void distributionPanel(Figure& figure, const Study& study, const MetricCompariso
       extent.add(value);
     }
   }
-  const Scale scale = roomyScale(extent.low, extent.high, left + kNames, left + width - 18.0);
+  const Scale scale = scaleOfValues(extent, left + kNames, left + width - 18.0);
   optionNames(figure, study, left, top + kTitle, kRow);
   for (std::size_t option = 0; option < comparison.estimates.size(); ++option) {
     const Numbers& values = comparison.estimates[option].values;

@@ -5,6 +5,7 @@
 #include "app/report/Comparison.h"
 #include "app/report/Figure.h"
 #include "app/report/Markup.h"
+#include "app/report/PlotParts.h"
 
 using namespace report;
 
@@ -86,6 +87,8 @@ class ReportPiecesTest : public QObject {
     const Scale equal = roomyScale(5.0, 5.0, 0.0, 10.0);
     QVERIFY(equal.low < 5.0 && equal.high > 5.0);
     QCOMPARE(roomyScale(1.0, 0.0, 0.0, 10.0).high, 1.0);  // nothing to show
+    const Scale zeros = scaleOfValues({0.0, 0.0}, 0.0, 136.0);
+    QCOMPARE(axisTicks(zeros), std::vector<double>({0.0, 1.0}));  // no contacts below none
   }
 
   void shortened_utf8_cutsNoCharacter() {
