@@ -34,7 +34,8 @@ std::vector<Outline> scatteredShapes(int side, int corners, unsigned seed, doubl
   std::uniform_real_distribution<double> aside(-0.2, 0.2);
   std::vector<Outline> shapes;
   for (int k = 0; k < side * side; ++k) {
-    const Vec2 centre(kSpacing * (k % side) + aside(random), kSpacing * (k / side) + aside(random));
+    const int row = k / side;
+    const Vec2 centre(kSpacing * (k % side) + aside(random), kSpacing * row + aside(random));
     const sim2d::Pose2 pose{centre, base::wrapToPi(turn(random))};
     Outline shape;
     if (k % 2 == 0) {
