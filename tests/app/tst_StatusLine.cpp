@@ -1,3 +1,5 @@
+#include <QStatusBar>
+
 #include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
 #include "editor/look/HouseStyle.h"
