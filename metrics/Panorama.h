@@ -13,7 +13,7 @@ class Panorama {
  public:
   struct Turn {
     double rank = 0.0;  // `rankOf` the direction; the turn of -pi has -2
-    base::Vec2 towards = base::Vec2::UnitX();
+    base::Vec2 towards{1.0, 0.0};
   };
   /// Between two turns nothing is nearer than this wall.
   struct View {

@@ -41,7 +41,7 @@ struct Pair {
   double bearing = 0.0;               // of the person, from the robot
   double viewAngle = 0.0;             // between the person's heading and the robot, [0, pi]
   double timeToCollision = HUGE_VAL;  // [s]
-  Vec2 ahead = Vec2::UnitX();         // direction of the person's heading
+  Vec2 ahead{1.0, 0.0};               // direction of the person's heading
   Vec2 forceOnRobot = Vec2::Zero();   // social force [m/s^2]
   double forceOnPerson = 0.0;         // its modulus
   Sight sight = Sight::Blocked;       // asked for when some metric needs the map

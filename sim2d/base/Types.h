@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 
 /// Types of every layer. SI units, radians. World frame: x right, y up, headings counter-clockwise
@@ -13,7 +15,7 @@ constexpr double kFarthest = 1e6;  // [m]; places lie no farther out
 
 /// Whether a place is finite and lies within that.
 inline bool isInReach(const Vec2& place) {
-  return place.allFinite() && place.cwiseAbs().maxCoeff() <= kFarthest;
+  return std::abs(place.x()) <= kFarthest && std::abs(place.y()) <= kFarthest;
 }
 
 /// The angle in (-pi, pi] that differs from `angle` by whole turns. Not finite in, NaN out.
@@ -41,7 +43,8 @@ struct Pose2 {
   Vec2 toLocal(const Vec2& pointInWorld) const;
 
   friend bool operator==(const Pose2& a, const Pose2& b) {
-    return a.position == b.position && a.heading == b.heading;
+    return a.position.x() == b.position.x() && a.position.y() == b.position.y() &&
+           a.heading == b.heading;
   }
   friend bool operator!=(const Pose2& a, const Pose2& b) { return !(a == b); }
 };

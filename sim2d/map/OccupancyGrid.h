@@ -68,7 +68,7 @@ class OccupancyGrid {
   int height_ = 0;
   double resolution_ = 0.05;  // [m]
   Pose2 origin_;
-  Vec2 axis_ = Vec2::UnitX();                              // direction of growing columns
+  Vec2 axis_{1.0, 0.0};                                    // direction of growing columns
   std::shared_ptr<const std::vector<std::int8_t>> cells_;  // null: none
 };
 

@@ -33,7 +33,7 @@ struct LidarTurn {
   double time = 0.0;                                  // [s]
   Pose2 sensor;                                       // where the robot takes its sensor to be
   Vec2 origin = Vec2::Zero();                         // where it is
-  Vec2 ahead = Vec2::UnitX();                         // along the first beam
+  Vec2 ahead{1.0, 0.0};                               // along the first beam
   bool isInsideObstacle = false;                      // then all beams have the distance 0
   std::shared_ptr<const std::vector<Segment>> walls;  // not null; all within range
   std::vector<SensedBody> bodies;

@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,38 +37,56 @@ struct BodyColumns {
     omega.push_back(turning);
     goal.push_back(itsGoal);
   }
-  auto columns() { return std::tie(id, x, y, heading, vx, vy, omega, goal); }
-  auto columns() const { return std::tie(id, x, y, heading, vx, vy, omega, goal); }
-  friend bool operator==(const BodyColumns& a, const BodyColumns& b) {
-    return a.columns() == b.columns();
+  /// visit(pointer to member) for each column.
+  template <class Visit>
+  static void eachColumn(Visit visit) {
+    using T = BodyColumns;
+    visit(&T::id);
+    visit(&T::x);
+    visit(&T::y);
+    visit(&T::heading);
+    visit(&T::vx);
+    visit(&T::vy);
+    visit(&T::omega);
+    visit(&T::goal);
   }
 };
+bool operator==(const BodyColumns& a, const BodyColumns& b);
 using RobotColumns = BodyColumns;
 
 struct HumanColumns : BodyColumns {
   std::vector<int> group;           // -1 = none
   std::vector<std::uint8_t> state;  // 1 while a reaction or social action runs
 
-  auto columns() { return std::tuple_cat(BodyColumns::columns(), std::tie(group, state)); }
-  auto columns() const { return std::tuple_cat(BodyColumns::columns(), std::tie(group, state)); }
-  friend bool operator==(const HumanColumns& a, const HumanColumns& b) {
-    return a.columns() == b.columns();
+  template <class Visit>
+  static void eachColumn(Visit visit) {
+    BodyColumns::eachColumn(visit);
+    visit(&HumanColumns::group);
+    visit(&HumanColumns::state);
   }
 };
+bool operator==(const HumanColumns& a, const HumanColumns& b);
 
 /// Terms of the force on each person [m/s²] in the step that led to this state; the sum of the
 /// terms is what moved the person. Empty in step 0 and after a step that failed.
 struct ForceColumns {
   std::vector<Vec2> goal, social, obstacle, group;
 
-  auto columns() { return std::tie(goal, social, obstacle, group); }
-  auto columns() const { return std::tie(goal, social, obstacle, group); }
+  template <class Visit>
+  static void eachColumn(Visit visit) {
+    using T = ForceColumns;
+    visit(&T::goal);
+    visit(&T::social);
+    visit(&T::obstacle);
+    visit(&T::group);
+  }
 };
+bool operator==(const ForceColumns& a, const ForceColumns& b);
 
 /// Calls visit(column) for each of the columns.
 template <class Columns, class Visit>
 void forEachColumn(Columns& columns, Visit visit) {
-  std::apply([&visit](auto&... column) { (visit(column), ...); }, columns.columns());
+  Columns::eachColumn([&](auto column) { visit(columns.*column); });
 }
 
 enum class EventKind {  // in the order of the file
@@ -99,11 +116,8 @@ struct Event {
   int other = 0;
   bool hasOther = false;
   std::string text;
-  friend bool operator==(const Event& a, const Event& b) {
-    return std::tie(a.kind, a.id, a.hasId, a.other, a.hasOther, a.text) ==
-           std::tie(b.kind, b.id, b.hasId, b.other, b.hasOther, b.text);
-  }
 };
+bool operator==(const Event& a, const Event& b);
 
 /// Nodes of behaviour trees that returned another status than in the step before. In the first step
 /// nearly all nodes of all people do, so that a change takes four bytes.

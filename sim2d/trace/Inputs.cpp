@@ -51,6 +51,11 @@ void readRow(CsvTable& row, RecordedInputs& inputs) {
 
 }  // namespace
 
+bool operator==(const Input& a, const Input& b) {
+  return a.kind == b.kind && a.id == b.id && a.name == b.name && a.pose == b.pose &&
+         a.velocity == b.velocity && a.omega == b.omega && a.desiredVelocity == b.desiredVelocity;
+}
+
 const char* inputKindName(InputKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -35,14 +34,8 @@ struct Input {
   base::Vec2 velocity = {0.0, 0.0};      // Set, Push [m/s]; Robot: x ahead, y to its left
   double omega = 0.0;                    // Robot [rad/s]
   base::Vec2 desiredVelocity{0.0, 0.0};  // Set [m/s]
-
-  friend bool operator==(const Input& a, const Input& b) {
-    return std::tie(a.kind, a.id, a.name, a.pose.position, a.pose.heading, a.velocity, a.omega,
-                    a.desiredVelocity) == std::tie(b.kind, b.id, b.name, b.pose.position,
-                                                   b.pose.heading, b.velocity, b.omega,
-                                                   b.desiredVelocity);
-  }
 };
+bool operator==(const Input& a, const Input& b);
 
 /// All of one step, in the order in which they act.
 using StepInputs = std::vector<Input>;

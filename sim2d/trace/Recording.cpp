@@ -36,6 +36,8 @@ void apply(const TreeChanges& changes, std::map<int, TreeStatuses>& trees,
 Recording::Recording(int recordEvery, std::size_t mostInMemory, std::string folder)
     : recordEvery_(recordEvery), history_(mostInMemory, std::move(folder)) {}
 
+Recording::~Recording() = default;
+
 void Recording::append(const Frame& frame) {
   if (frame.treeChanges.size() > 0) {
     addTreeChanges(frame.step, frame.treeChanges);
@@ -58,6 +60,14 @@ void Recording::append(const Frame& frame) {
 void Recording::addState(const Frame& frame) {
   history_.append(frame);
   states_.append({frame.step, frame.time});
+}
+
+void Recording::addEvent(std::int64_t step, Event event) {
+  events_.append({step, std::move(event)});
+}
+
+void Recording::addInput(std::int64_t step, Input input) {
+  inputs_.append({step, std::move(input)});
 }
 
 void Recording::addTreeChanges(std::int64_t step, const TreeChanges& changes) {
@@ -120,6 +130,10 @@ RecordedInputs Recording::inputsUntil(std::int64_t step) const {
 std::shared_ptr<const TraceHeader> Recording::header() const {
   const std::size_t count = headers_.size();
   return count > 0 ? headers_[count - 1] : std::make_shared<const TraceHeader>();
+}
+
+TreeStatuses Recording::treeAt(int person, std::int64_t step) const {
+  return treesAt(step, person)[person];
 }
 
 std::map<int, TreeStatuses> Recording::treesAt(std::int64_t step, std::optional<int> only) const {

@@ -39,12 +39,13 @@ class Recording final : public FrameSink {
   /// `folder`: of the temporary file; empty: the system's.
   explicit Recording(int recordEvery = 1, std::size_t mostInMemory = kUsualMemory,
                      std::string folder = {});
+  ~Recording() override;
 
   // the writer; steps rise within frames, events and tree changes
   void append(const Frame& frame) override;  // its parts, as far as they are recorded
   void addState(const Frame& frame);
-  void addEvent(std::int64_t step, Event event) { events_.append({step, std::move(event)}); }
-  void addInput(std::int64_t step, Input input) { inputs_.append({step, std::move(input)}); }
+  void addEvent(std::int64_t step, Event event);
+  void addInput(std::int64_t step, Input input);
   void addTreeChanges(std::int64_t step, const TreeChanges& changes);
   /// Before the first state with somebody who is not in the header so far.
   void setHeader(TraceHeader header);
@@ -68,7 +69,7 @@ class Recording final : public FrameSink {
   RecordedInputs inputsUntil(std::int64_t step) const;  // those that led to it too
   std::shared_ptr<const TraceHeader> header() const;    // the newest; never null
   /// What the nodes returned last at that step, recorded or not; of one person, or by id.
-  TreeStatuses treeAt(int person, std::int64_t step) const { return treesAt(step, person)[person]; }
+  TreeStatuses treeAt(int person, std::int64_t step) const;
   std::map<int, TreeStatuses> treesAt(std::int64_t step, std::optional<int> only = {}) const;
 
   // all of it; of states those that are kept

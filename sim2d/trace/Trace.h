@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <string>
-#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,25 +18,15 @@ namespace sim2d {
 /// visit(name, member) for each.
 template <class T, class Visit>
 void forEachMember(T& of, Visit visit) {
-  std::apply([&](const auto&... each) { (visit(each.first, of.*each.second), ...); },
-             std::decay_t<T>::members());
-}
-
-template <class T, class = decltype(T::members())>
-bool operator==(const T& a, const T& b) {
-  return std::apply(
-      [&](const auto&... each) { return ((a.*each.second == b.*each.second) && ...); },
-      T::members());
+  std::decay_t<T>::eachMember([&](const char* name, auto member) { visit(name, of.*member); });
 }
 
 struct TraceGoal {
   int id = 0;  // of the global goal, 0 = a plain point
   Vec2 position = Vec2::Zero();
   double radius = 0.3;  // [m]
-  friend bool operator==(const TraceGoal& a, const TraceGoal& b) {
-    return std::tie(a.id, a.position, a.radius) == std::tie(b.id, b.position, b.radius);
-  }
 };
+bool operator==(const TraceGoal& a, const TraceGoal& b);
 
 struct TraceHuman {
   int id = 0;
@@ -49,17 +39,25 @@ struct TraceHuman {
   std::vector<TraceGoal> goals;
   std::vector<std::pair<std::string, double>> parameters;  // all resolved numbers, by their keys
 
-  static constexpr auto members() {
+  template <class Visit>
+  static void eachMember(Visit visit) {
     using T = TraceHuman;
-    return std::make_tuple(
-        std::pair("id", &T::id), std::pair("name", &T::name), std::pair("kind", &T::kind),
-        std::pair("model", &T::model), std::pair("radius", &T::radius), std::pair("mass", &T::mass),
-        std::pair("desired_speed", &T::desiredSpeed), std::pair("group", &T::group),
-        std::pair("behavior", &T::behavior), std::pair("configuration", &T::configuration),
-        std::pair("cyclic_goals", &T::cyclicGoals), std::pair("goals", &T::goals),
-        std::pair("parameters", &T::parameters));
+    visit("id", &T::id);
+    visit("name", &T::name);
+    visit("kind", &T::kind);
+    visit("model", &T::model);
+    visit("radius", &T::radius);
+    visit("mass", &T::mass);
+    visit("desired_speed", &T::desiredSpeed);
+    visit("group", &T::group);
+    visit("behavior", &T::behavior);
+    visit("configuration", &T::configuration);
+    visit("cyclic_goals", &T::cyclicGoals);
+    visit("goals", &T::goals);
+    visit("parameters", &T::parameters);
   }
 };
+bool operator==(const TraceHuman& a, const TraceHuman& b);
 
 struct TraceRobot {
   int id = -1;
@@ -71,18 +69,26 @@ struct TraceRobot {
   std::vector<Vec2> footprint;              // robot frame; empty = disc
   std::string kinematics = "differential";  // or "omnidirectional", "ackermann"; absent: as here
 
-  static constexpr auto members() {
+  template <class Visit>
+  static void eachMember(Visit visit) {
     using T = TraceRobot;
-    return std::make_tuple(
-        std::pair("id", &T::id), std::pair("name", &T::name), std::pair("type", &T::type),
-        std::pair("planner", &T::planner), std::pair("radius", &T::radius),
-        std::pair("mass", &T::mass), std::pair("max_vel", &T::maxVel),
-        std::pair("max_acc", &T::maxAcc), std::pair("max_omega", &T::maxOmega),
-        std::pair("max_alpha", &T::maxAlpha), std::pair("start_time", &T::startTime),
-        std::pair("goals", &T::goals), std::pair("footprint", &T::footprint),
-        std::pair("kinematics", &T::kinematics));
+    visit("id", &T::id);
+    visit("name", &T::name);
+    visit("type", &T::type);
+    visit("planner", &T::planner);
+    visit("radius", &T::radius);
+    visit("mass", &T::mass);
+    visit("max_vel", &T::maxVel);
+    visit("max_acc", &T::maxAcc);
+    visit("max_omega", &T::maxOmega);
+    visit("max_alpha", &T::maxAlpha);
+    visit("start_time", &T::startTime);
+    visit("goals", &T::goals);
+    visit("footprint", &T::footprint);
+    visit("kinematics", &T::kinematics);
   }
 };
+bool operator==(const TraceRobot& a, const TraceRobot& b);
 
 struct TraceObstacle {
   std::string name;  // "map", or of the obstacle or door
@@ -91,13 +97,17 @@ struct TraceObstacle {
   std::vector<double> toggles;    // [s]
   std::vector<Outline> outlines;  // solid on the left
 
-  static constexpr auto members() {
+  template <class Visit>
+  static void eachMember(Visit visit) {
     using T = TraceObstacle;
-    return std::make_tuple(std::pair("name", &T::name), std::pair("door", &T::isDoor),
-                           std::pair("open", &T::open), std::pair("toggles", &T::toggles),
-                           std::pair("outlines", &T::outlines));
+    visit("name", &T::name);
+    visit("door", &T::isDoor);
+    visit("open", &T::open);
+    visit("toggles", &T::toggles);
+    visit("outlines", &T::outlines);
   }
 };
+bool operator==(const TraceObstacle& a, const TraceObstacle& b);
 
 /// What the scenario says about its metrics.
 struct TraceMetrics {
@@ -108,14 +118,19 @@ struct TraceMetrics {
   std::string selection;  // text of a metrics.yaml; empty = all metrics
   std::vector<std::pair<std::string, double>> parameters;
 
-  static constexpr auto members() {
+  template <class Visit>
+  static void eachMember(Visit visit) {
     using T = TraceMetrics;
-    return std::make_tuple(std::pair("from", &T::from), std::pair("until", &T::until),
-                           std::pair("frequency", &T::frequency), std::pair("tag", &T::tag),
-                           std::pair("run_id", &T::runId), std::pair("selection", &T::selection),
-                           std::pair("parameters", &T::parameters));
+    visit("from", &T::from);
+    visit("until", &T::until);
+    visit("frequency", &T::frequency);
+    visit("tag", &T::tag);
+    visit("run_id", &T::runId);
+    visit("selection", &T::selection);
+    visit("parameters", &T::parameters);
   }
 };
+bool operator==(const TraceMetrics& a, const TraceMetrics& b);
 
 /// What metrics need beside the trajectory.
 struct TraceHeader {
@@ -139,17 +154,24 @@ struct TraceHeader {
     return found == humans.end() ? nullptr : &*found;
   }
 
-  static constexpr auto members() {
+  template <class Visit>
+  static void eachMember(Visit visit) {
     using T = TraceHeader;
-    return std::make_tuple(std::pair("format", &T::format), std::pair("scenario", &T::scenario),
-                           std::pair("dt", &T::dt), std::pair("record_every", &T::recordEvery),
-                           std::pair("seed", &T::seed),
-                           std::pair("obstacle_points", &T::obstaclePoints),
-                           std::pair("wrap_x", &T::wrapX), std::pair("humans", &T::humans),
-                           std::pair("robots", &T::robots), std::pair("obstacles", &T::obstacles),
-                           std::pair("map", &T::map), std::pair("metrics", &T::metrics));
+    visit("format", &T::format);
+    visit("scenario", &T::scenario);
+    visit("dt", &T::dt);
+    visit("record_every", &T::recordEvery);
+    visit("seed", &T::seed);
+    visit("obstacle_points", &T::obstaclePoints);
+    visit("wrap_x", &T::wrapX);
+    visit("humans", &T::humans);
+    visit("robots", &T::robots);
+    visit("obstacles", &T::obstacles);
+    visit("map", &T::map);
+    visit("metrics", &T::metrics);
   }
 };
+bool operator==(const TraceHeader& a, const TraceHeader& b);
 
 /// A recorded run.
 struct Trace {

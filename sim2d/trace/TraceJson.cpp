@@ -156,10 +156,10 @@ class JsonReader {
       readMember(json, where + ".", "radius", goal.radius);
     }
   }
-  template <class T, class = decltype(T::members())>
-  void readElement(const Json& json, const std::string& where, std::vector<T>& to) {
+  template <class Part>
+  void readElement(const Json& json, const std::string& where, std::vector<Part>& to) {
     if (expect(json.is_object(), where, "trace.no-object")) {
-      to.push_back(part<T>(json, where + "."));
+      to.push_back(part<Part>(json, where + "."));
     }
   }
 

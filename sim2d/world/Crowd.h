@@ -1,6 +1,5 @@
 #pragma once
 
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,8 +24,8 @@ struct StepPlan {
   bool isPushed = false;  // by the extra force of the intent
 
   friend bool operator==(const StepPlan& a, const StepPlan& b) {
-    return std::tie(a.speed, a.group, a.motion, a.robot, a.changes, a.isPushed) ==
-           std::tie(b.speed, b.group, b.motion, b.robot, b.changes, b.isPushed);
+    return a.speed == b.speed && a.group == b.group && a.motion == b.motion && a.robot == b.robot &&
+           a.changes == b.changes && a.isPushed == b.isPushed;
   }
 };
 struct StepPlans {  // one entry per person

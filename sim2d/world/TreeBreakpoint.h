@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <tuple>
 
 #include "sim2d/base/Types.h"
 
@@ -17,8 +16,8 @@ struct TreeBreakpoint {
   std::string condition;  // script on the blackboard of the person that must hold too; may be empty
 
   friend bool operator==(const TreeBreakpoint& a, const TreeBreakpoint& b) {
-    return std::tie(a.person, a.path, a.status, a.condition) ==
-           std::tie(b.person, b.path, b.status, b.condition);
+    return a.person == b.person && a.path == b.path && a.status == b.status &&
+           a.condition == b.condition;
   }
 };
 

@@ -39,8 +39,7 @@ sim2d::Scenario crowd(int people, double seconds) {
 
 bool isSame(const sim2d::Frame& a, const sim2d::Frame& b) {
   return a.step == b.step && a.time == b.time && a.humans == b.humans && a.robots == b.robots &&
-         a.forces.columns() == b.forces.columns() && a.robotPaths == b.robotPaths &&
-         a.doorOpen == b.doorOpen;
+         a.forces == b.forces && a.robotPaths == b.robotPaths && a.doorOpen == b.doorOpen;
 }
 
 }  // namespace

@@ -97,12 +97,9 @@ bool isSameColumn(const std::vector<T>& a, const std::vector<T>& b) {
 
 template <class Columns>
 bool areSameColumns(const Columns& a, const Columns& b) {
-  return std::apply(
-      [&](const auto&... left) {
-        return std::apply([&](const auto&... right) { return (isSameColumn(left, right) && ...); },
-                          b.columns());
-      },
-      a.columns());
+  bool same = true;
+  Columns::eachColumn([&](auto column) { same = same && isSameColumn(a.*column, b.*column); });
+  return same;
 }
 
 /// Bit by bit, of the state alone.
