@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
-#include <regex>
 #include <set>
+#include <string_view>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -327,9 +327,15 @@ bool isRestOfOutput(const std::string& name) {
 }
 
 std::optional<std::string> nameOfUnfinished(const std::string& name) {
-  static const std::regex kUnfinished(R"((.+)\.new-[0-9]+-[0-9]+)");
-  std::smatch parts;
-  return std::regex_match(name, parts, kUnfinished) ? std::optional(parts[1].str()) : std::nullopt;
+  // <name>.new-<number>-<number>
+  constexpr std::string_view kMark = ".new-", kDigits = "0123456789";
+  constexpr std::size_t kNowhere = std::string::npos;
+  const std::size_t end = name.rfind(kMark);
+  const std::size_t first = end + kMark.size();
+  const std::size_t dash = end == kNowhere ? kNowhere : name.find_first_not_of(kDigits, first);
+  const bool fits = end > 0 && dash != kNowhere && dash > first && name[dash] == '-' &&
+                    dash + 1 < name.size() && name.find_first_not_of(kDigits, dash + 1) == kNowhere;
+  return fits ? std::optional(name.substr(0, end)) : std::nullopt;
 }
 
 base::Diagnostics settleFolder(const std::string& folder) {

@@ -262,6 +262,16 @@ class OutputFolderTest : public QObject {
     }
   }
 
+  void nameOfUnfinished_otherNames_haveNone() {
+    QCOMPARE(app::nameOfUnfinished("a.csv.new-1-20").value_or(""), std::string("a.csv"));
+    QCOMPARE(app::nameOfUnfinished("a.new-1-2.new-30-4").value_or(""), std::string("a.new-1-2"));
+    for (const char* const other :
+         {"", "a", ".new-1-2", "a.new-", "a.new-1", "a.new-1-", "a.new--1", "a.new-1-2x",
+          "a.new-x-2", "a.new-1_2", "a.new-1-2-3"}) {
+      QVERIFY2(!app::nameOfUnfinished(other), other);
+    }
+  }
+
   void checkListed_partsOfAnotherRun_areTold() {
     QVERIFY(write(before_).empty());
     QVERIFY(checked().empty());
