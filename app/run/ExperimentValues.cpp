@@ -57,7 +57,7 @@ class Draws {
 /// Normal between two ends, by rejection: of normal draws where most of them fit, else of uniform
 /// ones over the part that has any weight.
 double normalBetween(const std::array<double, 4>& numbers, const Draws& draws) {
-  constexpr int kMostTries = 100000;  // far beyond what ever happens
+  constexpr int kMostDraws = 100000;  // far beyond what ever happens
   constexpr double kNoWeight = 40.0;  // exp(-40) of the weight of the best place
   const double mean = numbers[0], deviation = numbers[1], least = numbers[2], most = numbers[3];
   const double near = std::clamp(mean, least, most);
@@ -67,7 +67,7 @@ double normalBetween(const std::array<double, 4>& numbers, const Draws& draws) {
   const auto exponent = [&](double x) {
     return 0.5 * ((x - mean) / deviation) * ((x - mean) / deviation);
   };
-  for (int number = 0; number < kMostTries; number += 2) {
+  for (int number = 0; number < kMostDraws; number += 2) {
     if (isWide) {
       const double x = draws.normal(mean, deviation, number);
       if (x >= least && x <= most) {

@@ -19,7 +19,7 @@ using editor::Role;
 
 namespace {
 
-constexpr int kSideWidth = 272;
+constexpr int kHintWidth = 272;
 constexpr int kLabelWidth = 96;
 constexpr double kFinest = 0.001;  // [m] per pixel
 constexpr double kCoarsest = 10.0;
@@ -211,7 +211,7 @@ QLayout* ImageMapDialog::makeSide() {
     side->addLayout(form);
   };
   hint_->setWordWrap(true);
-  hint_->setFixedWidth(kSideWidth);
+  hint_->setFixedWidth(kHintWidth);
   hint_->setMinimumHeight(2 * hint_->fontMetrics().lineSpacing());  // nothing moves with its words
   hint_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   side->addWidget(hint_);

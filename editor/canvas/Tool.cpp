@@ -9,14 +9,14 @@ namespace editor {
 
 namespace {
 
-double rounded(double value, double step) {
+double toStep(double value, double step) {
   return editor::rounded(std::round(value / step) * step);
 }
 
 Vec2 onAngle(const Vec2& anchor, const Vec2& world) {
   const Vec2 offset = world - anchor;
   const Vec2 direction = base::directionOf(snappedAngle(base::headingOf(offset)));
-  return anchor + rounded(std::max(0.0, offset.dot(direction)), 0.01) * direction;
+  return anchor + toStep(std::max(0.0, offset.dot(direction)), 0.01) * direction;
 }
 
 /// The nearest point of another entity, if it is near enough.
@@ -210,7 +210,7 @@ Snapped snapped(const MapScene& scene, const CanvasMouse& mouse, const SnapWish&
   }
   const bool onGrid = scene.options().snapToGrid || isHeld;
   const double step = onGrid ? kSnapGrid : 0.01;
-  return {Vec2(rounded(mouse.world.x(), step), rounded(mouse.world.y(), step)), false};
+  return {Vec2(toStep(mouse.world.x(), step), toStep(mouse.world.y(), step)), false};
 }
 
 }  // namespace editor
