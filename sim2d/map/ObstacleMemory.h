@@ -75,7 +75,7 @@ constexpr double kHalfDiagonal = 0.176776696;  // [m] of it, rounded up
 /// The edges that may have a local minimum for any position in a square, from near to far: who
 /// walks asks of the same few again and again.
 struct NearEdges {
-  static constexpr std::size_t kMost = 160;
+  static constexpr std::size_t kMost = 160;  // with kSlots 2.8 MB per thread that asks
   static constexpr unsigned kFoot = 1, kCorner = 2;
 
   std::uint64_t version = 0;  // of nothing

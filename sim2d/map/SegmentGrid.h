@@ -83,7 +83,7 @@ class SegmentGrid {
   double size_ = 1.0;
   int width_ = 0, height_ = 0;
   std::vector<int> start_, items_;
-  std::vector<std::uint8_t> away_;  // by bucket: the nearest that holds any, in rings around it
+  std::vector<std::uint8_t> away_;  // by bucket: rings to the nearest that holds any; 255: or more
 };
 
 template <class Visit>
