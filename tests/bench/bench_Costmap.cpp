@@ -11,10 +11,9 @@
 #include "sim2d/base/Math.h"
 #include "sim2d/nav/nav2/costmap/InflationLaw.h"
 #include "tests/nav/CostmapScenes.h"
+#include "tests/nav/MetaTypes.h"
 
 using namespace costmapscenes;
-
-Q_DECLARE_METATYPE(Distro)
 
 /// An update of a local costmap from a scan, beside a plain one that looks from each cell for the
 /// obstacles around and walks rays in small steps.

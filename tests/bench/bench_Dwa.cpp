@@ -8,10 +8,7 @@
 
 #include "sim2d/base/Rng.h"
 #include "tests/nav/DriveWorld.h"
-
-namespace sim2d {
-void addDwa(PlannerRegistry& to);
-}
+#include "tests/nav/PlannerFunctions.h"
 
 using namespace sim2d;
 

@@ -4,14 +4,13 @@
 
 #include "sim2d/nav/CostToGo.h"
 #include "tests/nav/DriveWorld.h"
+#include "tests/nav/MetaTypes.h"
 
 using drive::person;
 using drive::robotBody;
 using drive::wall;
 using drive::World;
 using namespace sim2d;
-
-Q_DECLARE_METATYPE(sim2d::Vec2)
 
 namespace {
 

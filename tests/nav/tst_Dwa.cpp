@@ -6,10 +6,8 @@
 #include "sim2d/base/Rng.h"
 #include "tests/AllocationCount.h"
 #include "tests/nav/DriveWorld.h"
-
-namespace sim2d {
-void addDwa(PlannerRegistry& to);
-}
+#include "tests/nav/MetaTypes.h"
+#include "tests/nav/PlannerFunctions.h"
 
 using drive::person;
 using drive::robotBody;
@@ -56,8 +54,6 @@ LaserScan scanOf(const Pose2& pose, double time, const std::vector<Vec2>& centre
 }
 
 }  // namespace
-
-Q_DECLARE_METATYPE(sim2d::Kinematics)
 
 class DwaTest : public QObject {
   Q_OBJECT

@@ -12,10 +12,9 @@
 #include "sim2d/nav/nav2/costmap/CostmapCells.h"
 #include "sim2d/nav/nav2/costmap/InflationLayer.h"
 #include "tests/nav/CostmapScenes.h"
+#include "tests/nav/MetaTypes.h"
 
 using namespace costmapscenes;
-
-Q_DECLARE_METATYPE(Distro)
 
 namespace {
 

@@ -8,10 +8,7 @@
 
 #include "sim2d/nav/external/LibraryPlanner.h"
 #include "tests/nav/ExternalScene.h"
-
-namespace sim2d {
-void addLibrary(PlannerRegistry& to);
-}
+#include "tests/nav/PlannerFunctions.h"
 
 using namespace external;
 

@@ -9,12 +9,9 @@
 
 #include "sim2d/nav/mppi/MppiPlanner.h"
 #include "tests/nav/MppiWorld.h"
+#include "tests/nav/PlannerFunctions.h"
 
 using namespace sim2d;
-
-namespace sim2d {
-void addMppi(PlannerRegistry& to);
-}  // namespace sim2d
 
 namespace {
 

@@ -12,10 +12,9 @@
 #include "sim2d/nav/nav2/global/PathSmoother.h"
 #include "sim2d/nav/nav2/global/PlannerServer.h"
 #include "tests/nav/CostmapSketch.h"
+#include "tests/nav/MetaTypes.h"
 
 using namespace sim2d::nav2;
-
-Q_DECLARE_METATYPE(sim2d::nav2::Distro)
 
 /// What there is by name, its keys, and paths through several goals.
 class Nav2GlobalPlannersTest : public QObject {

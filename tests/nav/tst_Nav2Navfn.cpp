@@ -9,11 +9,10 @@
 #include "sim2d/nav/nav2/global/NavfnPlanner.h"
 #include "sim2d/nav/nav2/global/NavfnWave.h"
 #include "tests/nav/CostmapSketch.h"
+#include "tests/nav/MetaTypes.h"
 
 using namespace costs;
 using namespace sim2d::nav2;
-
-Q_DECLARE_METATYPE(std::vector<Vec2>)
 
 class Nav2NavfnTest : public QObject {
   Q_OBJECT

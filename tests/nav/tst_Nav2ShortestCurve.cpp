@@ -5,11 +5,10 @@
 
 #include "sim2d/nav/nav2/global/ShortestCurve.h"
 #include "tests/nav/CostmapSketch.h"
+#include "tests/nav/MetaTypes.h"
 
 using costs::Numbers;
 using namespace sim2d::nav2;
-
-Q_DECLARE_METATYPE(sim2d::nav2::Pose2)
 
 class Nav2ShortestCurveTest : public QObject {
   Q_OBJECT

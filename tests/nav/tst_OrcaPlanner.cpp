@@ -3,11 +3,8 @@
 #include <QtTest>
 
 #include "sim2d/nav/ReciprocalVelocity.h"
+#include "tests/nav/PlannerFunctions.h"
 #include "tests/nav/PlannerTrials.h"
-
-namespace sim2d {
-void addOrcaPlanner(PlannerRegistry& to);
-}
 
 using namespace sim2d;
 

@@ -23,10 +23,7 @@
 #include "sim2d/nav/external/ExternalPlanner.h"
 #include "sim2d/nav/external/ExternalProcess.h"
 #include "tests/nav/ExternalScene.h"
-
-namespace sim2d {
-void addExternal(PlannerRegistry& to);
-}
+#include "tests/nav/PlannerFunctions.h"
 
 using namespace external;
 using Clock = std::chrono::steady_clock;

@@ -5,10 +5,7 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/CommandFile.h"
 #include "tests/nav/DriveWorld.h"
-
-namespace sim2d {
-void addReplay(PlannerRegistry& to);
-}
+#include "tests/nav/PlannerFunctions.h"
 
 using drive::robotBody;
 using drive::World;

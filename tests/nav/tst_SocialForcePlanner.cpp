@@ -2,11 +2,8 @@
 
 #include <QtTest>
 
+#include "tests/nav/PlannerFunctions.h"
 #include "tests/nav/PlannerTrials.h"
-
-namespace sim2d {
-void addSocialForcePlanner(PlannerRegistry& to);
-}
 
 using namespace sim2d;
 

@@ -10,13 +10,9 @@
 #include "sim2d/nav/mppi/MppiPeople.h"
 #include "sim2d/nav/mppi/MppiScene.h"
 #include "tests/nav/MppiScenes.h"
+#include "tests/nav/PlannerFunctions.h"
 
 using namespace sim2d;
-
-namespace sim2d {
-void addMppi(PlannerRegistry& to);
-void addSocialMppi(PlannerRegistry& to);
-}  // namespace sim2d
 
 namespace {
 

@@ -5,10 +5,8 @@
 
 #include "sim2d/nav/Teleop.h"
 #include "tests/nav/DriveWorld.h"
-
-namespace sim2d {
-void addTeleop(PlannerRegistry& to);
-}
+#include "tests/nav/MetaTypes.h"
+#include "tests/nav/PlannerFunctions.h"
 
 using drive::robotBody;
 using drive::World;
@@ -34,8 +32,6 @@ struct Driven {
 };
 
 }  // namespace
-
-Q_DECLARE_METATYPE(sim2d::Kinematics)
 
 class TeleopTest : public QObject {
   Q_OBJECT

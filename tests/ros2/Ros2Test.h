@@ -5,6 +5,8 @@
 #include "app/bridge/dds/Participant.h"
 
 /// For tests over the loopback of this machine.
+Q_DECLARE_METATYPE(bridge::Rmw)
+
 namespace ros2test {
 
 using namespace bridge;

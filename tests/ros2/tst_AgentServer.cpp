@@ -13,8 +13,6 @@ using namespace ros2test;
 using agentstest::agentAt;
 using agentstest::hasRemark;
 
-Q_DECLARE_METATYPE(bridge::Rmw)
-
 /// The nodes of HuNavSim, called by a client on this machine.
 class AgentServerTest : public QObject {
   Q_OBJECT

@@ -17,8 +17,6 @@
 using namespace ros2test;
 using hunav_msgs::ComputeAgents;
 
-Q_DECLARE_METATYPE(bridge::Rmw)
-
 /// A server whose clients come and go, orderly or killed within a call, while one stays: each
 /// program for itself, as in a system of ROS 2. No call of anybody is lost and memory stays.
 ///

@@ -11,8 +11,6 @@
 
 using namespace ros2test;
 
-Q_DECLARE_METATYPE(bridge::Rmw)
-
 /// Topics and services between two participants on this machine.
 class ParticipantTest : public QObject {
   Q_OBJECT
