@@ -98,8 +98,8 @@ QWidget* dividerLine(QWidget* parent) {
 }
 
 int heightOnScreen(const QWidget& window, int wanted) {
-  constexpr int kFrame = 38;  // what a window manager puts around it, about
-  return std::min(wanted, window.screen()->availableGeometry().height() - kFrame);
+  constexpr int kTitleBar = 38;  // what a window manager puts around it, about
+  return std::min(wanted, window.screen()->availableGeometry().height() - kTitleBar);
 }
 
 QString counted(std::size_t count, const QString& one, const QString& many) {
