@@ -1,7 +1,5 @@
 #include "sim2d/trace/Frame.h"
 
-#include <tuple>
-
 namespace sim2d {
 namespace {
 
@@ -27,8 +25,8 @@ bool operator==(const ForceColumns& a, const ForceColumns& b) {
 }
 
 bool operator==(const Event& a, const Event& b) {
-  return std::tie(a.kind, a.id, a.hasId, a.other, a.hasOther, a.text) ==
-         std::tie(b.kind, b.id, b.hasId, b.other, b.hasOther, b.text);
+  return a.kind == b.kind && a.id == b.id && a.hasId == b.hasId && a.other == b.other &&
+         a.hasOther == b.hasOther && a.text == b.text;
 }
 
 }  // namespace sim2d

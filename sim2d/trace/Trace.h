@@ -14,7 +14,7 @@
 namespace sim2d {
 
 /// The parts of trace.json list their members once, with their names there, in order: comparison,
-/// reader, writer and manifest are made from these lists.
+/// reader, writer and manifest are made from these lists, `eachMember` of each.
 /// visit(name, member) for each.
 template <class T, class Visit>
 void forEachMember(T& of, Visit visit) {
