@@ -40,6 +40,10 @@ class Recording final : public FrameSink {
   explicit Recording(int recordEvery = 1, std::size_t mostInMemory = kUsualMemory,
                      std::string folder = {});
   ~Recording() override;
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
+  Recording(Recording&&) = delete;
+  Recording& operator=(Recording&&) = delete;
 
   // the writer; steps rise within frames, events and tree changes
   void append(const Frame& frame) override;  // its parts, as far as they are recorded
