@@ -9,6 +9,7 @@
 #include "app/report/Plots.h"
 #include "app/report/Tables.h"
 #include "app/run/DataPaths.h"
+#include "app/run/ResultRow.h"
 #include "sim2d/base/Text.h"
 
 namespace report {
@@ -84,10 +85,13 @@ class PageMaker {
 
   /// Runs that ended with an error, and those without success.
   void findFailures() {
-    std::size_t key = study_.results.keyAt("success");
-    key = key < study_.results.keys.size() ? key : study_.results.keyAt("completed");
+    const std::size_t none = study_.results.keys.size();
+    std::size_t key = none;
+    for (const char* name : app::kSuccessKeys) {
+      key = key < none ? key : study_.results.keyAt(name);
+    }
     for (std::size_t run = 0; run < study_.runCount(); ++run) {
-      const bool hasKey = key < study_.results.keys.size();
+      const bool hasKey = key < none;
       if (!study_.results.runs[run].ok || (hasKey && study_.valuesOf(key)[run] == 0.0)) {
         failures_.push_back(run);
       }
@@ -321,8 +325,8 @@ class PageMaker {
     }
     if (pictures_.kept == 0) {
       body_ += paragraph(
-          "No folders of runs were kept, so no run can be drawn or played here (record: all or "
-          "record: failed in the experiment keeps them).");
+          "No folders of runs were kept, so no run can be drawn or played here (record: all in the "
+          "experiment keeps them, record: unsuccessful those of runs without success).");
     }
     hasPlayer_ = !data.empty();
     if (hasPlayer_) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -324,13 +325,13 @@ class Reader {
     if (node == nullptr) {
       return;
     }
-    const std::string& word = node->text;
-    if (word != "metrics" && word != "failed" && word != "all") {
+    const auto& names = Experiment::kRecordNames;
+    const auto* const found = std::find(std::begin(names), std::end(names), node->text);
+    if (found == std::end(names)) {
       error(*node, "experiment.bad-record");
+      return;
     }
-    experiment_.record = word == "failed" ? Experiment::Record::Failed
-                         : word == "all"  ? Experiment::Record::All
-                                          : Experiment::Record::Metrics;
+    experiment_.record = static_cast<Experiment::Record>(found - std::begin(names));
   }
 
   Experiment experiment_;

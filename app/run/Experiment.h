@@ -11,7 +11,9 @@ namespace app {
 
 /// What `batch` runs: scenarios x values x seeds.
 struct Experiment {
-  enum class Record { Metrics, Failed, All };
+  /// Whose run folders are kept; unsuccessful are failed runs and those whose robot failed.
+  enum class Record { Metrics, Failed, Unsuccessful, All };
+  static constexpr const char* kRecordNames[] = {"metrics", "failed", "unsuccessful", "all"};
 
   std::string path, text;                  // of its file
   std::vector<std::string> scenarios;      // as written: relative files or names of shipped ones

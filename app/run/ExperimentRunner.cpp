@@ -107,16 +107,19 @@ base::Result<ResultRow> ExperimentRunner::run(std::size_t index) {
       session, world, verdict.scenarioMetrics, writer, [](const sim2d::Frame&) { return false; },
       hasFiles ? PlanningClock::On : PlanningClock::Off);
   const ResultRow row = rowOf(run);
-  const bool isKept =
-      experiment_.record == Record::All || (experiment_.record == Record::Failed && !row.ok);
   base::Diagnostics problems;
-  if (hasFiles && (isKept || writer.hasFailed())) {
+  if (hasFiles && (isKept(row) || writer.hasFailed())) {
     problems = keep(index, run, writer, bundle, **output);
   }
   if (base::hasErrors(problems)) {
     return problems;
   }
   return row;
+}
+
+bool ExperimentRunner::isKept(const ResultRow& row) const {
+  return experiment_.record == Record::All || (experiment_.record == Record::Failed && !row.ok) ||
+         (experiment_.record == Record::Unsuccessful && isWithoutSuccess(row));
 }
 
 base::Diagnostics ExperimentRunner::keep(std::size_t index, FinishedRun& run, RunWriter& writer,

@@ -29,6 +29,7 @@ class ExperimentRunner {
  private:
   base::Diagnostics checkScenario(std::size_t scenario);
   std::string folderOf(std::size_t run) const;
+  bool isKept(const ResultRow& row) const;
   base::Diagnostics keep(std::size_t index, FinishedRun& run, RunWriter& writer,
                          const Bundle& bundle, OutputFolder& output);
 

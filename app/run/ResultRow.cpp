@@ -14,12 +14,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kFalse = "False";  // as results.csv has it
+
 std::string fieldOf(const Json& value) {
   if (value.is_null()) {
     return {};
   }
   if (value.is_boolean()) {
-    return value.get<bool>() ? "True" : "False";
+    return value.get<bool>() ? "True" : kFalse;
   }
   if (value.is_number_float()) {
     return base::formatDouble(value.get<double>());
@@ -34,6 +36,20 @@ void addFields(const Json& of, const std::string& prefix, ResultRow& to) {
 }
 
 }  // namespace
+
+bool isWithoutSuccess(const ResultRow& row) {
+  if (!row.ok) {
+    return true;
+  }
+  for (const char* key : kSuccessKeys) {
+    const auto found = std::find_if(row.fields.begin(), row.fields.end(),
+                                    [key](const auto& field) { return field.first == key; });
+    if (found != row.fields.end()) {
+      return found->second == kFalse;
+    }
+  }
+  return false;
+}
 
 ResultRow rowOf(const FinishedRun& run) {
   ResultRow row;

@@ -18,6 +18,11 @@ struct ResultRow {
   std::vector<std::pair<std::string, std::string>> fields;
 };
 
+/// Metrics that say whether a run succeeded: the first of them that there is counts.
+constexpr const char* kSuccessKeys[] = {"success", "completed"};
+/// The run failed, or its first robot did: reports list it among the failures.
+bool isWithoutSuccess(const ResultRow& row);
+
 /// The row of a run that was simulated. Nothing of it was measured by the wall clock.
 ResultRow rowOf(const FinishedRun& run);
 /// Of one that could not begin: the first error is the reason.

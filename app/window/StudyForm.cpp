@@ -27,7 +27,6 @@ namespace {
 constexpr int kMostScenarioRows = 6;  // seen at once
 constexpr int kPlannerWidth = 130;
 constexpr int kValueLines = 3;
-constexpr const char* kRecords[] = {"metrics", "failed", "all"};  // of Experiment::Record
 
 QString quoted(const QString& text) {
   return QString::fromStdString(base::quotedText(text.toStdString()));
@@ -110,10 +109,13 @@ StudyForm::StudyForm(editor::PanelContext& context)
   duration_->setPlaceholderText(tr("of each scenario"));
   duration_->setToolTip(tr("Of each run at most [s]; empty: what the scenario says"));
   form->addRow(tr("Duration"), duration_);
-  record_->addItems({tr("metrics alone"), tr("failed runs, to be played"), tr("all runs")});
-  record_->setCurrentIndex(1);
+  record_->addItems({tr("metrics alone"), tr("runs with an error"), tr("failures, to be played"),
+                     tr("all runs")});
+  record_->setCurrentIndex(static_cast<int>(Experiment::Record::Unsuccessful));
   record_->setAccessibleName(tr("Keep"));
-  record_->setToolTip(tr("Files of which runs stay in the folder of the results"));
+  record_->setToolTip(
+      tr("Files of which runs stay in the folder of the results. Failures are runs with an error "
+         "and those whose robot did not succeed."));
   form->addRow(tr("Keep"), record_);
   rows->addLayout(form);
   rows->addStretch();
@@ -322,7 +324,8 @@ QString StudyForm::textFor(const QString& folder) const {
     lines.append(QStringLiteral("values:"));
     lines.append(values);
   }
-  lines.append(QStringLiteral("record: ") + QLatin1String(kRecords[record_->currentIndex()]));
+  lines.append(QStringLiteral("record: ") +
+               QLatin1String(Experiment::kRecordNames[record_->currentIndex()]));
   return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 

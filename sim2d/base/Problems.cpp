@@ -896,7 +896,7 @@ constexpr ProblemText kTexts[] = {
     {"experiment.bad-uniform", "uniform takes [FROM, TO]: two numbers, FROM below TO"},
     {"experiment.bad-choice", "choice takes a list of at least one value"},
     {"experiment.too-many-runs", "these are {count} runs, at most {most} are possible"},
-    {"experiment.bad-record", "record is metrics, failed or all"},
+    {"experiment.bad-record", "record is metrics, failed, unsuccessful or all"},
 
     // Reports on batches.
     {"report.no-runs", "there are no runs in it"},

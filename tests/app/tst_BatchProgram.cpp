@@ -125,6 +125,37 @@ class BatchProgramTest : public QObject {
     QVERIFY(!rows[1].at(QStringLiteral("reason")).isEmpty());
   }
 
+  /// Of four runs one succeeds, one has no time to, and two cannot begin.
+  void batch_record_keepsWhatItSays_data() {
+    QTest::addColumn<QByteArray>("record");
+    QTest::addColumn<QStringList>("kept");
+    QTest::newRow("metrics") << QByteArray("metrics") << QStringList();
+    QTest::newRow("failed") << QByteArray("failed") << QStringList();
+    QTest::newRow("unsuccessful") << QByteArray("unsuccessful") << QStringList{QStringLiteral("1")};
+    QTest::newRow("all") << QByteArray("all")
+                         << QStringList{QStringLiteral("0"), QStringLiteral("1")};
+  }
+  void batch_record_keepsWhatItSays() {
+    QFETCH(const QByteArray, record);
+    QFETCH(const QStringList, kept);
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("e.yaml"));
+    outside::writeText(
+        experiment,
+        kShortRun + ("record: " + record) +
+            "\nvalues:\n  Ana.init_pose.x: [7.35, -40.0]\n  robot1.goal_radius: [100.0, 0.2]\n");
+    const QString out = folder.filePath(QStringLiteral("out"));
+    batch(experiment, out, 1);
+    const auto rows = outside::readCsv(out + QStringLiteral("/results.csv"));
+    QCOMPARE(rows.size(), std::size_t{4});
+    QCOMPARE(rows[0].at(QStringLiteral("success")), QStringLiteral("True"));
+    QCOMPARE(rows[1].at(QStringLiteral("success")), QStringLiteral("False"));
+    QCOMPARE(rows[2].at(QStringLiteral("status")), QStringLiteral("failed"));
+    QCOMPARE(QDir(out + QStringLiteral("/runs"))
+                 .entryList(QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name),
+             kept);
+  }
+
   void batch_folderOfAnEarlierBatch_lendsNoValues() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("twice.yaml"));
