@@ -318,7 +318,11 @@ std::optional<Figure> waysFigure(const Study& study, const RunPictures& pictures
       "Ways of the robot on the map, up to " + std::to_string(2 * kMostPerCell) +
       " runs a panel; the dot is where a run ends" +
       (cells.size() > kMostPanels ? " (the first " + std::to_string(kMostPanels) + " panels)."
-                                  : ".");
+                                  : ".") +
+      (pictures.kept < study.runCount()
+           ? " Drawn are runs whose folders were kept: " + std::to_string(pictures.kept) + " of " +
+                 std::to_string(study.runCount()) + "."
+           : "");
   return figure;
 }
 
