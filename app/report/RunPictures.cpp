@@ -350,7 +350,8 @@ std::optional<Figure> contactsFigure(const Study& study, const RunPictures& pict
   grid.forEach([&](std::size_t /*index*/, double left, double top) {
     const auto& [name, places] = *scenario++;
     figure.text(left, top + 12.0,
-                shortened(name, 60) + ": " + std::to_string(places.size()) +
+                shortened(name.substr(study.sharedFolder), 60) + ": " +
+                    std::to_string(places.size()) +
                     (places.size() == 1 ? " contact" : " contacts"));
     const MapPanel panel = grounds.draw(name, pictures.grounds.at(name), left, top + kHead);
     heatSquares(figure, panel, places);

@@ -74,6 +74,17 @@ std::vector<std::size_t> placesIn(const std::vector<std::string>& names,
   return found;
 }
 
+/// Letters with which all scenarios begin, to the last slash in them.
+std::size_t sharedFolder(const std::vector<Results::Run>& runs) {
+  std::string shared = runs.empty() ? std::string() : runs.front().scenario;
+  for (const Results::Run& run : runs) {
+    const auto same =
+        std::mismatch(shared.begin(), shared.end(), run.scenario.begin(), run.scenario.end());
+    shared.erase(same.first, shared.end());
+  }
+  return shared.rfind('/') + 1;  // 0 without one
+}
+
 bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
@@ -101,6 +112,7 @@ class StudyMaker {
     }
     chooseMetrics();
     choosePareto();
+    study_.sharedFolder = sharedFolder(study_.results.runs);
     chooseCompared();
     nameCases();
     const std::string what = study_.compared.empty() ? "Results of a batch"
@@ -190,8 +202,9 @@ class StudyMaker {
         static_cast<std::size_t>(std::find(paths.begin(), paths.end(), path) - paths.begin());
     std::vector<std::string> texts;
     texts.reserve(study_.runCount());
-    for (const Results::Run& run : study_.results.runs) {
-      texts.push_back(at < paths.size() ? run.values[at] : run.scenario);
+    for (std::size_t run = 0; run < study_.runCount(); ++run) {
+      texts.push_back(at < paths.size() ? study_.results.runs[run].values[at]
+                                        : study_.scenarioName(run));
     }
     return texts;
   }
@@ -246,7 +259,7 @@ class StudyMaker {
     }
     for (std::size_t run = 0; run < texts.size(); ++run) {
       if (texts[run].empty()) {
-        texts[run] = study_.compared == kScenario ? "all" : study_.results.runs[run].scenario;
+        texts[run] = study_.compared == kScenario ? "all" : study_.scenarioName(run);
       }
     }
     study_.cases = distinct(texts);
@@ -336,6 +349,10 @@ std::string shellText(const std::vector<std::string>& words) {
     text += '\'';
   }
   return text;
+}
+
+std::string Study::scenarioName(std::size_t run) const {
+  return results.runs[run].scenario.substr(sharedFolder);
 }
 
 std::optional<std::string> Study::runFolder(std::size_t run) const {

@@ -56,7 +56,11 @@ struct Study {
   bool lacksFile = false;             // that is there and cannot be read
   std::string status;                 // "finished", "interrupted"; empty = not known
 
+  std::size_t sharedFolder = 0;  // letters of the folder in which all scenarios lie
+
   std::size_t runCount() const { return results.runs.size(); }
+  /// The scenario of a run, without the folder that all share.
+  std::string scenarioName(std::size_t run) const;
   const Numbers& valuesOf(std::size_t metric) const { return results.metrics[metric]; }
   /// Folder of a run, if it was kept.
   std::optional<std::string> runFolder(std::size_t run) const;

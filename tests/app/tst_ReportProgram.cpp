@@ -198,6 +198,22 @@ class ReportProgramTest : public QObject {
              qPrintable(findings.join(text("|"))));
   }
 
+  /// The folder of all scenarios tells none of them from the others.
+  void report_scenariosOfOneFolder_areNamedWithoutIt() {
+    QTemporaryDir folder;
+    copyResults(folder.path());
+    const QString results = folder.filePath(text("results.csv"));
+    QByteArray rows = outside::bytesOf(results);
+    rows.replace(",hall,", ",/home/somebody/studies/one/hall,");
+    rows.replace(",door,", ",/home/somebody/studies/one/more/door,");
+    outside::writeText(results, rows);
+    QCOMPARE(report(folder.path(), {text("--no-pdf")}).exitCode, 0);
+    const QString figure =
+        QString::fromUtf8(outside::bytesOf(folder.filePath(text("figures/difficulty.svg"))));
+    QVERIFY2(figure.contains(text(">hall<")) && figure.contains(text(">more/door<")),
+             qPrintable(figure));
+  }
+
   void report_twice_givesEqualBytes() {
     QTemporaryDir folder;
     copyResults(folder.path());
