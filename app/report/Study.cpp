@@ -74,7 +74,7 @@ std::vector<std::size_t> placesIn(const std::vector<std::string>& names,
   return found;
 }
 
-/// Letters with which all scenarios begin, to the last slash in them.
+/// Characters with which all scenarios begin, to the last slash in them.
 std::size_t sharedFolder(const std::vector<Results::Run>& runs) {
   std::string shared = runs.empty() ? std::string() : runs.front().scenario;
   for (const Results::Run& run : runs) {

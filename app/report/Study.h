@@ -56,7 +56,7 @@ struct Study {
   bool lacksFile = false;             // that is there and cannot be read
   std::string status;                 // "finished", "interrupted"; empty = not known
 
-  std::size_t sharedFolder = 0;  // letters of the folder in which all scenarios lie
+  std::size_t sharedFolder = 0;  // characters of the folder in which all scenarios lie
 
   std::size_t runCount() const { return results.runs.size(); }
   /// The scenario of a run, without the folder that all share.
