@@ -16,6 +16,7 @@ using base::NodeStatus;
 const std::map<std::string, std::string, std::less<>>& nodeWords() {
   static const std::map<std::string, std::string, std::less<>> kWords = {
       {"RegularNav", "walks to the goal"},
+      {"UpdateGoal", "turns to the next goal"},
       {"GoTo", "walks to a place"},
       {"UseObject", "uses something"},
       {"WanderInArea", "wanders about"},

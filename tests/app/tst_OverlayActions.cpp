@@ -75,6 +75,7 @@ class OverlayActionsTest : public QObject {
 
   void thoughts_ofARun_areWords() {
     runDemo(2.0);
+    workspace().runner().seek(30);  // wherever it came to: on the way to the first goal
     window_->actions().ofRuns->thoughts->trigger();
     QTRY_VERIFY(!workspace().scene().overlays().thoughtOf(1).isEmpty());
     const int id = workspace().document().scenario().humans.front().id;

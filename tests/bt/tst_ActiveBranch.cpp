@@ -84,6 +84,16 @@ class ActiveBranchTest : public QObject {
     QCOMPARE(branch.words(), std::string("walks to the goal, because somebody is close"));
   }
 
+  /// In the one step between two goals, too, somebody does something.
+  void branch_atAGoal_turnsToTheNext() {
+    const bt::ActiveBranch branch = bt::activeBranchOf(tree({{"Fallback", kHeld},
+                                                             {"Fallback/Nav", kFailed},
+                                                             {"Fallback/Nav/IsGoalReached", kHeld},
+                                                             {"Fallback/Nav/RegularNav", kIdle},
+                                                             {"Fallback/UpdateGoal", kHeld}}));
+    QCOMPARE(branch.words(), std::string("turns to the next goal"));
+  }
+
   void words_ofOtherNodes_areTheirNames() {
     QCOMPARE(bt::wordsOfNode("DrinkCoffee"), std::string("drink coffee"));
     QCOMPARE(bt::wordsOfNode("drink_coffee"), std::string("drink coffee"));
