@@ -64,6 +64,7 @@ void Contacts::addEntry(const Instant& at, const Person& person, Culprits& to) {
 void Contacts::add(const Instant& at) {
   Culprits culprits;
   touchingNow_.clear();
+  begun_.clear();
   for (const Person& person : at.now.people) {
     if (!isWithin(at.now.robot, person, limit_)) {
       continue;
@@ -71,12 +72,21 @@ void Contacts::add(const Instant& at) {
     touchingNow_.push_back(person.id);
     if (std::find(touching_.begin(), touching_.end(), person.id) == touching_.end()) {
       addEntry(at, person, culprits);
-      count_ += 1.0;
+      begun_.push_back(person.id);
     }
   }
+  count_ += static_cast<double>(begun_.size());
   byRobot_.add(at, culprits.robot);
   byPerson_.add(at, culprits.person);
   touching_.swap(touchingNow_);
+}
+
+void ObstacleContacts::add(const Instant& at) {
+  const Robot& robot = at.now.robot;
+  const bool touches = robot.obstacleDistance && *robot.obstacleDistance - robot.radius <= 0.0;
+  hasBegun_ = touches && !touches_;
+  touches_ = touches;
+  count_ += hasBegun_ ? 1.0 : 0.0;
 }
 
 }  // namespace metrics

@@ -43,7 +43,8 @@ class RobotWay : public Accumulator {
 class Contacts : public Accumulator {
  public:
   void add(const Instant& at) override;
-  double count() const { return count_; }  // whoever caused them
+  double count() const { return count_; }                   // whoever caused them
+  const std::vector<int>& begun() const { return begun_; }  // with these, at the newest sample
   MetricValue byRobot() const { return withTerms(byRobot_, Kind::Count); }
   MetricValue byPerson() const { return withTerms(byPerson_, Kind::Count); }
 
@@ -59,7 +60,7 @@ class Contacts : public Accumulator {
   double limit_;
   double count_ = 0.0;
   SeriesSum byRobot_, byPerson_;
-  std::vector<int> touching_, touchingNow_;
+  std::vector<int> touching_, touchingNow_, begun_;
 };
 
 /// One accumulator for all metrics with the same limit.
@@ -67,6 +68,18 @@ template <double MetricParameters::*kLimit>
 class ContactsWithin : public Contacts {
  public:
   explicit ContactsWithin(const MetricParameters& parameters) : Contacts(parameters.*kLimit) {}
+};
+
+/// Contacts of the robot with obstacles: its clearance falls to 0 or below.
+class ObstacleContacts {
+ public:
+  void add(const Instant& at);
+  bool hasBegun() const { return hasBegun_; }  // one, at the newest sample
+  double count() const { return count_; }
+
+ private:
+  bool touches_ = false, hasBegun_ = false;
+  double count_ = 0.0;
 };
 
 }  // namespace metrics

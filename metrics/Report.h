@@ -87,11 +87,6 @@ struct Evaluation {
   const MetricResult* find(std::string_view key) const;
 };
 
-/// The part of the robot's way that its metrics look at, times from its begin; empty: none is. If
-/// the record has no robot of the selection's id: its first.
-TimedWay wayOf(const sim2d::Trace& trace, const Selection& selection,
-               const MetricParameters& parameters);
-
 /// Error when the record or the window holds no sample.
 base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,
                                   const MetricParameters& parameters);

@@ -55,16 +55,6 @@ void fillLeftOvers(std::vector<MetricResult>& results, const std::vector<MetricR
   }
 }
 
-/// Puts down where the robot is.
-class Places : public Accumulator {
- public:
-  void add(const Instant& at) override { way_.emplace_back(at.elapsed(), at.now.robot.position); }
-  const TimedWay& way() const { return way_; }
-
- private:
-  TimedWay way_;
-};
-
 }  // namespace
 
 RunningEvaluation::RunningEvaluation(const RunContext& context, const Selection& selection,
@@ -334,30 +324,6 @@ const MetricResult* findResult(const std::vector<MetricResult>& results, std::st
     }
   }
   return nullptr;
-}
-
-TimedWay wayOf(const sim2d::Trace& trace, const Selection& selection,
-               const MetricParameters& parameters) {
-  TimedWay way;
-  MetricEntry places;
-  places.info.key = "way";
-  places.stream = streamOf<Places>([&way](const Places& all) {
-    way = all.way();
-    return MetricValue();
-  });
-  Selection only = *selectionOfKeys({});
-  only.own = {places};
-  only.window = selection.window;
-  only.robotId = selection.robotId;
-  only.behaviors = false;
-  const std::vector<sim2d::TraceRobot>& robots = trace.header.robots;
-  const bool isThere = std::any_of(robots.begin(), robots.end(), [&](const auto& robot) {
-    return robot.id == selection.robotId;
-  });
-  if (!isThere && !robots.empty()) {
-    only.robotId = robots.front().id;
-  }
-  return evaluate(trace, only, parameters) ? way : TimedWay();
 }
 
 base::Result<Evaluation> evaluate(const sim2d::Trace& trace, const Selection& selection,

@@ -8,6 +8,7 @@
 #include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
 #include "metrics/ReportFiles.h"
+#include "metrics/RobotPlaces.h"
 #include "sim2d/base/Text.h"
 
 namespace app {

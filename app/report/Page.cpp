@@ -447,7 +447,9 @@ std::string playerMarkup(const std::vector<std::string>& runs) {
          data + "]</script>\n";
 }
 
-std::string playerPage(const sim2d::Trace& trace, const std::string& title) {
+std::string playerPage(const sim2d::Trace& trace,
+                       const std::vector<metrics::RobotContact>& contacts,
+                       const std::string& title) {
   const double seconds = trace.frames.empty() ? 0.0 : trace.frames.back().time;
   const std::string body =
       element("h1", "", escaped(title)) + "\n" +
@@ -457,7 +459,7 @@ std::string playerPage(const sim2d::Trace& trace, const std::string& title) {
                     ", " + counted(trace.header.robots.size(), "robot") + ", " +
                     numberText(seconds, 1) + " s, seed " + std::to_string(trace.header.seed) + ".",
                 " class=\"lead\"") +
-      playerMarkup({playerJson(trace, title, kFineStep)}) +
+      playerMarkup({playerJson(trace, contacts, title, kFineStep)}) +
       paragraph("Made by hunavsim " + app::programVersion() + " " + app::programCommit() + ".",
                 " class=\"lead\"");
   return wholePage(title, body, true);

@@ -27,8 +27,10 @@ using OnStep = std::function<void(const std::string& what)>;
 Report makeReport(const Study& study, const std::vector<std::pair<std::string, double>>& weights,
                   const std::vector<std::string>& command, const OnStep& onStep = {});
 
-/// A page that plays one run.
-std::string playerPage(const sim2d::Trace& trace, const std::string& title);
+/// A page that plays one run; `contacts` as for playerJson().
+std::string playerPage(const sim2d::Trace& trace,
+                       const std::vector<metrics::RobotContact>& contacts,
+                       const std::string& title);
 
 /// The skeleton with its holes filled; `withPlayer`: its script too.
 std::string wholePage(const std::string& title, const std::string& body, bool withPlayer);

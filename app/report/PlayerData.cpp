@@ -136,24 +136,56 @@ bool isTold(const sim2d::Event& event) {
   }
 }
 
-OrderedJson eventsJson(const sim2d::Trace& trace) {
+/// Whether the record tells of this contact, a moment sooner or later.
+bool tells(const sim2d::Trace& trace, const metrics::RobotContact& contact, int robot) {
+  constexpr double kMoment = 0.5;  // [s]
+  return std::any_of(trace.events.begin(), trace.events.end(), [&](const auto& told) {
+    const auto& [step, event] = told;
+    const double time = static_cast<double>(step) * trace.header.dt;
+    return event.kind == sim2d::EventKind::Contact && event.hasId && event.id == robot &&
+           std::abs(time - contact.time) <= kMoment &&
+           event.hasOther == contact.person.has_value() &&
+           (!event.hasOther || event.other == *contact.person);
+  });
+}
+
+OrderedJson eventsJson(const sim2d::Trace& trace,
+                       const std::vector<metrics::RobotContact>& contacts) {
   constexpr std::size_t kMostEvents = 200;
-  OrderedJson events = OrderedJson::array();
+  std::vector<std::pair<double, OrderedJson>> told;
+  const auto tell = [&told](double time, const char* kind, OrderedJson who, OrderedJson other,
+                            const std::string& text) {
+    told.emplace_back(time, OrderedJson{std::round(time * 100.0) / 100.0, kind, std::move(who),
+                                        std::move(other), text});
+  };
   for (const auto& [step, event] : trace.events) {
-    if (!isTold(event) || events.size() >= kMostEvents) {
-      continue;
+    if (isTold(event)) {
+      tell(static_cast<double>(step) * trace.header.dt, sim2d::eventKindName(event.kind),
+           event.hasId ? OrderedJson(event.id) : OrderedJson(),
+           event.hasOther ? OrderedJson(event.other) : OrderedJson(), event.text);
     }
-    events.push_back({std::round(static_cast<double>(step) * trace.header.dt * 100.0) / 100.0,
-                      sim2d::eventKindName(event.kind),
-                      event.hasId ? OrderedJson(event.id) : OrderedJson(),
-                      event.hasOther ? OrderedJson(event.other) : OrderedJson(), event.text});
+  }
+  const int robot = trace.header.robots.empty() ? -1 : trace.header.robots.front().id;
+  for (const metrics::RobotContact& contact : contacts) {
+    if (!tells(trace, contact, robot)) {
+      tell(contact.time, sim2d::eventKindName(sim2d::EventKind::Contact), robot,
+           contact.person ? OrderedJson(*contact.person) : OrderedJson(), "");
+    }
+  }
+  std::stable_sort(told.begin(), told.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  OrderedJson events = OrderedJson::array();
+  for (std::size_t k = 0; k < std::min(told.size(), kMostEvents); ++k) {
+    events.push_back(std::move(told[k].second));
   }
   return events;
 }
 
 }  // namespace
 
-std::string playerJson(const sim2d::Trace& trace, const std::string& title, double every) {
+std::string playerJson(const sim2d::Trace& trace,
+                       const std::vector<metrics::RobotContact>& contacts, const std::string& title,
+                       double every) {
   const double recorded = trace.header.dt * std::max(1, trace.header.recordEvery);
   const auto stride =
       static_cast<std::size_t>(std::max(1.0, std::round(every / std::max(recorded, 1e-9))));
@@ -174,7 +206,7 @@ std::string playerJson(const sim2d::Trace& trace, const std::string& title, doub
                             {"shapes", outlinesJson(ground.shapes)},
                             {"goals", goalsJson(trace.header)},
                             {"bodies", bodiesJson(trace.header, samples)},
-                            {"events", eventsJson(trace)}};
+                            {"events", eventsJson(trace, contacts)}};
   return base::jsonText(json, -1);
 }
 

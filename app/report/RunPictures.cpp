@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/report/Comparison.h"
+#include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
 
 namespace report {
@@ -64,7 +65,8 @@ std::optional<base::Vec2> robotIn(const sim2d::Frame& frame) {
   return std::nullopt;
 }
 
-RunPicture pictureOf(const sim2d::Trace& trace, std::size_t run) {
+/// `problems`: of the metrics' settings that its record holds.
+RunPicture pictureOf(const sim2d::Trace& trace, std::size_t run, base::Diagnostics& problems) {
   RunPicture picture;
   picture.run = run;
   for (const sim2d::Frame& frame : trace.frames) {
@@ -73,18 +75,9 @@ RunPicture pictureOf(const sim2d::Trace& trace, std::size_t run) {
       picture.way.push_back(*place);
     }
   }
-  std::size_t at = 0;
-  for (const auto& [step, event] : trace.events) {
-    if (event.kind != sim2d::EventKind::Contact || event.id != -1) {
-      continue;
-    }
-    while (at + 1 < trace.frames.size() && trace.frames[at].step < step) {
-      ++at;
-    }
-    if (const auto place = trace.frames.empty() ? std::nullopt : robotIn(trace.frames[at])) {
-      picture.contacts.push_back(*place);
-    }
-  }
+  app::MetricsSetup setup;
+  problems = app::readMetricsSetup(trace.header, setup);
+  picture.contacts = metrics::contactsOf(trace, setup.selection, setup.parameters);
   return picture;
 }
 
@@ -254,21 +247,27 @@ RunPictures readRunPictures(const Study& study, const std::vector<std::size_t>& 
   const std::set<std::size_t> failed(failures.begin(), failures.end());
   std::size_t players = 0;
   std::size_t bytes = 0;
+  const auto warn = [&pictures](const base::Diagnostics& problems) {
+    for (base::Diagnostic problem : problems) {
+      problem.severity = base::Severity::Warning;  // the report goes on
+      pictures.problems.push_back(std::move(problem));
+    }
+  };
   for (const std::size_t run : chosen) {
     const base::Result<sim2d::Trace> trace = app::readRun(*study.runFolder(run));
     if (!trace) {
-      for (base::Diagnostic problem : trace.diagnostics()) {
-        problem.severity = base::Severity::Warning;  // the report goes on without this run
-        pictures.problems.push_back(std::move(problem));
-      }
+      warn(trace.diagnostics());
       continue;
     }
-    pictures.runs.push_back(pictureOf(*trace, run));
+    base::Diagnostics problems;
+    pictures.runs.push_back(pictureOf(*trace, run, problems));
+    warn(problems);
     pictures.grounds.try_emplace(study.results.runs[run].scenario, groundOf(*trace));
     const std::size_t most = failed.count(run) != 0 ? kMostPlayers : kFewPlayers;
     if (players < most && bytes < kPlayerBytes) {
       pictures.runs.back().player =
-          playerJson(*trace, "Run " + std::to_string(study.results.runs[run].number), kPlayerStep);
+          playerJson(*trace, pictures.runs.back().contacts,
+                     "Run " + std::to_string(study.results.runs[run].number), kPlayerStep);
       bytes += pictures.runs.back().player.size();
       ++players;
     }
@@ -328,13 +327,12 @@ std::optional<Figure> waysFigure(const Study& study, const RunPictures& pictures
 
 std::optional<Figure> contactsFigure(const Study& study, const RunPictures& pictures) {
   std::map<std::string, std::vector<base::Vec2>> contacts;
-  std::size_t count = 0;
   for (const RunPicture& picture : pictures.runs) {
-    auto& places = contacts[study.results.runs[picture.run].scenario];
-    places.insert(places.end(), picture.contacts.begin(), picture.contacts.end());
-    count += picture.contacts.size();
+    for (const metrics::RobotContact& contact : picture.contacts) {
+      contacts[study.results.runs[picture.run].scenario].push_back(contact.place);
+    }
   }
-  if (count == 0) {
+  if (contacts.empty()) {
     return std::nullopt;
   }
   PanelGrid grid;
@@ -356,10 +354,14 @@ std::optional<Figure> contactsFigure(const Study& study, const RunPictures& pict
     const MapPanel panel = grounds.draw(name, pictures.grounds.at(name), left, top + kHead);
     heatSquares(figure, panel, places);
   });
+  const std::size_t others = pictures.grounds.size() - contacts.size();
   figure.caption =
-      "Where the robot touched somebody or something: contacts per square of 0.5 m in " +
+      "Where the robot was when contacts with people or obstacles began, per square of 0.5 m, in " +
       std::to_string(pictures.runs.size()) +
-      (pictures.runs.size() == 1 ? " recorded run." : " recorded runs.");
+      (pictures.runs.size() == 1 ? " recorded run." : " recorded runs.") +
+      (others == 0 ? ""
+                   : " None in the " + std::to_string(others) +
+                         (others == 1 ? " other scenario." : " other scenarios."));
   return figure;
 }
 

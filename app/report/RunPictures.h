@@ -7,16 +7,17 @@
 
 #include "app/report/Figure.h"
 #include "app/report/Study.h"
+#include "metrics/RobotPlaces.h"
 #include "sim2d/trace/Trace.h"
 
 namespace report {
 
 /// What pages show of one recorded run.
 struct RunPicture {
-  std::size_t run = 0;               // of the study
-  std::vector<base::Vec2> way;       // of the robot [m], a point each 10 cm
-  std::vector<base::Vec2> contacts;  // where the robot was when it touched somebody or something
-  std::string player;                // JSON for the page's player; empty = not asked for
+  std::size_t run = 0;          // of the study
+  std::vector<base::Vec2> way;  // of the robot [m], a point each 10 cm
+  std::vector<metrics::RobotContact> contacts;
+  std::string player;  // JSON for the page's player; empty = not asked for
 };
 
 /// Where runs take place.
@@ -28,8 +29,11 @@ struct Ground {
 Ground groundOf(const sim2d::Trace& trace);
 
 /// JSON of a run for the page's player: places in cm, headings in 1/100 rad, as differences from
-/// one sample to the next. `every` [s] between samples, at least the record's own.
-std::string playerJson(const sim2d::Trace& trace, const std::string& title, double every);
+/// one sample to the next. `every` [s] between samples, at least the record's own. `contacts`:
+/// those that metrics count are told even where the bodies did not touch.
+std::string playerJson(const sim2d::Trace& trace,
+                       const std::vector<metrics::RobotContact>& contacts, const std::string& title,
+                       double every);
 
 struct RunPictures {
   std::vector<RunPicture> runs;           // in the order of the study's runs
@@ -46,7 +50,7 @@ RunPictures readRunPictures(const Study& study, const std::vector<std::size_t>& 
 
 /// Ways of the robot on the map, a panel per case and option.
 std::optional<Figure> waysFigure(const Study& study, const RunPictures& pictures);
-/// Where contacts happen, a panel per scenario.
+/// Where contacts happen, a panel per scenario that has some; null: none has.
 std::optional<Figure> contactsFigure(const Study& study, const RunPictures& pictures);
 
 }  // namespace report

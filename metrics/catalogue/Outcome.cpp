@@ -37,10 +37,7 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
 
   void add(const Instant& at) override {
     ContactsWithin::add(at);
-    const Robot& robot = at.now.robot;
-    const bool touches = robot.obstacleDistance && *robot.obstacleDistance - robot.radius <= 0.0;
-    obstacles_ += touches && !touches_ ? 1.0 : 0.0;
-    touches_ = touches;
+    obstacles_.add(at);
     if (at.isOriginal()) {
       addOriginal(at);
     }
@@ -55,11 +52,11 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
     if (last.context.goals.empty()) {
       return kNaN;
     }
-    const bool touched = count() > 0.0 || obstacles_ > 0.0;
+    const bool touched = count() > 0.0 || obstacles_.count() > 0.0;
     return isCompleted(last) && !touched && !isTimeout(last) ? 1.0 : 0.0;
   }
   double obstacles(const Instant& last) const {
-    return last.context.hasObstacles ? obstacles_ : kNaN;
+    return last.context.hasObstacles ? obstacles_.count() : kNaN;
   }
 
  private:
@@ -86,8 +83,7 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
   }
 
   Original originalOfRobot_, originalOfPerson_;
-  double obstacles_ = 0.0;
-  bool touches_ = false;  // an obstacle at the newest sample
+  ObstacleContacts obstacles_;
 };
 
 constexpr char kOutcomeMetrics[] = R"(

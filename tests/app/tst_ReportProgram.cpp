@@ -4,7 +4,7 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
-#include "tests/app/RunFiles.h"
+#include "tests/app/StudyFiles.h"
 
 using outside::text;
 
@@ -341,13 +341,62 @@ class ReportProgramTest : public QObject {
     checkPlayer(outside::bytesOf(single), out + text("/runs/0/trajectory.csv"), 0.1);
   }
 
+  /// A robot that looks at nobody passes somebody who stands, 3 cm and 1 cm away, and shoves her:
+  /// the second, too, is a contact to the metrics, though no body touches.
+  void report_contacts_areThoseOfTheMetrics() {
+    const outside::StudyFolder yard;
+    QByteArray scene = outside::kYardText;
+    scene.replace("max_vel: 1.2", "max_vel: 0.0");
+    scene.replace("h: 1.5}", "h: 1.5707963}");  // along x = 3 m; together they are 0.65 m wide
+    scene += "      planner: replay\n      planner_parameters:\n        file: velocities.csv\n";
+    outside::writeText(yard.path(text("yard.yaml")), scene);
+    outside::writeText(yard.path(text("velocities.csv")), "time,linear,angular\n0,0.5,0\n");
+    const QString study =
+        yard.writeStudy("passes.yaml",
+                        "duration: 10.0\nrecord: all\nvalues:\n"
+                        "  ben.init_pose.y: [9.0]\n  anna.init_pose.x: [2.32, 2.34, 2.4]\n");
+    const QString out = yard.path(text("out"));
+    const outside::Finished batch = outside::runProgram({text("batch"), study, text("-o"), out});
+    QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
+    const outside::Finished done = report(out, {text("--no-pdf")});
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    const QByteArray figure = outside::bytesOf(out + text("/figures/contacts.svg"));
+    QVERIFY2(figure.contains("yard.yaml: 2 contacts"), figure.constData());
+    const QJsonArray runs = playedRuns(outside::bytesOf(out + text("/report.html")));
+    QCOMPARE(runs.size(), 3);
+    int told = 0;
+    for (const auto& run : runs) {
+      const bool isTold = tellsContact(run.toObject());
+      told += isTold ? 1 : 0;
+      QVERIFY2(isTold || run.toObject().value(text("title")) == text("Run 0"), "the wrong run");
+    }
+    QCOMPARE(told, 2);
+    const auto events = outside::bytesOf(out + text("/runs/1/events.csv"));
+    QVERIFY2(!events.contains("contact"), events.constData());
+    const QString page = yard.path(text("run.html"));
+    const outside::Finished render =
+        outside::runProgram({text("render"), out + text("/runs/1"), text("-o"), page});
+    QVERIFY2(render.exitCode == 0, qPrintable(render.err));
+    QVERIFY(tellsContact(playedRuns(outside::bytesOf(page)).at(0).toObject()));
+  }
+
  private:
+  static QJsonArray playedRuns(const QByteArray& page) {
+    const int from = page.indexOf("id=\"replays\">") + 13;
+    return QJsonDocument::fromJson(page.mid(from, page.indexOf("</script>", from) - from)).array();
+  }
+  /// Of the robot and Anna, once.
+  static bool tellsContact(const QJsonObject& run) {
+    const QJsonArray events = run.value(text("events")).toArray();
+    const auto isIt = [](const auto& event) {
+      const QJsonArray parts = event.toArray();
+      return parts.at(1) == text("contact") && parts.at(2) == -1 && parts.at(3) == 1;
+    };
+    return std::count_if(events.begin(), events.end(), isIt) == 1;
+  }
   /// The robot's places in the page are those of the trajectory, to the centimetre.
   static void checkPlayer(const QByteArray& page, const QString& trajectory, double step) {
-    const int from = page.indexOf("id=\"replays\">");
-    QVERIFY(from > 0);
-    const QByteArray json = page.mid(from + 13, page.indexOf("</script>", from) - from - 13);
-    const QJsonObject run = QJsonDocument::fromJson(json).array().at(0).toObject();
+    const QJsonObject run = playedRuns(page).at(0).toObject();
     QCOMPARE(run.value(text("dt")).toDouble(), step);
     const auto samples = outside::readTrajectory(trajectory);
     QVERIFY(samples.size() > 60);

@@ -1,6 +1,7 @@
 #include <QtTest>
 
 #include "HandMade.h"
+#include "metrics/RobotPlaces.h"
 
 using namespace metrics;
 using namespace handmade;
@@ -73,6 +74,17 @@ sim2d::Trace driven(const std::vector<std::vector<Vec2>>& places) {
     trace.header.robots.push_back(each);
   }
   return trace;
+}
+
+QString contactsIn(const sim2d::Trace& trace, const Selection& selection,
+                   const MetricParameters& parameters) {
+  QString words;
+  for (const RobotContact& contact : contactsOf(trace, selection, parameters)) {
+    words += QStringLiteral("%1 s at %2: ").arg(contact.time).arg(contact.place.x()) +
+             (contact.person ? QString::number(*contact.person) : QStringLiteral("block")) +
+             QStringLiteral("; ");
+  }
+  return words;
 }
 
 /// Robot -1 stands; -2 sets off at 2 s, reaches (5, y) at 7 s and is parked there until 12 s.
@@ -223,6 +235,40 @@ class RobotWayTest : public QObject {
     QCOMPARE(wayOf(parkedSecond(0.0), selection, {}).size(), std::size_t{12});
     selection.robotId = -7;  // the first robot instead
     QVERIFY(wayOf(parkedSecond(0.0), selection, {}).back().second == Vec2(9.0, 9.0));
+  }
+
+  /// Metres and seconds are the same: it passes four people, whose borders it comes to within 1, 1,
+  /// 1 and 3 cm (the limit is 2), and grazes a block.
+  void contacts_ofARun_areWhereTheyBegin() {
+    std::vector<Vec2> way;
+    for (int k = 0; k < 10; ++k) {
+      way.emplace_back(k, 0.0);
+    }
+    sim2d::Trace trace = driven({way});
+    trace.header.obstacles = {solid({{3.8, -0.05}, {3.8, -2.0}, {4.2, -2.0}, {4.2, -0.05}})};
+    const Vec2 people[] = {{2.0, 0.46}, {6.0, 0.46}, {6.0, -0.46}, {8.0, 0.48}};
+    for (int k = 0; k < 4; ++k) {
+      sim2d::TraceHuman human;
+      human.id = k + 1;
+      human.radius = 0.35;
+      trace.header.humans.push_back(human);
+      for (sim2d::Frame& frame : trace.frames) {
+        frame.humans.add(human.id, {people[k], 0.0}, Vec2::Zero(), 0.0, 0);
+        frame.humans.group.push_back(-1);
+        frame.humans.state.push_back(0);
+      }
+    }
+    QCOMPARE(contactsIn(trace, {}, {}),
+             QStringLiteral("2 s at 2: 1; 4 s at 4: block; 6 s at 6: 2; 6 s at 6: 3; "));
+    MetricParameters wide;
+    wide.contactDistance = 0.04;
+    QCOMPARE(contactsIn(trace, {}, wide),
+             contactsIn(trace, {}, {}) + QStringLiteral("8 s at 8: 4; "));
+    Selection late;
+    late.window.from = "time 5";
+    QCOMPARE(contactsIn(trace, late, {}), QStringLiteral("6 s at 6: 2; 6 s at 6: 3; "));
+    late.window.from = "whenever";
+    QCOMPARE(contactsIn(trace, late, {}), QString());
   }
 };
 

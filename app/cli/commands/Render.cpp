@@ -274,6 +274,13 @@ base::Diagnostics writeBag(const std::string& path, const std::string& run) {
   return scans ? bridge::writeRunBag(path, *recorded->recording, *scans) : scans.diagnostics();
 }
 
+std::string pageOf(const sim2d::Trace& trace) {
+  MetricsSetup setup;
+  requireFine(readMetricsSetup(trace.header, setup));
+  return report::playerPage(trace, metrics::contactsOf(trace, setup.selection, setup.parameters),
+                            trace.header.scenario);
+}
+
 int renderCommand(const RenderOptions& options, const Invocation& given) {
   const std::optional<Kind> kind = pictureKindOf(endingOf(options));
   if (!kind) {
@@ -291,8 +298,7 @@ int renderCommand(const RenderOptions& options, const Invocation& given) {
   const base::Result<sim2d::Trace> trace = readRun(options.run);
   requireFine(trace.diagnostics());
   if (*kind == Kind::Page) {
-    const std::string page = report::playerPage(*trace, trace->header.scenario);
-    requireFine(base::writeFileAtomically(options.output, page));
+    requireFine(base::writeFileAtomically(options.output, pageOf(*trace)));
   } else {
     const PictureLayout layout = layoutOf(options, *kind);
     if (*kind != Kind::Film) {
