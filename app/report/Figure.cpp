@@ -284,15 +284,31 @@ std::string shortened(const std::string& text, std::size_t most) {
   return text;
 }
 
-double PanelGrid::rows() const {
-  return std::ceil(static_cast<double>(count) / columns);
+std::size_t PanelGrid::rows() const {
+  const auto inRow = static_cast<std::size_t>(columns);
+  return (count + inRow - 1) / inRow;
+}
+
+double PanelGrid::topOf(std::size_t row) const {
+  double top = 0.0;
+  for (std::size_t k = 0; k < row; ++k) {
+    top += (k < rowHeights.size() ? rowHeights[k] : panelHeight) + gap;
+  }
+  return top;
+}
+
+void PanelGrid::fitRows(const std::vector<double>& panelHeights) {
+  rowHeights.assign(rows(), 0.0);
+  for (std::size_t k = 0; k < count; ++k) {
+    double& height = rowHeights[k / static_cast<std::size_t>(columns)];
+    height = std::max(height, panelHeights[k]);
+  }
 }
 
 void PanelGrid::forEach(const std::function<void(std::size_t, double, double)>& draw) const {
+  const auto inRow = static_cast<std::size_t>(columns);
   for (std::size_t k = 0; k < count; ++k) {
-    const auto column = static_cast<double>(k % static_cast<std::size_t>(columns));
-    const double row = std::floor(static_cast<double>(k) / columns);
-    draw(k, column * (panelWidth() + gap), row * (panelHeight + gap));
+    draw(k, static_cast<double>(k % inRow) * (panelWidth() + gap), topOf(k / inRow));
   }
 }
 

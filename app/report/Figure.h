@@ -79,14 +79,18 @@ void horizontalAxis(Figure& figure, const Scale& scale, double y, bool asPercent
 /// At most so many characters; what is left out is shown as "…".
 std::string shortened(const std::string& text, std::size_t most);
 
-/// Panels side by side: `draw(index, left, top, width)` for each.
+/// Panels side by side: `draw(index, left, top)` for each.
 struct PanelGrid {
   std::size_t count = 0;
   int columns = 2;
   double panelHeight = 100.0;
   double width = 720.0, gap = 32.0;
-  double rows() const;
-  double height() const { return rows() * (panelHeight + gap) - gap; }
+  std::vector<double> rowHeights{};  // where rows differ; empty: panelHeight
+  /// Each row as tall as the tallest of its panels.
+  void fitRows(const std::vector<double>& panelHeights);
+  std::size_t rows() const;
+  double topOf(std::size_t row) const;
+  double height() const { return topOf(rows()) - gap; }
   double panelWidth() const { return (width - gap * (columns - 1)) / columns; }
   void forEach(const std::function<void(std::size_t, double, double)>& draw) const;
 };

@@ -156,14 +156,12 @@ std::vector<base::Vec2> inPanel(const std::vector<base::Vec2>& way, const MapPan
   return points;
 }
 
-/// Height of panels so wide in which every ground fits.
-double panelHeightFor(const RunPictures& pictures, double width, double most) {
-  double height = 60.0;
-  for (const auto& [name, ground] : pictures.grounds) {
-    const base::Vec2 size = ground.high - ground.low;
-    height = std::max(height, width * size.y() / size.x());
-  }
-  return std::min(height, most);
+constexpr double kPanelHead = 20.0;  // title [px]
+
+/// With the title; a map is at least 60 px tall, at most `most`.
+double panelHeightOf(const Ground& ground, double width, double most) {
+  const base::Vec2 size = ground.high - ground.low;
+  return kPanelHead + std::clamp(width * size.y() / size.x(), 60.0, most);
 }
 
 using CasePlace = std::pair<std::size_t, std::size_t>;  // case, option
@@ -286,11 +284,19 @@ std::optional<Figure> waysFigure(const Study& study, const RunPictures& pictures
                      ? static_cast<int>(study.options.size())
                      : 3;
   grid.gap = 14.0;
-  constexpr double kHead = 20.0;
-  const double mapHeight = panelHeightFor(pictures, grid.panelWidth(), 260.0);
-  grid.panelHeight = kHead + mapHeight;
+  constexpr double kMostHeight = 260.0;
+  std::vector<double> heights;
+  heights.reserve(cells.size());
+  for (const auto& [place, ways] : cells) {
+    heights.push_back(
+        ways.empty()
+            ? kPanelHead
+            : panelHeightOf(pictures.grounds.at(study.results.runs[ways.front()->run].scenario),
+                            grid.panelWidth(), kMostHeight));
+  }
+  grid.fitRows(heights);
   Figure figure("trajectories", grid.width, grid.height());
-  Grounds grounds(figure, grid.panelWidth(), mapHeight);
+  Grounds grounds(figure, grid.panelWidth(), kMostHeight);
   auto cell = cells.begin();
   grid.forEach([&](std::size_t /*index*/, double left, double top) {
     const auto& [place, ways] = *cell++;
@@ -304,7 +310,8 @@ std::optional<Figure> waysFigure(const Study& study, const RunPictures& pictures
       return;
     }
     const std::string& scenario = study.results.runs[ways.front()->run].scenario;
-    const MapPanel panel = grounds.draw(scenario, pictures.grounds.at(scenario), left, top + kHead);
+    const MapPanel panel =
+        grounds.draw(scenario, pictures.grounds.at(scenario), left, top + kPanelHead);
     for (const RunPicture* way : ways) {
       figure.polyline(inPanel(way->way, panel), strokeOf(option), 1.4, 0.6);
     }
@@ -338,12 +345,16 @@ std::optional<Figure> contactsFigure(const Study& study, const RunPictures& pict
   PanelGrid grid;
   grid.count = std::min(kMostPanels, contacts.size());
   grid.columns = contacts.size() > 1 ? 2 : 1;
-  constexpr double kHead = 20.0;
-  const double mapHeight = panelHeightFor(pictures, grid.panelWidth(), 420.0);
-  grid.panelHeight = kHead + mapHeight;
   grid.gap = 20.0;
+  constexpr double kMostHeight = 420.0;
+  std::vector<double> heights;
+  heights.reserve(contacts.size());
+  for (const auto& [name, places] : contacts) {
+    heights.push_back(panelHeightOf(pictures.grounds.at(name), grid.panelWidth(), kMostHeight));
+  }
+  grid.fitRows(heights);
   Figure figure("contacts", grid.width, grid.height());
-  Grounds grounds(figure, grid.panelWidth(), mapHeight);
+  Grounds grounds(figure, grid.panelWidth(), kMostHeight);
   auto scenario = contacts.begin();
   grid.forEach([&](std::size_t /*index*/, double left, double top) {
     const auto& [name, places] = *scenario++;
@@ -351,7 +362,7 @@ std::optional<Figure> contactsFigure(const Study& study, const RunPictures& pict
                 shortened(name.substr(study.sharedFolder), 60) + ": " +
                     std::to_string(places.size()) +
                     (places.size() == 1 ? " contact" : " contacts"));
-    const MapPanel panel = grounds.draw(name, pictures.grounds.at(name), left, top + kHead);
+    const MapPanel panel = grounds.draw(name, pictures.grounds.at(name), left, top + kPanelHead);
     heatSquares(figure, panel, places);
   });
   const std::size_t others = pictures.grounds.size() - contacts.size();
