@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -57,9 +58,22 @@ void testRates(const Study& study, int both, PairResult& pair) {
   pair.shiftInterval = statistics::pairedRateInterval(outcomes, study.level);
   pair.p = statistics::mcNemarP(pair.higher, pair.lower);
   const double pairs = count;
-  pair.enoughPairs = count > 0
-                         ? statistics::pairsForMcNemar(pair.higher / pairs, pair.lower / pairs)
-                         : statistics::kUndefined;
+  pair.enoughPairs = statistics::pairsForMcNemar(pair.higher / pairs, pair.lower / pairs);
+}
+
+/// Pairs that tie tell nothing: so many as are enough among those that differ, over their share.
+/// Where half of all or more tie, ranks say little more than signs.
+double enoughFor(const PairResult& pair) {
+  const auto pairs = static_cast<double>(pair.differences.size());
+  const int differing = pair.higher + pair.lower;
+  if (2.0 * differing <= pairs) {
+    return statistics::pairsForMcNemar(pair.higher / pairs, pair.lower / pairs);
+  }
+  Numbers told;
+  std::copy_if(pair.differences.begin(), pair.differences.end(), std::back_inserter(told),
+               [](double difference) { return difference != 0.0; });
+  const double enough = statistics::pairsForSignedRank(statistics::chanceOfPositiveSum(told));
+  return std::ceil(enough * pairs / differing);
 }
 
 void testPair(const Study& study, PairResult& pair) {
@@ -67,7 +81,7 @@ void testPair(const Study& study, PairResult& pair) {
   pair.shift = statistics::pairedShift(differences);
   pair.shiftInterval = statistics::pairedShiftInterval(differences, study.level);
   pair.p = statistics::signedRank(differences, statistics::Zeros::Pratt).p;
-  pair.enoughPairs = statistics::pairsForSignedRank(statistics::chanceOfPositiveSum(differences));
+  pair.enoughPairs = enoughFor(pair);
 }
 
 PairResult pairOfOptions(const Study& study, std::size_t metric, std::size_t first,
@@ -89,6 +103,9 @@ PairResult pairOfOptions(const Study& study, std::size_t metric, std::size_t fir
       pair.higher += difference > 0.0 ? 1 : 0;
       pair.lower += difference < 0.0 ? 1 : 0;
     }
+  }
+  if (pair.differences.empty()) {
+    return pair;
   }
   if (study.metrics[metric].isRate) {
     testRates(study, both, pair);
@@ -118,25 +135,6 @@ std::vector<Numbers> completeBlocks(const Study& study, std::size_t metric,
   return complete;
 }
 
-/// Per option: success is not known of any of its runs, or one succeeds.
-std::vector<bool> succeedingOptions(const Study& study) {
-  std::vector<bool> succeeds(study.options.size(), true);
-  const std::size_t key = study.results.keyAt("success");
-  if (key >= study.results.keys.size()) {
-    return succeeds;
-  }
-  std::vector<double> most(study.options.size(), statistics::kUndefined);
-  for (std::size_t run = 0; run < study.runCount(); ++run) {
-    if (study.results.runs[run].ok) {
-      double& known = most[study.optionOf[run]];
-      known = std::fmax(known, study.valuesOf(key)[run]);  // of a number and none the number
-    }
-  }
-  std::transform(most.begin(), most.end(), succeeds.begin(),
-                 [](double value) { return std::isnan(value) || value > 0.0; });
-  return succeeds;
-}
-
 /// None: nothing to compare, or all are equal.
 std::optional<std::size_t> bestOf(int sense, const MetricComparison& comparison) {
   const auto meanOf = [&](std::size_t option) { return comparison.estimates[option].mean; };
@@ -157,19 +155,29 @@ std::optional<std::size_t> bestOf(int sense, const MetricComparison& comparison)
   return leaders < defined ? best : std::nullopt;
 }
 
+/// Beside the best; the signs of the differences tell, not the means.
+Standing standingOf(const Metric& metric, const MetricComparison& comparison, std::size_t option) {
+  const bool isSuccess = metric.isRate && metric.sense > 0;
+  if (!comparison.succeeds[option] && !isSuccess) {
+    return Standing::NoSuccess;
+  }
+  const PairResult* const pair = comparison.pairOf(*comparison.best, option);
+  if (pair == nullptr || !(pair->adjusted < kSignificance)) {
+    return Standing::Close;
+  }
+  const int more = pair->first == option ? pair->higher - pair->lower : pair->lower - pair->higher;
+  const double shift = pair->first == option ? pair->shift : -pair->shift;
+  const double towards = shift != 0.0 ? shift : more;
+  return towards * metric.sense > 0.0 ? Standing::Ahead : Standing::Beaten;
+}
+
 void findBest(const Metric& metric, MetricComparison& comparison) {
-  comparison.differs.assign(comparison.estimates.size(), false);
+  comparison.standings.assign(comparison.estimates.size(), Standing::Close);
   if (metric.sense != 0) {
     comparison.best = bestOf(metric.sense, comparison);
   }
-  if (!comparison.best) {
-    return;
-  }
-  for (const PairResult& pair : comparison.pairs) {
-    if (pair.adjusted < kSignificance &&
-        (pair.first == *comparison.best || pair.second == *comparison.best)) {
-      comparison.differs[pair.first == *comparison.best ? pair.second : pair.first] = true;
-    }
+  for (std::size_t option = 0; comparison.best && option < comparison.estimates.size(); ++option) {
+    comparison.standings[option] = standingOf(metric, comparison, option);
   }
 }
 
@@ -190,6 +198,24 @@ double valueOf(const Study& study, std::size_t metric, std::size_t run) {
   }
   const Metric& what = study.metrics[metric];
   return what.isRate && what.sense > 0 ? 0.0 : statistics::kUndefined;
+}
+
+std::vector<bool> succeedingOptions(const Study& study) {
+  std::vector<bool> succeeds(study.options.size(), true);
+  const std::size_t key = study.results.keyAt("success");
+  if (key >= study.results.keys.size()) {
+    return succeeds;
+  }
+  std::vector<double> most(study.options.size(), statistics::kUndefined);
+  for (std::size_t run = 0; run < study.runCount(); ++run) {
+    if (study.results.runs[run].ok) {
+      double& known = most[study.optionOf[run]];
+      known = std::fmax(known, study.valuesOf(key)[run]);  // of a number and none the number
+    }
+  }
+  std::transform(most.begin(), most.end(), succeeds.begin(),
+                 [](double value) { return std::isnan(value) || value > 0.0; });
+  return succeeds;
 }
 
 std::vector<std::vector<std::size_t>> blocksOf(const Study& study) {

@@ -29,10 +29,18 @@ struct PairResult {
   int higher = 0, lower = 0;              // blocks in which the first is; the others tie
   double shift = statistics::kUndefined;  // Hodges-Lehmann; of a rate the difference of the rates
   Interval shiftInterval;
-  double p = 1.0;                               // signed-rank, of a rate McNemar
-  double adjusted = 1.0;                        // by Holm over all pairs of the metric
-  double delta = statistics::kUndefined;        // Cliff's
+  double p = statistics::kUndefined;         // signed-rank, of a rate McNemar; no blocks: none
+  double adjusted = statistics::kUndefined;  // by Holm over all pairs of the metric that have one
+  double delta = statistics::kUndefined;     // Cliff's
   double enoughPairs = statistics::kUndefined;  // for 80 % power with such differences
+};
+
+/// An option beside the best of a metric, on the blocks that both have values in.
+enum class Standing {
+  Close,     // not clearly different; also the best itself, and where there is no best
+  Beaten,    // significantly worse
+  Ahead,     // significantly better there, although its mean over all runs is not
+  NoSuccess  // never succeeds: what its runs measure is of pieces, and is not ranked
 };
 
 /// One metric over all options.
@@ -42,7 +50,7 @@ struct MetricComparison {
   std::vector<PairResult> pairs;    // of all two options
   std::vector<bool> succeeds;       // per option: once at least, or its success is not known
   std::optional<std::size_t> best;  // option; none: the metric is neutral, or all are equal
-  std::vector<bool> differs;        // per option: significantly from the best
+  std::vector<Standing> standings;  // per option
   std::optional<statistics::Friedman> friedman;  // three options and two complete blocks or more
   double criticalDifference = statistics::kUndefined;  // of mean ranks, Nemenyi
 
@@ -63,6 +71,9 @@ double valueOf(const Study& study, std::size_t metric, std::size_t run);
 
 /// Runs by block (case and seed): per option its run, or runCount() where there is none.
 std::vector<std::vector<std::size_t>> blocksOf(const Study& study);
+
+/// Per option: one of its runs succeeds, or success is not known of any.
+std::vector<bool> succeedingOptions(const Study& study);
 
 /// Options in cases in which several seeds have run and gave equal values of every metric (and at
 /// least one value): runs that are not independent.

@@ -215,10 +215,13 @@ std::string cellLatex(const Table::Cell& cell) {
   const std::string words = latexText(cell.text);
   std::string text = cell.bold ? "\\textbf{" + words + "}" : words;
   text += latexText(cell.mark);
-  if (!cell.below.empty()) {
-    text += " {\\footnotesize " + latexText(cell.below) + "}";
+  for (const std::string& small : {cell.below, cell.note}) {
+    if (!small.empty()) {
+      text += " {\\footnotesize " + latexText(small) + "}";
+    }
   }
-  return text;
+  // Behind \\ a bracket would be the room between two rows.
+  return text.rfind('[', 0) == 0 ? "{}" + text : text;
 }
 
 }  // namespace
@@ -271,7 +274,8 @@ std::string tableCsv(const Table& table) {
   for (const std::vector<Table::Cell>& row : table.rows) {
     rows.emplace_back();
     for (std::size_t k = 0; k < row.size(); ++k) {
-      add(k, withAsciiMinus(row[k].text), withAsciiMinus(row[k].below), row[k].note);
+      add(k, row[k].csv.empty() ? withAsciiMinus(row[k].text) : row[k].csv,
+          withAsciiMinus(row[k].below), row[k].note);
     }
   }
   return csvText(rows);

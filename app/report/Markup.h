@@ -39,6 +39,7 @@ struct Table {
     bool bold = false;
     std::string note = {};    // small, in a third line
     std::string markup = {};  // instead of text, as it is: a button
+    std::string csv = {};     // instead of text in CSV: with all digits
   };
   std::string name;     // of files: "results"
   std::string caption;  // plain text

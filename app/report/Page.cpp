@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/report/PageTexts.h"
+#include "app/report/PlotParts.h"
 #include "app/report/Plots.h"
 #include "app/report/Tables.h"
 #include "app/run/DataPaths.h"
@@ -92,6 +93,7 @@ class PageMaker {
     }
     for (std::size_t run = 0; run < study_.runCount(); ++run) {
       const bool hasKey = key < none;
+      knowsSuccess_ = knowsSuccess_ || (hasKey && !std::isnan(study_.valuesOf(key)[run]));
       if (!study_.results.runs[run].ok || (hasKey && study_.valuesOf(key)[run] == 0.0)) {
         failures_.push_back(run);
       }
@@ -144,6 +146,10 @@ class PageMaker {
               " side by side";
     }
     head_ += paragraph(lead + ".", " class=\"lead\"");
+    if (!study_.shard.empty()) {
+      head_ += paragraph("These are the runs of shard " + study_.shard +
+                         " of the study, not all; merge puts the shards together.");
+    }
     if (study_.status == "interrupted") {
       head_ += paragraph("The batch was interrupted: only the runs that had ended are here.");
     }
@@ -175,6 +181,17 @@ class PageMaker {
         " class=\"warning\"");
   }
 
+  /// Those that are no leaders.
+  std::vector<std::string> namesOf(const MetricComparison& comparison, Standing standing) const {
+    std::vector<std::string> names;
+    for (std::size_t option = 0; option < study_.options.size(); ++option) {
+      if (!comparison.leads(option) && comparison.standings[option] == standing) {
+        names.push_back(study_.options[option]);
+      }
+    }
+    return names;
+  }
+
   /// "Path length: best is dwa (7.1 m), better than pursuit; not clearly different from mppi."
   std::string finding(const MetricComparison& comparison) const {
     if (!comparison.best) {
@@ -183,28 +200,34 @@ class PageMaker {
     const Metric& metric = study_.metrics[comparison.metric];
     const double best = comparison.estimates[*comparison.best].mean;
     std::vector<std::string> leaders;  // the best, and who equals it
-    std::vector<std::string> beaten;
-    std::vector<std::string> close;
     for (std::size_t option = 0; option < study_.options.size(); ++option) {
-      (comparison.leads(option)     ? leaders
-       : comparison.differs[option] ? beaten
-                                    : close)
-          .push_back(study_.options[option]);
+      if (comparison.leads(option)) {
+        leaders.push_back(study_.options[option]);
+      }
     }
+    const std::vector<std::string> beaten = namesOf(comparison, Standing::Beaten);
+    const std::vector<std::string> close = namesOf(comparison, Standing::Close);
+    const std::vector<std::string> ahead = namesOf(comparison, Standing::Ahead);
+    const std::vector<std::string> pieces = namesOf(comparison, Standing::NoSuccess);
     const int decimals = decimalsFor(comparison.estimates, metric.isRate);
     const std::string unit = metric.unit.empty() || metric.unit == "-" ? "" : " " + metric.unit;
     std::string words = element("b", "", escaped(metric.name)) +
                         (leaders.size() == 1 ? ": best is " : ": best are ") +
                         escaped(base::join(leaders, ", ")) + " (" +
                         escaped(estimateText(metric, best, decimals) + unit) + ")";
-    const bool beatsAll = close.empty() && beaten.size() > 1;
-    if (!beaten.empty()) {
-      words += ", better than " + (beatsAll ? "all others" : someOf(beaten));
-    }
-    if (!close.empty()) {
-      words += (beaten.empty() ? ", " : "; ") + std::string("not clearly different from ") +
-               someOf(close);
-    }
+    const bool beatsAll = close.empty() && ahead.empty() && pieces.empty() && beaten.size() > 1;
+    const char* between = ", ";
+    const auto add = [&](const std::vector<std::string>& names, const std::string& more) {
+      words += names.empty() ? "" : between + more;
+      between = names.empty() ? between : "; ";
+    };
+    add(beaten, "better than " + (beatsAll ? "all others" : someOf(beaten)));
+    add(close, "not clearly different from " + someOf(close));
+    add(ahead, "but " + someOf(ahead) + (ahead.size() == 1 ? " is" : " are") +
+                   " better on the same cases and seeds");
+    add(pieces, someOf(pieces) +
+                    (pieces.size() == 1 ? " never succeeds and is" : " never succeed and are") +
+                    " left out");
     return words + ".";
   }
 
@@ -305,7 +328,9 @@ class PageMaker {
     std::vector<std::size_t> told = failures_;
     told.resize(std::min(told.size(), kMostRows));
     section("failures", "Failures");
-    if (failures_.empty()) {
+    if (!knowsSuccess_ && failures_.empty()) {
+      body_ += paragraph("No run ended with an error; success is not measured here.");
+    } else if (failures_.empty()) {
       body_ += paragraph("Every run succeeded.");
     } else {
       Table table = failuresTable(study_, told, played);
@@ -315,10 +340,11 @@ class PageMaker {
                                    " are listed, the others are in tables/failures.csv."
                              : ".") +
                       " The command shows the run in the window." +
-                      (study_.knowsRunWords ? ""
-                                            : " What the experiment sets for all runs (duration, "
-                                              "dt …) is not in it: the file of the "
-                                              "experiment is gone or has changed.");
+                      (study_.knowsRunWords || areAllKept(told)
+                           ? ""
+                           : " What the experiment sets for all runs (duration, "
+                             "dt …) is not in it: the file of the "
+                             "experiment is gone or has changed.");
       body_ += tableHtml(table, "failures");
       report_.tables.push_back(failuresTable(study_, failures_, {}));
       report_.tables.back().caption = "Runs without success.";
@@ -334,12 +360,17 @@ class PageMaker {
     }
   }
 
+  bool areAllKept(const std::vector<std::size_t>& runs) const {
+    return std::all_of(runs.begin(), runs.end(),
+                       [this](std::size_t run) { return study_.runFolder(run).has_value(); });
+  }
+
   void writeMethods() {
     section("methods", "Methods");
     for (const char* words : kMethods) {
       body_ += paragraph(words);
     }
-    body_ += paragraph("Intervals are of " + numberText(100.0 * study_.level, 0) + " %, " +
+    body_ += paragraph("Intervals are of " + percentText(study_.level) + ", " +
                        std::to_string(study_.resamples) +
                        " resamples of the bootstrap, seed 1. Blocks are cases with one seed; " +
                        std::to_string(blocks_.size()) + " here.");
@@ -358,11 +389,12 @@ class PageMaker {
       fact(input.path, input.sha256);
     }
     fact("Seeds", seedsText());
+    fact("Drawn for each scenario and seed", base::join(study_.drawn, ", "));
+    fact("Part of a study", study_.shard.empty() ? "" : "shard " + study_.shard);
     body_ += element("dl", "", "\n" + facts) + "\n";
     std::string commands;
     if (!study_.inputs.empty()) {
-      commands +=
-          shellText({"hunavsim", "batch", study_.inputs.front().path, "-o", study_.folder}) + "\n";
+      commands += shellText(study_.batchWords()) + "\n";
     }
     commands += shellText(command_);
     body_ += "<pre>" + element("code", "", escaped(commands)) + "</pre>\n";
@@ -404,8 +436,9 @@ class PageMaker {
       "several families: the chance of a false finding holds for each of them.",
       "With three options or more Friedman's test comes first (with ties; F of Iman and Davenport "
       "1980), and mean ranks are compared by Nemenyi's critical difference (Demšar 2006). The "
-      "number of pairs that would be enough is Noether's (1987) for the signed-rank test, for "
-      "rates Connor's (1987) for McNemar's."};
+      "number of pairs that would be enough is Noether's (1987) for the signed-rank test among the "
+      "pairs that differ, over their share; for rates, and where half of the pairs or more tie, "
+      "Connor's (1987) for McNemar's test of the signs."};
 
   const Study& study_;
   const std::vector<std::pair<std::string, double>>& weights_;
@@ -418,7 +451,7 @@ class PageMaker {
   Report report_;
   std::string head_, body_;
   std::vector<std::pair<std::string, std::string>> sections_;
-  bool hasPlayer_ = false;
+  bool knowsSuccess_ = false, hasPlayer_ = false;
 };
 
 }  // namespace

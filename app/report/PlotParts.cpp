@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/report/Markup.h"
+#include "sim2d/base/Text.h"
 
 namespace report {
 
@@ -75,7 +76,7 @@ void panelTitle(Figure& figure, const std::string& title, double left, double to
 }
 
 std::string percentText(double level) {
-  return numberText(100.0 * level, 0) + " %";
+  return base::formatDouble(std::round(1e8 * level) / 1e6) + " %";
 }
 
 void strip(Figure& figure, const Numbers& values, const Scale& scale, double y, double height,

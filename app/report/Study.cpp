@@ -98,7 +98,9 @@ std::string shortPath(const std::string& path) {
 /// Makes a study of results and wishes, and says what is wrong with the wishes.
 class StudyMaker {
  public:
-  StudyMaker(const Wishes& wishes, Results results) : wishes_(wishes) {
+  /// `known`: what the manifest tells.
+  StudyMaker(const Wishes& wishes, Study known, Results results)
+      : wishes_(wishes), study_(std::move(known)) {
     study_.folder = wishes.folder;
     study_.results = std::move(results);
     study_.level = wishes.level;
@@ -208,7 +210,13 @@ class StudyMaker {
     }
     return texts;
   }
-  bool isVaried(const std::string& path) const { return distinct(column(path)).size() > 1; }
+  bool isDrawn(const std::string& path) const {
+    return std::find(study_.drawn.begin(), study_.drawn.end(), path) != study_.drawn.end();
+  }
+  /// By the experiment; what is drawn belongs to the seed.
+  bool isVaried(const std::string& path) const {
+    return !isDrawn(path) && distinct(column(path)).size() > 1;
+  }
 
   std::string mostTelling() const {
     const auto& paths = study_.results.paths;
@@ -227,11 +235,15 @@ class StudyMaker {
     study_.compared = wishes_.compare.empty() ? mostTelling() : wishes_.compare;
     if (!wishes_.compare.empty() && wishes_.compare != kScenario &&
         std::find(paths.begin(), paths.end(), wishes_.compare) == paths.end()) {
-      std::vector<std::string> known = paths;
+      std::vector<std::string> known;
+      std::copy_if(paths.begin(), paths.end(), std::back_inserter(known),
+                   [this](const std::string& path) { return !isDrawn(path); });
       known.emplace_back(kScenario);
       problems_.push_back(base::error("report.unknown-path",
                                       {wishes_.compare, base::join(known, ", ")}, "--compare"));
       study_.compared.clear();
+    } else if (isDrawn(study_.compared)) {
+      problems_.push_back(base::error("report.drawn-path", {study_.compared}, "--compare"));
     }
     const std::vector<std::string> texts =
         study_.compared.empty() ? std::vector<std::string>(study_.runCount(), "all runs")
@@ -300,6 +312,20 @@ base::Diagnostics readRunWords(Study& study) {
   return {};
 }
 
+/// drawn: scenario -> seed -> path -> value.
+void readDrawn(const Json& manifest, Study& study) {
+  std::set<std::string> paths;
+  const auto drawn = manifest.find("drawn");
+  for (const Json& seeds : drawn != manifest.end() ? *drawn : Json()) {
+    for (const Json& values : seeds) {
+      for (auto value = values.begin(); values.is_object() && value != values.end(); ++value) {
+        paths.insert(value.key());
+      }
+    }
+  }
+  study.drawn.assign(paths.begin(), paths.end());
+}
+
 base::Diagnostics readManifest(const fs::path& path, Study& study) {
   std::error_code ignored;  // what cannot be looked at is not there
   if (!fs::exists(path, ignored)) {
@@ -322,6 +348,10 @@ base::Diagnostics readManifest(const fs::path& path, Study& study) {
   for (const Json& input : manifest["inputs"]) {
     study.inputs.push_back({textIn(input, "path"), textIn(input, "sha256")});
   }
+  study.shard = textIn(manifest, "shard");
+  const auto code = manifest.find("code");
+  study.allowsCode = code != manifest.end() && code->is_object() && code->value("allowed", false);
+  readDrawn(manifest, study);
   return {};
 }
 
@@ -361,6 +391,17 @@ std::optional<std::string> Study::runFolder(std::size_t run) const {
   return fs::exists(place / "trace.json", ignored) ? std::optional(place.string()) : std::nullopt;
 }
 
+std::vector<std::string> Study::batchWords() const {
+  std::vector<std::string> words = {"hunavsim", "batch", inputs.front().path, "-o", folder};
+  if (allowsCode) {
+    words.emplace_back("--allow-code");
+  }
+  if (!shard.empty()) {
+    words.insert(words.end(), {"--shard", shard});
+  }
+  return words;
+}
+
 std::string Study::replayCommand(std::size_t run) const {
   if (const std::optional<std::string> kept = runFolder(run)) {
     return shellText({"hunavsim", *kept});
@@ -397,17 +438,13 @@ base::Result<Study> readStudy(const Wishes& wishes) {
   if (!results) {
     return problems;
   }
-  StudyMaker maker(wishes, *std::move(results));
+  StudyMaker maker(wishes, std::move(manifest), *std::move(results));
   maker.choose();
   base::append(problems, maker.problems());
   if (base::hasErrors(problems)) {
     return problems;
   }
   Study& study = maker.study();
-  study.version = manifest.version;
-  study.commit = manifest.commit;
-  study.status = manifest.status;
-  study.inputs = std::move(manifest.inputs);
   study.resultsHash = app::sha256Of(*text);
   for (base::Diagnostic& problem : readRunWords(study)) {
     problem.severity = base::Severity::Warning;

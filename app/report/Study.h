@@ -36,7 +36,8 @@ struct Study {
   std::string title;                 // "Planners compared"
   std::string compared;              // value path or "scenario"; empty = there is one option only
   std::vector<std::string> options;  // values compared, in the order of the file; one at least
-  std::vector<std::string> cases;  // what else differs but the seed: "cafe", "cafe, *.max_vel 1.4"
+  /// What else differs but the seed and what is drawn by it: "cafe", "cafe, *.max_vel 1.4".
+  std::vector<std::string> cases;
   std::vector<std::size_t> optionOf, caseOf;  // per run
   Results results;
   std::vector<Metric> metrics;     // per key of the results
@@ -51,6 +52,9 @@ struct Study {
   };
   std::string version, commit, resultsHash;
   std::vector<Input> inputs;
+  std::vector<std::string> drawn;  // value paths that are drawn for each scenario and seed
+  std::string shard;               // "1/3"; empty = the whole study
+  bool allowsCode = false;
   std::vector<std::string> runWords;  // options of `run` that the experiment sets for all
   bool knowsRunWords = false;         // the experiment file is still the one that was run
   bool lacksFile = false;             // that is there and cannot be read
@@ -64,6 +68,8 @@ struct Study {
   const Numbers& valuesOf(std::size_t metric) const { return results.metrics[metric]; }
   /// Folder of a run, if it was kept.
   std::optional<std::string> runFolder(std::size_t run) const;
+  /// The command that makes the study again, as far as the manifest tells it.
+  std::vector<std::string> batchWords() const;
   /// The command that shows a run in the window.
   std::string replayCommand(std::size_t run) const;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report/PlotParts.h"
 #include "metrics/statistics/Choices.h"
 #include "sim2d/base/Text.h"
 
@@ -13,10 +14,6 @@ namespace {
 using Cell = Table::Cell;
 
 constexpr double kManyPairs = 9999.0;
-
-std::string levelText(const Study& study) {
-  return numberText(100.0 * study.level, 0) + " %";
-}
 
 std::string comparedName(const Study& study) {
   return study.compared.empty() ? "Option" : study.compared;
@@ -45,20 +42,22 @@ Cell estimateCell(const Study& study, const MetricComparison& comparison, std::s
   cell.note = countNote(study, estimate, option);
   cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
   cell.bold = !median && comparison.leads(option);
-  cell.mark = !median && comparison.differs[option] ? "†" : "";
+  cell.mark = !median && comparison.standings[option] == Standing::Beaten ? "†" : "";
   return cell;
 }
 
-/// Means of the metrics of the weights, made one number per option.
+/// Means of the metrics of the weights, made one number per option; one that never succeeds has
+/// none.
 Numbers compositeOf(const Study& study,
                     const std::vector<std::pair<std::string, double>>& weights) {
   std::vector<statistics::Criterion> criteria;
+  const std::vector<bool> succeeds = succeedingOptions(study);
   for (const auto& [key, weight] : weights) {
     const std::size_t metric = study.results.keyAt(key);
     std::vector<Numbers> values(study.options.size());
     for (std::size_t run = 0; run < study.runCount(); ++run) {
       const double value = valueOf(study, metric, run);
-      if (!std::isnan(value)) {
+      if (!std::isnan(value) && succeeds[study.optionOf[run]]) {
         values[study.optionOf[run]].push_back(value);
       }
     }
@@ -83,6 +82,16 @@ std::string weightsText(const std::vector<std::pair<std::string, double>>& weigh
   return base::join(words, ", ");
 }
 
+/// A p value; files have all its digits.
+Cell chanceCell(double p, bool bold = false) {
+  const std::string digits = std::isnan(p) ? std::string() : base::formatDouble(p);
+  Cell cell{pText(p)};
+  cell.sort = digits.empty() ? "–" : digits;
+  cell.bold = bold;
+  cell.csv = digits;
+  return cell;
+}
+
 std::vector<Cell> pairRow(const Study& study, const MetricComparison& comparison,
                           const PairResult& pair) {
   const Metric& metric = study.metrics[comparison.metric];
@@ -103,8 +112,8 @@ std::vector<Cell> pairRow(const Study& study, const MetricComparison& comparison
       {std::to_string(pair.higher) + " / " + std::to_string(ties) + " / " +
        std::to_string(pair.lower)},
       shift,
-      sorted(pText(pair.p), pair.p),
-      sorted(pText(pair.adjusted), pair.adjusted, isClear),
+      chanceCell(pair.p),
+      chanceCell(pair.adjusted, isClear),
       sorted(numberText(pair.delta, 2), pair.delta),
       sorted(pair.enoughPairs > kManyPairs ? "> 9999" : numberText(pair.enoughPairs, 0),
              pair.enoughPairs)};
@@ -191,9 +200,12 @@ Table resultsTable(const Study& study, const Comparisons& comparisons,
     }
     table.rows.push_back(std::move(row));
   }
-  table.caption = "Means (rates: shares of runs) with intervals of " + levelText(study) + ".";
+  table.caption =
+      "Means (rates: shares of runs) with intervals of " + percentText(study.level) + ".";
   if (study.options.size() > 1) {
-    table.caption += " Bold: best. †: differs from the best (p < 0.05, Holm over all pairs).";
+    table.caption +=
+        " Bold: best. †: worse than the best on the same cases and seeds (p < 0.05, Holm over all "
+        "pairs).";
     const auto hasFailure = [](const MetricComparison& each) {
       return std::find(each.succeeds.begin(), each.succeeds.end(), false) != each.succeeds.end();
     };
@@ -226,8 +238,8 @@ std::optional<Table> mediansTable(const Study& study, const Comparisons& compari
       table.rows[option].push_back(estimateCell(study, comparison, option, true, decimals));
     }
   }
-  table.caption =
-      "Medians with intervals of at least " + levelText(study) + " between order statistics.";
+  table.caption = "Medians with intervals of at least " + percentText(study.level) +
+                  " between order statistics.";
   return table.columns.size() > 1 ? std::optional(std::move(table)) : std::nullopt;
 }
 
@@ -252,7 +264,7 @@ Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {
   table.caption =
       "Pairs of options on the same case and seed: in how many the first is higher, equal, lower; "
       "typical difference with its interval of " +
-      levelText(study) +
+      percentText(study.level) +
       "; p of the signed-rank test (rates: McNemar), and adjusted over the pairs of the metric; "
       "Cliff's δ; pairs that would be enough to see such a difference (power 80 %, level 5 %)." +
       (all || study.options.size() < 4
@@ -274,9 +286,9 @@ std::optional<Table> familyTable(const Study& study, const Comparisons& comparis
     table.rows.push_back({{titleOf(study.metrics[comparison.metric])},
                           {std::to_string(test.blocks)},
                           {numberText(test.chiSquared, 2)},
-                          {pText(test.p)},
+                          chanceCell(test.p),
                           {std::isinf(test.f) ? std::string("∞") : numberText(test.f, 2)},
-                          {pText(test.fP)},
+                          chanceCell(test.fP),
                           {numberText(comparison.criticalDifference, 2)}});
   }
   table.caption =

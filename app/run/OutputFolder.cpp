@@ -307,7 +307,7 @@ base::Diagnostics OutputFolder::commit(const std::string& manifest, Earlier earl
 
 base::Diagnostics writeIntoOthers(const std::string& folder,
                                   const std::vector<base::FileContent>& files, const char* kind,
-                                  bool force) {
+                                  bool force, const std::vector<std::string>& dropped) {
   const base::Result<std::unique_ptr<OutputFolder>> output =
       OutputFolder::open(folder, force, OutputFolder::kHiddenManifest);
   if (!output) {
@@ -317,9 +317,11 @@ base::Diagnostics writeIntoOthers(const std::string& folder,
   for (const base::FileContent& file : files) {
     base::append(problems, (*output)->write(file.path, file.content));
   }
-  return base::hasErrors(problems)
-             ? problems
-             : (*output)->commit(base::jsonText(Json{{"kind", kind}}), OutputFolder::Earlier::Kept);
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  (*output)->drop(dropped);
+  return (*output)->commit(base::jsonText(Json{{"kind", kind}}), OutputFolder::Earlier::Kept);
 }
 
 bool isRestOfOutput(const std::string& name) {

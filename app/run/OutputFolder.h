@@ -75,10 +75,11 @@ class OutputFolder {
 };
 
 /// Files with names in a folder of another program, beside what is there: all of them or none.
-/// `kind`: of the command that makes them.
+/// `kind`: of the command that makes them; `dropped`: names of earlier ones that go, unless made
+/// anew.
 base::Diagnostics writeIntoOthers(const std::string& folder,
                                   const std::vector<base::FileContent>& files, const char* kind,
-                                  bool force);
+                                  bool force, const std::vector<std::string>& dropped = {});
 
 /// A name in a folder that is of the work of this program on it, not a result.
 bool isRestOfOutput(const std::string& name);

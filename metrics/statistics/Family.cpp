@@ -1,6 +1,7 @@
 #include "metrics/statistics/Family.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "metrics/statistics/Distributions.h"
@@ -32,11 +33,16 @@ double chanceOfAgreement(Numbers block, int blocks) {
 }  // namespace
 
 Numbers holm(const Numbers& ps) {
-  std::vector<std::size_t> order(ps.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> order;
+  order.reserve(ps.size());
+  for (std::size_t k = 0; k < ps.size(); ++k) {
+    if (!std::isnan(ps[k])) {
+      order.push_back(k);
+    }
+  }
   std::stable_sort(order.begin(), order.end(),
                    [&ps](std::size_t a, std::size_t b) { return ps[a] < ps[b]; });
-  Numbers adjusted(ps.size());
+  Numbers adjusted(ps.size(), kUndefined);
   double least = 0.0;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const double factor = static_cast<double>(order.size() - k);

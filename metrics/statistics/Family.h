@@ -6,7 +6,8 @@
 namespace statistics {
 
 /// p values adjusted for all being looked at (Holm 1979), in the order given; at most 1. The chance
-/// of one false finding or more stays below a level when those below it are taken.
+/// of one false finding or more stays below a level when those below it are taken. NaN stays NaN
+/// and does not count.
 Numbers holm(const Numbers& ps);
 
 /// Options ranked within blocks (seeds, data sets).

@@ -910,6 +910,7 @@ constexpr ProblemText kTexts[] = {
      "is missing: the page cannot tell the versions and files that the batch was run with"},
     {"report.bad-manifest", "is no manifest of a batch (damaged?)"},
     {"report.unknown-path", "'{found}' is not varied here (known: {known})"},
+    {"report.drawn-path", "'{found}' is drawn anew for each seed: there is nothing to compare"},
     {"report.weights", "--weights takes KEY=NUMBER,... with numbers from 0 on, not '{found}'"},
     {"report.no-better",
      "'{key}' cannot be weighed: neither more nor less of it is said to be better"},

@@ -1,4 +1,6 @@
+#include <array>
 #include <limits>
+#include <vector>
 
 #include <QtTest>
 
@@ -36,6 +38,25 @@ Study smallStudy() {
   return study;
 }
 
+/// Times of two planners, a pair for each seed.
+Study pairedStudy(const std::vector<std::array<double, 2>>& pairs) {
+  Study study = smallStudy();
+  study.results.runs.clear();
+  study.results.metrics[0].clear();
+  study.optionOf.clear();
+  study.caseOf.assign(2 * pairs.size(), 0);
+  for (std::size_t seed = 0; seed < pairs.size(); ++seed) {
+    for (std::size_t option = 0; option < 2; ++option) {
+      Results::Run run;
+      run.seed = static_cast<long long>(seed) + 1;
+      study.results.runs.push_back(run);
+      study.results.metrics[0].push_back(pairs[seed][option]);
+      study.optionOf.push_back(option);
+    }
+  }
+  return study;
+}
+
 }  // namespace
 
 /// Parts of reports: texts, scales, pairs.
@@ -69,6 +90,25 @@ class ReportPiecesTest : public QObject {
                          "\\textasciicircum{} $<$"));
     QCOMPARE(latexText("−1.5 m²"), std::string("$-$1.5 m$^2$"));
     QCOMPARE(latexText("χ² ∞"), std::string("$\\chi$$^2$ $\\infty$"));  // Friedman's table
+  }
+
+  /// How many runs a mean is of stands beside it, and a bracket at the beginning of a row is no
+  /// option of the line break before it.
+  void tableLatex_cells_areWhole() {
+    Table table;
+    table.columns = {{"Option", {}, false}, {"Time", "s"}};
+    table.rows = {{{"[0.0, 30.0]"}, {"20", "[18, 22]"}}};
+    table.rows[0][1].note = "n = 5";
+    const std::string latex = tableLatex(table);
+    QVERIFY2(latex.find("    {}[0.0, 30.0] & 20 {\\footnotesize [18, 22]} {\\footnotesize n = 5} "
+                        "\\\\\n") != std::string::npos,
+             latex.c_str());
+  }
+
+  void percentText_level_isWhole() {
+    QCOMPARE(percentText(0.95), std::string("95 %"));
+    QCOMPARE(percentText(0.975), std::string("97.5 %"));
+    QCOMPARE(percentText(0.999), std::string("99.9 %"));
   }
 
   void shellText_words_areQuotedWhereNeeded() {
@@ -119,7 +159,7 @@ class ReportPiecesTest : public QObject {
     QCOMPARE(found.estimates[0].mean, 4.0);
     QCOMPARE(found.estimates[1].mean, 2.5);
     QVERIFY(found.best == std::size_t{1});  // less time is better
-    QVERIFY(!found.differs[0]);
+    QVERIFY(found.standings[0] == Standing::Close);
     QVERIFY(!found.friedman);
   }
 
@@ -184,6 +224,73 @@ class ReportPiecesTest : public QObject {
     QVERIFY(bestWith({kNone, 0.0, kNone, 1.0, kNone}) == std::size_t{1});
   }
 
+  /// What its runs measure is of pieces: it is not ranked, but in success itself.
+  void compare_optionThatNeverSucceeds_isNotBeaten() {
+    Study study =
+        pairedStudy({{1.0, 3.0}, {1.1, 3.1}, {1.2, 3.2}, {1.3, 3.3}, {1.4, 3.4}, {1.5, 3.5}});
+    study.results.keys.emplace_back("success");
+    study.results.metrics.emplace_back();
+    study.metrics.push_back({"success", "Success", "-", true, 1});
+    for (std::size_t run = 0; run < study.runCount(); ++run) {
+      study.results.metrics[1].push_back(run % 2 == 0 ? 1.0 : 0.0);
+    }
+    const MetricComparison time = compare(study, 0, blocksOf(study));
+    QVERIFY(time.best == std::size_t{0});
+    QVERIFY(time.pairs[0].adjusted < kSignificance);
+    QVERIFY(time.standings[1] == Standing::NoSuccess);
+    const MetricComparison success = compare(study, 1, blocksOf(study));
+    QVERIFY(success.best == std::size_t{0});
+    QVERIFY(success.standings[1] == Standing::Beaten);
+  }
+
+  /// The first arrives only where the way is short, and is slower there.
+  void compare_bestByItsMeanAlone_isNotBetter() {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    const Study study = pairedStudy({{6.0, 5.0},
+                                     {7.0, 5.9},
+                                     {8.0, 6.8},
+                                     {9.0, 7.7},
+                                     {10.0, 8.6},
+                                     {11.0, 9.5},
+                                     {kNone, 90.0},
+                                     {kNone, 95.0}});
+    const MetricComparison found = compare(study, 0, blocksOf(study));
+    QVERIFY(found.best == std::size_t{0});
+    QVERIFY(found.standings[1] == Standing::Ahead);
+  }
+
+  /// Nothing to compare is no equality, and takes no part in the adjustment of the others.
+  void compare_noCommonBlock_hasNoP() {
+    Study study =
+        pairedStudy({{1.0, 2.0}, {1.1, 2.2}, {1.2, 2.4}, {1.3, 2.6}, {1.4, 2.8}, {1.5, 3.0}});
+    study.options.emplace_back("c");
+    Results::Run run;
+    run.seed = 99;
+    study.results.runs.push_back(run);
+    study.results.metrics[0].push_back(9.0);
+    study.optionOf.push_back(2);
+    study.caseOf.push_back(0);
+    const MetricComparison found = compare(study, 0, blocksOf(study));
+    QVERIFY(std::isnan(found.pairOf(0, 2)->p) && std::isnan(found.pairOf(0, 2)->adjusted));
+    QCOMPARE(found.pairOf(0, 1)->adjusted, found.pairOf(0, 1)->p);
+    QCOMPARE(found.pairOf(0, 1)->p, 0.03125);  // 2 / 2^6
+  }
+
+  /// By hand: of 150 pairs 3 differ, (1.95996 √0.02 + 0.84162 √0.0196)² / 0.02² = 390.08; of 10
+  /// pairs 8 differ, all one way, (1.95996 + 0.84162)² / (3 / 4) = 10.47 → 11, over 8 / 10.
+  void compare_pairsThatTie_tellNothing() {
+    std::vector<std::array<double, 2>> rare(150, {0.0, 0.0});
+    rare[3] = rare[50] = rare[99] = {1.0, 0.0};
+    const Study few = pairedStudy(rare);
+    QCOMPARE(compare(few, 0, blocksOf(few)).pairs[0].enoughPairs, 391.0);
+    std::vector<std::array<double, 2>> some;
+    for (int k = 0; k < 10; ++k) {
+      some.push_back({k < 8 ? 2.0 + 0.1 * k : 1.0, 1.0});
+    }
+    const Study most = pairedStudy(some);
+    QCOMPARE(compare(most, 0, blocksOf(most)).pairs[0].enoughPairs, 14.0);
+  }
+
   /// All three seeds differ in success: no difference that is known to no width.
   void compare_rates_haveTheIntervalOfPairs() {
     Study study = smallStudy();
@@ -196,26 +303,16 @@ class ReportPiecesTest : public QObject {
   }
 
   void compare_clearDifference_isMarked() {
-    Study study = smallStudy();
-    study.results.runs.clear();
-    study.results.metrics[0].clear();
-    study.optionOf.clear();
-    study.caseOf.clear();
+    std::vector<std::array<double, 2>> pairs;
     for (int seed = 1; seed <= 8; ++seed) {
-      for (std::size_t option = 0; option < 2; ++option) {
-        Results::Run run;
-        run.seed = seed;
-        study.results.runs.push_back(run);
-        study.results.metrics[0].push_back(seed + (option == 0 ? 0.1 * seed : 0.0));
-        study.optionOf.push_back(option);
-        study.caseOf.push_back(0);
-      }
+      pairs.push_back({1.1 * seed, 1.0 * seed});
     }
+    const Study study = pairedStudy(pairs);
     const MetricComparison found = compare(study, 0, blocksOf(study));
     QVERIFY(found.best == std::size_t{1});
     QVERIFY(std::abs(found.pairs[0].p - 2.0 / 256.0) < 1e-12);  // eight of one sign: 2 / 2^8
-    QVERIFY(found.differs[0]);
-    QVERIFY(!found.differs[1]);
+    QVERIFY(found.standings[0] == Standing::Beaten);
+    QVERIFY(found.standings[1] == Standing::Close);
   }
 };
 

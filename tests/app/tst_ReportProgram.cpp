@@ -136,8 +136,8 @@ class ReportProgramTest : public QObject {
     QVERIFY(pair.size() > 8);
     QCOMPARE(pair[3], text("1 / 0 / 4"));
     QCOMPARE(pair[4].toDouble(), -1.5);
-    QCOMPARE(pair[6], text("0.250"));
-    QCOMPARE(pair[7], text("0.250"));
+    QCOMPARE(pair[6].toDouble(), 0.25);
+    QCOMPARE(pair[7].toDouble(), 0.25);
     QCOMPARE(pair[8], text("-0.07"));
   }
 
@@ -305,6 +305,97 @@ class ReportProgramTest : public QObject {
     QVERIFY2(done.exitCode == exitCode, qPrintable(done.err));
     QVERIFY2(done.err.contains(told), qPrintable(done.err));
     QVERIFY(!QFile::exists(folder.filePath(text("report.html"))));
+  }
+
+  /// A arrives only where it is easy and is slower there; C is quick because it gives up.
+  void report_findings_sayWhatThePairsSay() {
+    QTemporaryDir folder;
+    copyResults(folder.path());
+    QByteArray rows =
+        "run,scenario,seed,robot1.planner,status,reason,simulated,success,time_to_reach_goal\n";
+    int run = 0;
+    for (int seed = 1; seed <= 12; ++seed) {
+      const bool isEasy = seed <= 10;
+      const auto add = [&](const char* planner, bool success, double time) {
+        rows += QByteArray::number(run++) + ",hall," + QByteArray::number(seed) + "," + planner +
+                ",ok,,20," + (success ? "True" : "False") + "," +
+                (time > 0.0 ? QByteArray::number(time) : QByteArray()) + "\n";
+      };
+      add("A", isEasy, isEasy ? 10.0 + 0.1 * seed : 0.0);
+      add("B", true, isEasy ? 9.0 + 0.2 * seed - 0.1 * (seed % 2) : 60.0);
+      add("C", false, 1.0 + 0.01 * seed);
+    }
+    outside::writeText(folder.filePath(text("results.csv")), rows);
+    const outside::Finished done = report(folder.path(), {text("--no-pdf"), text("--force")});
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    const QString findings =
+        textsOf(outside::bytesOf(folder.filePath(text("report.html"))), "li").join(text("|"));
+    QVERIFY2(findings.contains(text("best is A (10.550 s), but B is better on the same cases and "
+                                    "seeds; C never succeeds and is left out.")),
+             qPrintable(findings));
+    QVERIFY2(findings.contains(text("Success: best is B (100 %), better than C; not clearly "
+                                    "different from A.")),
+             qPrintable(findings));
+  }
+
+  /// Who reads the page can make the batch again, and sees that it is a part.
+  void report_ofAShard_saysSo() {
+    QTemporaryDir folder;
+    copyResults(folder.path());
+    const QString file = folder.filePath(text("manifest.json"));
+    QJsonObject manifest = outside::readJson(file);
+    manifest[text("shard")] = text("1/3");
+    manifest[text("code")] = QJsonObject{{text("allowed"), true}};
+    outside::writeText(file, QJsonDocument(manifest).toJson());
+    QCOMPARE(report(folder.path(), {text("--no-pdf")}).exitCode, 0);
+    const QByteArray page = outside::bytesOf(folder.filePath(text("report.html")));
+    QVERIFY(page.contains("These are the runs of shard 1/3 of the study"));
+    QVERIFY(page.contains(" --allow-code --shard 1/3\n"));
+  }
+
+  /// What is drawn for each seed is no option and makes no case: planners meet in pairs.
+  void report_drawnValues_belongToTheSeed() {
+    const outside::StudyFolder yard;
+    const QString study =
+        yard.writeStudy("drawn.yaml",
+                        "seeds: 3\nduration: 2.0\nvalues:\n  robot1.planner: [pursuit, dwa]\n"
+                        "  \"*.max_vel\": {uniform: [0.8, 1.4]}\n");
+    const QString out = yard.path(text("out"));
+    const outside::Finished batch = outside::runProgram({text("batch"), study, text("-o"), out});
+    QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
+    const outside::Finished done =
+        report(out, {text("--no-pdf"), text("--metrics"), text("path_length")});
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    QVERIFY(!rowOf(out + text("/tables/results.csv"), {text("dwa"), text("3")}).isEmpty());
+    QVERIFY(!rowOf(out + text("/tables/pairs.csv"),
+                   {text("Path length [m]"), text("pursuit - dwa"), text("3")})
+                 .isEmpty());
+    const auto all = outside::readCsv(out + text("/tables/all_metrics.csv"));
+    QVERIFY(!all.empty());
+    for (const auto& row : all) {
+      QCOMPARE(row.at(text("case")), text("all"));
+    }
+    const QByteArray page = outside::bytesOf(out + text("/report.html"));
+    QVERIFY(page.contains("Drawn for each scenario and seed"));
+    const outside::Finished refused = report(out, {text("--compare"), text("*.max_vel")});
+    QCOMPARE(refused.exitCode, 2);
+    QVERIFY2(refused.err.contains(text("is drawn anew for each seed")), qPrintable(refused.err));
+  }
+
+  /// Figures and tables of another choice of metrics would be taken for those of this page.
+  void report_again_leavesNoFigureOfBefore() {
+    QTemporaryDir folder;
+    copyResults(folder.path());
+    QCOMPARE(report(folder.path()).exitCode, 0);
+    QVERIFY(QFile::exists(folder.filePath(text("figures/intervals.pdf"))));
+    QVERIFY(QFile::exists(folder.filePath(text("figures/distributions.svg"))));
+    outside::writeText(folder.filePath(text("figures/own.svg")), "mine");
+    QCOMPARE(report(folder.path(), {text("--no-pdf"), text("--metrics"), text("success")}).exitCode,
+             0);
+    const QStringList figures = QDir(folder.filePath(text("figures"))).entryList(QDir::Files);
+    QVERIFY2(figures.filter(text(".pdf")).isEmpty(), qPrintable(figures.join(text(" "))));
+    QVERIFY(figures.contains(text("success.svg")) && !figures.contains(text("intervals.svg")));
+    QVERIFY(figures.contains(text("own.svg")));
   }
 
   void report_missingManifest_isAWarning() {

@@ -45,6 +45,8 @@ class FamilyTest : public QObject {
     QCOMPARE(holm({}), Numbers());
     QCOMPARE(holm({0.4}), Numbers({0.4}));
     QCOMPARE(holm({0.6, 0.7}), Numbers({1.0, 1.0}));
+    const Numbers without = holm({0.01, kUndefined, 0.02});  // as if it were two
+    QVERIFY(without[0] == 0.02 && without[2] == 0.02 && std::isnan(without[1]));
   }
 
   void friedman_demsar_ranksAreThoseOfThePaper() {

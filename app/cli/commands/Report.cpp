@@ -10,6 +10,7 @@
 #include "app/cli/Console.h"
 #include "app/cli/PictureFiles.h"
 #include "app/report/Page.h"
+#include "app/run/ListedFiles.h"
 #include "app/run/OutputFolder.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/JsonText.h"
@@ -94,6 +95,21 @@ std::vector<base::FileContent> filesOf(const report::Report& report, bool withPd
   return files;
 }
 
+/// Figures and tables of an earlier report, which may hold other metrics.
+base::Result<std::vector<std::string>> earlierFiles(const std::string& folder) {
+  const base::Result<FileHashes> listed = listedFiles(folder, OutputFolder::kHiddenManifest);
+  if (!listed) {
+    return listed.diagnostics();
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, hash] : *listed) {
+    if (name.rfind("figures/", 0) == 0 || name.rfind("tables/", 0) == 0) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
 int reportCommand(const ReportOptions& options, const Invocation& given) {
   report::Wishes wishes = options.wishes;
   requireFine(readWords(options, wishes), ExitWrongCommandLine);
@@ -107,7 +123,9 @@ int reportCommand(const ReportOptions& options, const Invocation& given) {
       *study, wishes.weights, words, [&progress](const std::string& what) { progress.show(what); });
   requireFine(report.problems);
   const std::vector<base::FileContent> files = filesOf(report, !options.noPdf);
-  requireFine(writeIntoOthers(options.wishes.folder, files, "report", options.force));
+  const base::Result<std::vector<std::string>> earlier = earlierFiles(options.wishes.folder);
+  requireFine(earlier.diagnostics());
+  requireFine(writeIntoOthers(options.wishes.folder, files, "report", options.force, *earlier));
   if (given.json) {
     nlohmann::ordered_json written = nlohmann::ordered_json::array();
     for (const base::FileContent& file : files) {
