@@ -48,7 +48,7 @@ struct RunPictures {
 /// per case and option; of the first failures (else of some others) also the player's data.
 RunPictures readRunPictures(const Study& study, const std::vector<std::size_t>& failures);
 
-/// Ways of the robot on the map, a panel per case and option.
+/// Ways of the robot on the map, a panel per case and option; null: there are none.
 std::optional<Figure> waysFigure(const Study& study, const RunPictures& pictures);
 /// Where contacts happen, a panel per scenario that has some; null: none has.
 std::optional<Figure> contactsFigure(const Study& study, const RunPictures& pictures);

@@ -1,0 +1,172 @@
+#include <QRegularExpression>
+#include <QtTest>
+
+#include "app/report/RunPictures.h"
+#include "tests/app/RunFiles.h"
+
+using namespace report;
+using outside::text;
+
+namespace {
+
+const char* const kHall = "hall.yaml";
+
+/// One run per option and case, options first, each kept and with a way unless it is left out.
+struct MapStudy {
+  Study study;
+  RunPictures pictures;
+
+  MapStudy(std::size_t options, std::size_t cases, const std::set<std::size_t>& without = {}) {
+    for (std::size_t k = 0; k < options; ++k) {
+      study.options.push_back("option" + std::to_string(k));
+    }
+    for (std::size_t k = 0; k < cases; ++k) {
+      study.cases.push_back("case" + std::to_string(k));
+    }
+    Ground ground;
+    ground.high = {10.0, 5.0};
+    pictures.grounds[kHall] = ground;
+    for (std::size_t run = 0; run < options * cases; ++run) {
+      addRun(run % options, run / options, without.count(run) == 0);
+    }
+  }
+
+  void addRun(std::size_t option, std::size_t ofCase, bool isKept) {
+    Results::Run run;
+    run.number = static_cast<long long>(study.runCount());
+    run.scenario = kHall;
+    study.results.runs.push_back(run);
+    study.optionOf.push_back(option);
+    study.caseOf.push_back(ofCase);
+    if (isKept) {
+      RunPicture picture;
+      picture.run = study.runCount() - 1;
+      picture.way = {{1.0, 1.0}, {2.0, 1.0}};
+      pictures.runs.push_back(picture);
+      ++pictures.kept;
+    }
+  }
+};
+
+/// Where these words stand, in the order of the drawing.
+std::vector<base::Vec2> placesOf(const Figure& figure, const std::string& words) {
+  const QRegularExpression wanted(text(R"raw(<text x="([-\d.]+)" y="([-\d.]+)"[^>]*>)raw") +
+                                  QRegularExpression::escape(QString::fromStdString(words)) +
+                                  text("</text>"));
+  std::vector<base::Vec2> places;
+  auto each = wanted.globalMatch(QString::fromStdString(figure.markup()));
+  while (each.hasNext()) {
+    const auto match = each.next();
+    places.emplace_back(match.captured(1).toDouble(), match.captured(2).toDouble());
+  }
+  return places;
+}
+
+/// How strongly the squares of contacts are drawn, in the order of the drawing; 1: nothing is said.
+std::vector<double> strengthsOf(const Figure& figure) {
+  const QRegularExpression wanted(text(R"raw(<rect [^>]*class="hot"/>)raw"));
+  const QRegularExpression opacity(text(R"raw(opacity="([\d.]+)")raw"));
+  std::vector<double> strengths;
+  auto each = wanted.globalMatch(QString::fromStdString(figure.markup()));
+  while (each.hasNext()) {
+    const auto match = opacity.match(each.next().captured());
+    strengths.push_back(match.hasMatch() ? match.captured(1).toDouble() : 1.0);
+  }
+  return strengths;
+}
+
+bool has(const std::string& all, const char* part) {
+  return all.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+/// Maps and contacts in reports.
+class ReportMapsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  /// Nothing was kept of the first option in the first case, and of the whole second case.
+  void waysFigure_cellWithoutRun_staysBlank() {
+    const MapStudy all(2, 3, {0, 2, 3});
+    const std::optional<Figure> figure = waysFigure(all.study, all.pictures);
+    QVERIFY(figure);
+    QCOMPARE(placesOf(*figure, "case0").size(), std::size_t{1});
+    QCOMPARE(placesOf(*figure, "case1").size(), std::size_t{0});
+    QCOMPARE(placesOf(*figure, "case2").size(), std::size_t{1});
+    const auto first = placesOf(*figure, "option0");
+    const auto second = placesOf(*figure, "option1");
+    QCOMPARE(first.size(), std::size_t{2});
+    QCOMPARE(second.size(), std::size_t{2});
+    QVERIFY(first[0].x() == 0.0 && first[1].x() == 0.0);
+    QVERIFY(second[0].x() > 360.0 && second[0].x() == second[1].x());
+    QVERIFY(first[0].y() == second[0].y() && first[1].y() == second[1].y());
+    const auto blank = placesOf(*figure, "no run drawn");
+    QVERIFY(blank.size() == 1 && blank[0].x() == 0.0 && blank[0].y() < first[1].y());
+  }
+
+  void waysFigure_noRobot_isLeftOut() {
+    MapStudy all(1, 2);
+    all.pictures.runs[0].way.clear();
+    const std::optional<Figure> figure = waysFigure(all.study, all.pictures);
+    QVERIFY(figure && placesOf(*figure, "case0").empty());
+    QCOMPARE(placesOf(*figure, "case1").size(), std::size_t{1});
+    all.pictures.runs[1].way.clear();
+    QVERIFY(!waysFigure(all.study, all.pictures));
+  }
+
+  /// One that never left its place has no way and is seen.
+  void waysFigure_robotThatStands_isADot() {
+    MapStudy all(1, 1);
+    all.pictures.runs[0].way.resize(1);
+    const std::optional<Figure> figure = waysFigure(all.study, all.pictures);
+    QVERIFY(figure && has(figure->markup(), "<circle"));
+  }
+
+  void waysFigure_manyPanels_saysWhatIsMissing() {
+    const MapStudy table(4, 7);
+    const std::optional<Figure> rows = waysFigure(table.study, table.pictures);
+    QVERIFY2(rows && has(rows->caption, "(the first 6 of 7 cases)"), rows->caption.c_str());
+    const MapStudy list(5, 6);
+    const std::optional<Figure> cells = waysFigure(list.study, list.pictures);
+    QVERIFY2(cells && has(cells->caption, "(the first 24 of 30 panels)"), cells->caption.c_str());
+  }
+
+  void contactsFigure_oneScale_forAllMaps() {
+    MapStudy all(1, 1);
+    all.study.results.runs[0].scenario = "a.yaml";
+    all.addRun(0, 0, true);
+    all.pictures.grounds["a.yaml"] = all.pictures.grounds[kHall];
+    all.pictures.runs[0].contacts.resize(1);
+    all.pictures.runs[1].contacts.resize(15);
+    const std::optional<Figure> figure = contactsFigure(all.study, all.pictures);
+    QVERIFY(figure);
+    // One square each, then those of the key: 1, 8, 15.
+    const std::vector<double> strengths = strengthsOf(*figure);
+    QCOMPARE(strengths.size(), std::size_t{5});
+    QVERIFY(strengths[0] < 0.5 * strengths[1]);
+    QCOMPARE(strengths[2], strengths[0]);
+    QVERIFY(strengths[2] < strengths[3] && strengths[3] < strengths[4]);
+    QCOMPARE(strengths[4], strengths[1]);
+    for (const char* number : {"1", "8", "15"}) {
+      QCOMPARE(placesOf(*figure, number).size(), std::size_t{1});
+    }
+    QVERIFY2(has(figure->caption, "contact_distance"), figure->caption.c_str());
+  }
+
+  void contactsFigure_manyScenarios_saysWhatIsMissing() {
+    MapStudy all(1, 26);
+    for (RunPicture& picture : all.pictures.runs) {
+      const std::string name = "s" + std::to_string(100 + picture.run);
+      all.study.results.runs[picture.run].scenario = name;
+      all.pictures.grounds[name] = all.pictures.grounds[kHall];
+      picture.contacts.resize(1);
+    }
+    const std::optional<Figure> figure = contactsFigure(all.study, all.pictures);
+    QVERIFY2(figure && has(figure->caption, "(the first 24 of 26 scenarios with contacts)"),
+             figure->caption.c_str());
+  }
+};
+
+QTEST_APPLESS_MAIN(ReportMapsTest)
+#include "tst_ReportMaps.moc"
