@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report/Labels.h"
 #include "app/report/Markup.h"
 #include "app/report/PlotParts.h"
 #include "app/report/Plots.h"
@@ -52,9 +53,15 @@ struct Plane {
   }
 };
 
+/// Points of options in a plane, lines that are in the way of their names.
+struct PlaneMarks {
+  std::vector<Label> labels;
+  std::vector<Segment> lines;
+};
+
 /// Through the options that no other beats.
 void drawFront(Figure& figure, const Plane& plane, const std::vector<bool>& front, const Numbers& x,
-               const Numbers& y) {
+               const Numbers& y, PlaneMarks& marks) {
   std::vector<base::Vec2> line;
   for (std::size_t option = 0; option < front.size(); ++option) {
     if (front[option]) {
@@ -64,21 +71,52 @@ void drawFront(Figure& figure, const Plane& plane, const std::vector<bool>& fron
   std::sort(line.begin(), line.end(),
             [](const base::Vec2& a, const base::Vec2& b) { return a.x() < b.x(); });
   figure.polyline(line, "zero", 1.2);
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    marks.lines.push_back({line[k - 1], line[k]});
+  }
 }
 
 void drawOption(Figure& figure, const Plane& plane, std::size_t option, const Estimate& x,
-                const Estimate& y) {
-  const double px = plane.across.at(x.mean);
-  const double py = plane.up.at(y.mean);
+                const Estimate& y, PlaneMarks& marks) {
+  const base::Vec2 at(plane.across.at(x.mean), plane.up.at(y.mean));
+  const auto draw = [&](const base::Vec2& from, const base::Vec2& to) {
+    figure.line(from.x(), from.y(), to.x(), to.y(), strokeOf(option));
+    marks.lines.push_back({from, to});
+  };
   if (x.interval.isDefined()) {
-    figure.line(plane.across.at(x.interval.low), py, plane.across.at(x.interval.high), py,
-                strokeOf(option));
+    draw({plane.across.at(x.interval.low), at.y()}, {plane.across.at(x.interval.high), at.y()});
   }
   if (y.interval.isDefined()) {
-    figure.line(px, plane.up.at(y.interval.low), px, plane.up.at(y.interval.high),
-                strokeOf(option));
+    draw({at.x(), plane.up.at(y.interval.low)}, {at.x(), plane.up.at(y.interval.high)});
   }
-  figure.mark(px, py, option, 5.5);
+  figure.mark(at.x(), at.y(), option, 5.5);
+}
+
+/// Points with their names, and the front of those of two metrics that are judged.
+void drawOptions(Figure& figure, const Plane& plane, const Study& study, const MetricComparison& x,
+                 const MetricComparison& y) {
+  const Metric& metricX = study.metrics[x.metric];
+  const Metric& metricY = study.metrics[y.metric];
+  Numbers atX;
+  Numbers atY;
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    atX.push_back(x.estimates[option].mean);
+    atY.push_back(y.estimates[option].mean);
+  }
+  PlaneMarks marks;
+  if (metricX.sense != 0 && metricY.sense != 0) {
+    drawFront(figure, plane, statistics::paretoFront(atX, senseOf(metricX), atY, senseOf(metricY)),
+              atX, atY, marks);
+  }
+  for (std::size_t option = 0; option < study.options.size(); ++option) {
+    if (!std::isnan(atX[option]) && !std::isnan(atY[option])) {
+      drawOption(figure, plane, option, x.estimates[option], y.estimates[option], marks);
+      marks.labels.push_back(
+          {nameOfOption(study, option), {plane.across.at(atX[option]), plane.up.at(atY[option])}});
+    }
+  }
+  const Box room{{plane.across.from + 2.0, 22.0}, {plane.across.to + 130.0, plane.up.from - 2.0}};
+  drawLabels(figure, marks.labels, placeLabels(marks.labels, marks.lines, room));
 }
 
 /// Means of a metric in one case, per option.
@@ -150,24 +188,8 @@ std::optional<Figure> paretoFigure(const Study& study, const MetricComparison& x
   const Plane plane{scaleOfValues(wide, 64.0, kWidth - 130.0),
                     scaleOfValues(high, kHeight - 52.0, 34.0)};
   plane.draw(figure, metricX, metricY);
-  Numbers atX;
-  Numbers atY;
-  for (std::size_t option = 0; option < study.options.size(); ++option) {
-    atX.push_back(x.estimates[option].mean);
-    atY.push_back(y.estimates[option].mean);
-  }
   const bool isJudged = metricX.sense != 0 && metricY.sense != 0;
-  if (isJudged) {
-    drawFront(figure, plane, statistics::paretoFront(atX, senseOf(metricX), atY, senseOf(metricY)),
-              atX, atY);
-  }
-  for (std::size_t option = 0; option < study.options.size(); ++option) {
-    if (!std::isnan(atX[option]) && !std::isnan(atY[option])) {
-      drawOption(figure, plane, option, x.estimates[option], y.estimates[option]);
-      figure.text(plane.across.at(atX[option]) + 9.0, plane.up.at(atY[option]) - 8.0,
-                  nameOfOption(study, option));
-    }
-  }
+  drawOptions(figure, plane, study, x, y);
   figure.caption =
       titleOf(metricX) + " against " + titleOf(metricY) + ": means with their intervals" +
       (isJudged ? "; the dashed line joins the options that no other beats in both." : ".");

@@ -1,6 +1,7 @@
 #include <QRegularExpression>
 #include <QtTest>
 
+#include "app/report/Labels.h"
 #include "app/report/RunPictures.h"
 #include "tests/app/RunFiles.h"
 
@@ -75,13 +76,18 @@ std::vector<double> strengthsOf(const Figure& figure) {
   return strengths;
 }
 
+bool areApart(const Box& a, const Box& b) {
+  return a.high.x() <= b.low.x() || b.high.x() <= a.low.x() || a.high.y() <= b.low.y() ||
+         b.high.y() <= a.low.y();
+}
+
 bool has(const std::string& all, const char* part) {
   return all.find(part) != std::string::npos;
 }
 
 }  // namespace
 
-/// Maps and contacts in reports.
+/// Maps, contacts and names of points in reports.
 class ReportMapsTest : public QObject {
   Q_OBJECT
 
@@ -165,6 +171,42 @@ class ReportMapsTest : public QObject {
     const std::optional<Figure> figure = contactsFigure(all.study, all.pictures);
     QVERIFY2(figure && has(figure->caption, "(the first 24 of 26 scenarios with contacts)"),
              figure->caption.c_str());
+  }
+
+  /// Two dense heaps of points, and lines through them.
+  void placeLabels_crowd_isOnNothingElse() {
+    std::vector<Label> labels;
+    std::vector<Segment> lines;
+    for (int k = 0; k < 12; ++k) {
+      const base::Vec2 point(k % 2 == 0 ? 150.0 + 6.0 * k : 560.0 - 2.0 * k, 150.0 + k * k % 17);
+      labels.push_back({"planner_number_" + std::to_string(k), point});
+      lines.push_back({point - base::Vec2(40.0, 0.0), point + base::Vec2(40.0, 0.0)});
+      lines.push_back({point - base::Vec2(0.0, 30.0), point + base::Vec2(0.0, 30.0)});
+    }
+    const Box bounds{{66.0, 22.0}, {720.0, 306.0}};
+    const std::vector<PlacedLabel> places = placeLabels(labels, lines, bounds);
+    QCOMPARE(places.size(), labels.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const Box& box = places[k].box;
+      QVERIFY(box.low.x() >= bounds.low.x() && box.high.x() <= bounds.high.x());
+      QVERIFY(box.low.y() >= bounds.low.y() && box.high.y() <= bounds.high.y());
+      for (std::size_t other = 0; other < places.size(); ++other) {
+        const base::Vec2 mark(5.0, 5.0);
+        QVERIFY(areApart(box, {labels[other].point - mark, labels[other].point + mark}));
+        QVERIFY(other == k || areApart(box, places[other].box));
+      }
+      const base::Vec2 nearest = labels[k].point.cwiseMax(box.low).cwiseMin(box.high);
+      QVERIFY(places[k].hasLeader || (nearest - labels[k].point).norm() < 15.0);
+    }
+  }
+
+  void placeLabels_dashedLine_isNotCrossed() {
+    const std::vector<Label> labels = {{"mppi", {200.0, 200.0}}};
+    const std::vector<Segment> lines = {{{200.0, 200.0}, {300.0, 140.0}}};
+    const Box bounds{{0.0, 0.0}, {400.0, 400.0}};
+    const PlacedLabel place = placeLabels(labels, lines, bounds)[0];
+    QVERIFY(!place.hasLeader);
+    QVERIFY(place.box.low.y() > 200.0 || place.box.high.x() < 200.0);
   }
 };
 

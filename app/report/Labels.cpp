@@ -1,0 +1,194 @@
+#include "app/report/Labels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace report {
+
+namespace {
+
+constexpr double kMark = 7.0;    // half of a mark [px]
+constexpr double kLetter = 6.7;  // of the widest font that a page or a file may get
+constexpr double kAscent = 9.0, kDescent = 3.0;
+
+std::size_t lengthOf(const std::string& words) {  // in characters
+  return static_cast<std::size_t>(std::count_if(words.begin(), words.end(), [](char byte) {
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+  }));
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a.low.x() < b.high.x() && b.low.x() < a.high.x() && a.low.y() < b.high.y() &&
+         b.low.y() < a.high.y();
+}
+
+bool isWithin(const Box& a, const Box& bounds) {
+  return a.low.x() >= bounds.low.x() && a.low.y() >= bounds.low.y() &&
+         a.high.x() <= bounds.high.x() && a.high.y() <= bounds.high.y();
+}
+
+Box markOf(const base::Vec2& point) {
+  const base::Vec2 half(kMark, kMark);
+  return {point - half, point + half};
+}
+
+/// How much of a line is in a box [px] (Liang and Barsky 1984).
+double lengthWithin(const Segment& line, const Box& box) {
+  const base::Vec2 along = line.to - line.from;
+  double begin = 0.0;
+  double end = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = box.low[axis] - line.from[axis];
+    const double high = box.high[axis] - line.from[axis];
+    if (std::abs(along[axis]) < 1e-9) {
+      end = low > 0.0 || high < 0.0 ? -1.0 : end;
+      continue;
+    }
+    const double a = low / along[axis];
+    const double b = high / along[axis];
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+  }
+  return std::max(0.0, end - begin) * along.norm();
+}
+
+base::Vec2 nearestIn(const Box& box, const base::Vec2& point) {
+  return point.cwiseMax(box.low).cwiseMin(box.high);
+}
+
+PlacedLabel placedAt(const base::Vec2& point, const Box& box) {
+  constexpr double kNear = 14.0;
+  PlacedLabel place;
+  place.box = box;
+  const base::Vec2 end = nearestIn(box, point);
+  const base::Vec2 along = end - point;
+  place.hasLeader = along.norm() > kNear;
+  if (place.hasLeader) {
+    place.leader = {point + along * (kMark / along.norm()), end};
+  }
+  return place;
+}
+
+/// Places around a point, the nearest and most usual first: upper right, lower right, and so on,
+/// then on rings further away.
+std::vector<PlacedLabel> candidatesOf(const Label& label) {
+  constexpr double kGap = 9.0;  // [px] to the middle of the mark
+  constexpr int kDirections = 16;
+  const double width = kLetter * static_cast<double>(lengthOf(label.words));
+  const base::Vec2 half(0.5 * width, 0.5 * (kAscent + kDescent));
+  std::vector<PlacedLabel> found;
+  found.reserve(9 + 6 * kDirections);
+  const auto add = [&](double x, double y) {
+    const base::Vec2 middle = label.point + base::Vec2(x, y);
+    found.push_back(placedAt(label.point, {middle - half, middle + half}));
+  };
+  const double beside = kGap + half.x();
+  const double across = kGap + half.y();
+  const double corner = half.y() + 4.0;
+  for (const base::Vec2& at :
+       {base::Vec2(beside, -corner), base::Vec2(beside, corner), base::Vec2(-beside, -corner),
+        base::Vec2(-beside, corner), base::Vec2(beside, 0.0), base::Vec2(-beside, 0.0),
+        base::Vec2(0.0, -across), base::Vec2(0.0, across)}) {
+    add(at.x(), at.y());
+  }
+  for (const double ring : {14.0, 24.0, 38.0, 56.0, 80.0, 110.0}) {
+    for (int k = 0; k < kDirections; ++k) {
+      const double angle = 2.0 * base::kPi * k / kDirections;
+      add(std::cos(angle) * (ring + beside), std::sin(angle) * (ring + across));
+    }
+  }
+  return found;
+}
+
+/// What speaks against places, the others being where they are.
+class Crowd {
+ public:
+  Crowd(const std::vector<Label>& labels, const std::vector<Segment>& lines, const Box& bounds)
+      : labels_(labels), lines_(lines), bounds_(bounds), places_(labels.size()) {}
+
+  /// Puts it where least speaks against it.
+  void place(std::size_t which) {
+    const std::vector<PlacedLabel> all = candidatesOf(labels_[which]);
+    std::vector<double> costs;
+    costs.reserve(all.size());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      costs.push_back(costOf(which, all[k]) +
+                      0.1 * static_cast<double>(std::min<std::size_t>(k, 8)));
+    }
+    places_[which] =
+        all[static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin())];
+    areThere_ = std::max(areThere_, which + 1);
+  }
+  const std::vector<PlacedLabel>& places() const { return places_; }
+
+ private:
+  static constexpr double kForbidden = 1000.0;
+
+  double costOf(std::size_t which, const PlacedLabel& place) const {
+    double cost = isWithin(place.box, bounds_) ? 0.0 : 10.0 * kForbidden;
+    const base::Vec2 away = nearestIn(place.box, labels_[which].point) - labels_[which].point;
+    cost += 0.4 * away.norm() + (place.hasLeader ? 4.0 : 0.0);
+    for (const Segment& line : lines_) {
+      const double inside = lengthWithin(line, place.box);
+      cost += inside > 0.0 ? 6.0 + 0.5 * inside : 0.0;
+    }
+    for (std::size_t other = 0; other < labels_.size(); ++other) {
+      const Box mark = markOf(labels_[other].point);
+      cost += overlap(place.box, mark) ? kForbidden : 0.0;
+      cost +=
+          other != which && place.hasLeader && lengthWithin(place.leader, mark) > 0.0 ? 30.0 : 0.0;
+      cost += other != which && other < areThere_ ? againstLabel(place, places_[other]) : 0.0;
+    }
+    return cost;
+  }
+
+  static double againstLabel(const PlacedLabel& place, const PlacedLabel& other) {
+    double cost = overlap(place.box, other.box) ? kForbidden : 0.0;
+    cost += place.hasLeader && lengthWithin(place.leader, other.box) > 0.0 ? 60.0 : 0.0;
+    cost += other.hasLeader && lengthWithin(other.leader, place.box) > 0.0 ? 60.0 : 0.0;
+    return cost;
+  }
+
+  const std::vector<Label>& labels_;
+  const std::vector<Segment>& lines_;
+  const Box& bounds_;
+  std::vector<PlacedLabel> places_;
+  std::size_t areThere_ = 0;  // the first of places_
+};
+
+}  // namespace
+
+std::vector<PlacedLabel> placeLabels(const std::vector<Label>& labels,
+                                     const std::vector<Segment>& lines, const Box& bounds) {
+  constexpr int kRounds = 4;
+  Crowd crowd(labels, lines, bounds);
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+      crowd.place(k);
+    }
+  }
+  return crowd.places();
+}
+
+void drawLabels(Figure& figure, const std::vector<Label>& labels,
+                const std::vector<PlacedLabel>& places) {
+  for (std::size_t k = 0; k < labels.size(); ++k) {
+    const PlacedLabel& place = places[k];
+    if (place.hasLeader) {
+      figure.line(place.leader.from.x(), place.leader.from.y(), place.leader.to.x(),
+                  place.leader.to.y(), "axis", 0.8);
+    }
+    const double base = place.box.high.y() - kDescent;
+    const double middle = 0.5 * (place.box.low.x() + place.box.high.x());
+    // Fonts are narrower than kLetter: words begin, end or stand where their point is.
+    if (place.box.low.x() >= labels[k].point.x()) {
+      figure.text(place.box.low.x(), base, labels[k].words);
+    } else if (place.box.high.x() <= labels[k].point.x()) {
+      figure.text(place.box.high.x(), base, labels[k].words, "ink", Figure::Anchor::End);
+    } else {
+      figure.text(middle, base, labels[k].words, "ink", Figure::Anchor::Middle);
+    }
+  }
+}
+
+}  // namespace report
