@@ -339,6 +339,7 @@ class PageMaker {
                       (isCut ? "; the first " + std::to_string(kMostRows) +
                                    " are listed, the others are in tables/failures.csv."
                              : ".") +
+                      playedFailuresText(pictures_, failures_) +
                       " The command shows the run in the window." +
                       (study_.knowsRunWords || areAllKept(told)
                            ? ""
@@ -356,7 +357,8 @@ class PageMaker {
     }
     hasPlayer_ = !data.empty();
     if (hasPlayer_) {
-      body_ += playerMarkup(data);
+      const std::string others = playedOthersText(pictures_, failures_);
+      body_ += (others.empty() ? "" : paragraph(others, " class=\"played\"")) + playerMarkup(data);
     }
   }
 
@@ -469,7 +471,8 @@ std::string playerMarkup(const std::vector<std::string>& runs) {
   for (const std::string& run : runs) {
     data += (data.empty() ? "" : ",\n") + scriptSafe(run);
   }
-  return "<div class=\"player\">\n<header><b>Run</b><span>&#160;</span></header>\n"
+  return "<div class=\"player\">\n<header><select aria-label=\"Run\"></select>"
+         "<b>Run</b><span>&#160;</span></header>\n"
          "<canvas></canvas>\n<div class=\"controls\"><button type=\"button\" "
          "class=\"toggle\">Play</button><input type=\"range\" min=\"0\" max=\"1\" value=\"0\" "
          "aria-label=\"Time\"/><output>0</output><select aria-label=\"Speed\">"
@@ -492,7 +495,7 @@ std::string playerPage(const sim2d::Trace& trace,
                     ", " + counted(trace.header.robots.size(), "robot") + ", " +
                     numberText(seconds, 1) + " s, seed " + std::to_string(trace.header.seed) + ".",
                 " class=\"lead\"") +
-      playerMarkup({playerJson(trace, contacts, title, kFineStep)}) +
+      playerMarkup({playerJson(trace, contacts, {title}, kFineStep)}) +
       paragraph("Made by hunavsim " + app::programVersion() + " " + app::programCommit() + ".",
                 " class=\"lead\"");
   return wholePage(title, body, true);

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/report/Markup.h"
 #include "app/report/RunPictures.h"
 #include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
@@ -149,6 +150,17 @@ bool tells(const sim2d::Trace& trace, const metrics::RobotContact& contact, int 
   });
 }
 
+/// Of a contact "closing at 0.37 m/s, robot ahead" instead of the number alone that comes first.
+std::string tellingOf(const sim2d::Event& event) {
+  const std::size_t end = std::min(event.text.find(' '), event.text.size());
+  const std::optional<double> speed = base::parseDouble(event.text.substr(0, end));
+  if (event.kind != sim2d::EventKind::Contact || !speed) {
+    return event.text;
+  }
+  const std::string rest = end < event.text.size() ? ", " + event.text.substr(end + 1) : "";
+  return "closing at " + numberText(*speed, 2) + " m/s" + rest;
+}
+
 OrderedJson eventsJson(const sim2d::Trace& trace,
                        const std::vector<metrics::RobotContact>& contacts) {
   constexpr std::size_t kMostEvents = 200;
@@ -162,7 +174,7 @@ OrderedJson eventsJson(const sim2d::Trace& trace,
     if (isTold(event)) {
       tell(static_cast<double>(step) * trace.header.dt, sim2d::eventKindName(event.kind),
            event.hasId ? OrderedJson(event.id) : OrderedJson(),
-           event.hasOther ? OrderedJson(event.other) : OrderedJson(), event.text);
+           event.hasOther ? OrderedJson(event.other) : OrderedJson(), tellingOf(event));
     }
   }
   const int robot = trace.header.robots.empty() ? -1 : trace.header.robots.front().id;
@@ -184,7 +196,7 @@ OrderedJson eventsJson(const sim2d::Trace& trace,
 }  // namespace
 
 std::string playerJson(const sim2d::Trace& trace,
-                       const std::vector<metrics::RobotContact>& contacts, const std::string& title,
+                       const std::vector<metrics::RobotContact>& contacts, const PlayerWords& words,
                        double every) {
   const double recorded = trace.header.dt * std::max(1, trace.header.recordEvery);
   const auto stride =
@@ -194,7 +206,12 @@ std::string playerJson(const sim2d::Trace& trace,
     samples.push_back(&trace.frames[k]);
   }
   const Ground ground = groundOf(trace);
-  const OrderedJson json = {{"title", title},
+  const std::string about =
+      words.about.empty() ? trace.header.scenario + ", seed " + std::to_string(trace.header.seed)
+                          : words.about;
+  const OrderedJson json = {{"title", words.title},
+                            {"about", about},
+                            {"outcome", words.outcome},
                             {"scenario", trace.header.scenario},
                             {"seed", trace.header.seed},
                             {"dt", recorded * static_cast<double>(stride)},

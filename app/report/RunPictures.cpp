@@ -5,20 +5,22 @@
 #include <utility>
 
 #include "app/report/Comparison.h"
+#include "app/report/Tables.h"
 #include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
+#include "sim2d/base/Text.h"
 
 namespace report {
 
 namespace {
 
-constexpr std::size_t kMostRead = 160;   // folders of runs
-constexpr std::size_t kMostPerCell = 8;  // ways per case and option
-constexpr std::size_t kMostPlayers = 24;
-constexpr std::size_t kFewPlayers = 4;           // shown when nothing failed
-constexpr std::size_t kPlayerBytes = 5'000'000;  // of all players
-constexpr double kPlayerStep = 0.2;              // [s]
-constexpr double kWayStep = 0.1;                 // [m]
+constexpr std::size_t kMostRead = 160;     // folders of runs
+constexpr std::size_t kMostPerCell = 8;    // ways per case and option
+constexpr std::size_t kMostFailures = 24;  // that the player has
+constexpr std::size_t kMostOthers = 4;     // of other runs, from several options
+constexpr std::size_t kFailureBytes = 5'000'000, kOtherBytes = 2'000'000;
+constexpr double kPlayerStep = 0.2;  // [s]
+constexpr double kWayStep = 0.1;     // [m]
 
 /// Runs that were kept: the first of each case and option, then the second of each, and so on.
 std::vector<std::size_t> inRounds(const Study& study, const std::vector<bool>& isKept) {
@@ -37,13 +39,13 @@ std::vector<std::size_t> inRounds(const Study& study, const std::vector<bool>& i
   return runs;
 }
 
-/// Which run folders to read.
+/// Which run folders to read; counts those that there are.
 std::vector<std::size_t> chosenRuns(const Study& study, const std::vector<std::size_t>& failures,
-                                    std::size_t& kept) {
+                                    RunPictures& pictures) {
   std::vector<bool> isKept(study.runCount());
   for (std::size_t run = 0; run < study.runCount(); ++run) {
     isKept[run] = study.runFolder(run).has_value();
-    kept += isKept[run] ? 1 : 0;
+    pictures.kept += isKept[run] ? 1 : 0;
   }
   std::set<std::size_t> chosen;
   const auto take = [&](std::size_t run) {
@@ -51,7 +53,10 @@ std::vector<std::size_t> chosenRuns(const Study& study, const std::vector<std::s
       chosen.insert(run);
     }
   };
-  std::for_each(failures.begin(), failures.end(), take);
+  for (const std::size_t run : failures) {
+    pictures.keptFailures += isKept[run] ? 1 : 0;
+    take(run);
+  }
   for (const char* key :
        {"robot_on_person_collision", "person_on_robot_collision", "obstacle_collisions"}) {
     const std::size_t place = study.results.keyAt(key);
@@ -90,6 +95,79 @@ RunPicture pictureOf(const sim2d::Trace& trace, std::size_t run, base::Diagnosti
   problems = app::readMetricsSetup(trace.header, setup);
   picture.contacts = metrics::contactsOf(trace, setup.selection, setup.parameters);
   return picture;
+}
+
+/// Which runs the player gets, in the order of the study: the first failures, and of the others a
+/// few of each option.
+class PlayerChoice {
+ public:
+  PlayerChoice(const Study& study, const std::vector<std::size_t>& failures)
+      : study_(study), failures_(failures.begin(), failures.end()) {}
+
+  bool hasRoomFor(std::size_t run) const {
+    if (failures_.count(run) != 0) {
+      return failed_.count < kMostFailures && failed_.bytes < kFailureBytes;
+    }
+    const std::size_t share = std::max<std::size_t>(1, kMostOthers / study_.options.size());
+    const auto ofOption = perOption_.find(study_.optionOf[run]);
+    return others_.count < kMostOthers && others_.bytes < kOtherBytes &&
+           (ofOption == perOption_.end() || ofOption->second < share);
+  }
+  void take(std::size_t run, std::size_t bytes) {
+    Taken& taken = failures_.count(run) != 0 ? failed_ : others_;
+    ++taken.count;
+    taken.bytes += bytes;
+    if (failures_.count(run) == 0) {
+      ++perOption_[study_.optionOf[run]];
+    }
+  }
+
+  /// "dwa, corridor, seed 13", "robot1.max_vel 0.5, corridor, seed 13".
+  PlayerWords wordsOf(std::size_t run) const {
+    const Results::Run& row = study_.results.runs[run];
+    std::string about;
+    if (study_.options.size() > 1) {
+      const std::string& option = study_.options[study_.optionOf[run]];
+      about = (base::parseDouble(option) ? study_.compared + " " : "") + option + ", ";
+    }
+    if (study_.cases.size() > 1 || study_.compared != "scenario") {
+      about += study_.cases[study_.caseOf[run]] + ", ";
+    }
+    return {"Run " + std::to_string(row.number), about + "seed " + std::to_string(row.seed),
+            failures_.count(run) != 0 ? outcomeOf(run) : std::string()};
+  }
+
+ private:
+  struct Taken {
+    std::size_t count = 0, bytes = 0;
+  };
+
+  /// As the table of failures has it.
+  std::string outcomeOf(std::size_t run) const {
+    const Table table = failuresTable(study_, {run}, {});
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+      const std::string& words = table.rows.front()[column].text;
+      if (table.columns[column].title == "What happened" && !words.empty()) {
+        return words;
+      }
+    }
+    return "without success";
+  }
+
+  const Study& study_;
+  std::set<std::size_t> failures_;
+  Taken failed_, others_;
+  std::map<std::size_t, std::size_t> perOption_;
+};
+
+/// How many runs the player has, of those without success or of the others.
+std::size_t playersOf(const RunPictures& pictures, const std::vector<std::size_t>& failures,
+                      bool ofFailures) {
+  const std::set<std::size_t> failed(failures.begin(), failures.end());
+  return static_cast<std::size_t>(
+      std::count_if(pictures.runs.begin(), pictures.runs.end(), [&](const RunPicture& picture) {
+        return !picture.player.empty() && (failed.count(picture.run) != 0) == ofFailures;
+      }));
 }
 
 }  // namespace
@@ -138,10 +216,8 @@ const RunPicture* RunPictures::of(std::size_t run) const {
 
 RunPictures readRunPictures(const Study& study, const std::vector<std::size_t>& failures) {
   RunPictures pictures;
-  const std::vector<std::size_t> chosen = chosenRuns(study, failures, pictures.kept);
-  const std::set<std::size_t> failed(failures.begin(), failures.end());
-  std::size_t players = 0;
-  std::size_t bytes = 0;
+  const std::vector<std::size_t> chosen = chosenRuns(study, failures, pictures);
+  PlayerChoice choice(study, failures);
   const auto warn = [&pictures](const base::Diagnostics& problems) {
     for (base::Diagnostic problem : problems) {
       problem.severity = base::Severity::Warning;  // the report goes on
@@ -158,16 +234,37 @@ RunPictures readRunPictures(const Study& study, const std::vector<std::size_t>& 
     pictures.runs.push_back(pictureOf(*trace, run, problems));
     warn(problems);
     pictures.grounds.try_emplace(study.results.runs[run].scenario, groundOf(*trace));
-    const std::size_t most = failed.count(run) != 0 ? kMostPlayers : kFewPlayers;
-    if (players < most && bytes < kPlayerBytes) {
-      pictures.runs.back().player =
-          playerJson(*trace, pictures.runs.back().contacts,
-                     "Run " + std::to_string(study.results.runs[run].number), kPlayerStep);
-      bytes += pictures.runs.back().player.size();
-      ++players;
+    if (choice.hasRoomFor(run)) {
+      RunPicture& picture = pictures.runs.back();
+      picture.player = playerJson(*trace, picture.contacts, choice.wordsOf(run), kPlayerStep);
+      choice.take(run, picture.player.size());
     }
   }
   return pictures;
+}
+
+std::string playedFailuresText(const RunPictures& pictures,
+                               const std::vector<std::size_t>& failures) {
+  const std::size_t played = playersOf(pictures, failures, true);
+  if (pictures.keptFailures == 0 || played == failures.size()) {
+    return {};
+  }
+  const std::string kept = std::to_string(pictures.keptFailures);
+  return " " + std::to_string(played) + " of the " + std::to_string(failures.size()) +
+         " can be played here" +
+         (pictures.keptFailures == failures.size() ? ", to keep the page small."
+          : played == pictures.keptFailures
+              ? ": the folders of the others were not kept."
+              : ": of " + kept + " the folders were kept, and the page is to stay small.");
+}
+
+std::string playedOthersText(const RunPictures& pictures,
+                             const std::vector<std::size_t>& failures) {
+  const std::size_t played = playersOf(pictures, failures, false);
+  const std::size_t kept = pictures.kept - pictures.keptFailures;
+  return played == kept ? std::string()
+                        : "The player has " + std::to_string(played) + " of the " +
+                              std::to_string(kept) + " runs with success that were kept.";
 }
 
 }  // namespace report

@@ -28,25 +28,39 @@ struct Ground {
 
 Ground groundOf(const sim2d::Trace& trace);
 
+/// What the player's head and its list say of a run.
+struct PlayerWords {
+  std::string title;         // "Run 42"
+  std::string about = {};    // option, case and seed; empty = scenario and seed
+  std::string outcome = {};  // of a run without success: what happened
+};
+
 /// JSON of a run for the page's player: places in cm, headings in 1/100 rad, as differences from
 /// one sample to the next. `every` [s] between samples, at least the record's own. `contacts`:
 /// those that metrics count are told even where the bodies did not touch.
 std::string playerJson(const sim2d::Trace& trace,
-                       const std::vector<metrics::RobotContact>& contacts, const std::string& title,
+                       const std::vector<metrics::RobotContact>& contacts, const PlayerWords& words,
                        double every);
 
 struct RunPictures {
   std::vector<RunPicture> runs;           // in the order of the study's runs
   std::map<std::string, Ground> grounds;  // per scenario
   std::size_t kept = 0;                   // run folders that there are
+  std::size_t keptFailures = 0;           // those of them without success
   base::Diagnostics problems;             // warnings: folders that cannot be read
 
   const RunPicture* of(std::size_t run) const;
 };
 
 /// Reads run folders that were kept: those of `failures` and of runs with contacts first, then some
-/// per case and option; of the first failures (else of some others) also the player's data.
+/// per case and option; of the first failures and of a few others also the player's data.
 RunPictures readRunPictures(const Study& study, const std::vector<std::size_t>& failures);
+
+/// What the page says of runs that it cannot play: " 24 of the 32 can be played here …" for the
+/// caption of the failures, and a sentence on the others; empty: all that were kept can be.
+std::string playedFailuresText(const RunPictures& pictures,
+                               const std::vector<std::size_t>& failures);
+std::string playedOthersText(const RunPictures& pictures, const std::vector<std::size_t>& failures);
 
 /// Ways of the robot on the map, a panel per case and option; null: there are none.
 std::optional<Figure> waysFigure(const Study& study, const RunPictures& pictures);

@@ -7,8 +7,8 @@
   var canvas = box.querySelector("canvas"), pen = canvas.getContext("2d");
   var slider = box.querySelector("input[type=range]"), button = box.querySelector(".toggle");
   var clock = box.querySelector("output"), title = box.querySelector("header b");
-  var about = box.querySelector("header span"), speed = box.querySelector("select");
-  var list = box.querySelector(".events");
+  var about = box.querySelector("header span"), choice = box.querySelector("header select");
+  var speed = box.querySelector(".controls select"), list = box.querySelector(".events");
   var run = null, now = 0, playing = false, before = 0, colors = {};
 
   // Places are differences from sample to sample, in cm and 1/100 rad.
@@ -187,14 +187,30 @@
     if (event[3] !== null) { text += ", " + nameOf(event[3]); }
     return event[4] ? text + " (" + event[4] + ")" : text;
   }
+  function told(source) {
+    return source.about + (source.outcome ? ": " + source.outcome : "");
+  }
+  function addRuns(label, isFailed) {
+    var group = document.createElement("optgroup");
+    group.label = label;
+    runs.forEach(function (source, place) {
+      if (Boolean(source.outcome) !== isFailed) { return; }
+      var option = document.createElement("option");
+      option.value = String(place);
+      option.textContent = source.title + ", " + told(source);
+      group.appendChild(option);
+    });
+    if (group.children.length) { choice.appendChild(group); }
+  }
   function show(place) {
     run = runs[place];
     if (!run.ready) { unpack(run); }
+    choice.value = String(place);
     now = 0;
     slider.max = String(lastTime());
     slider.step = "any";
     title.textContent = run.title;
-    about.textContent = run.scenario + ", seed " + run.seed;
+    about.textContent = told(run);
     list.textContent = "";
     run.events.forEach(function (event) {
       var item = document.createElement("li");
@@ -222,6 +238,10 @@
     if (playing) { requestAnimationFrame(tick); }
   }
   button.addEventListener("click", function () { play(!playing); });
+  choice.addEventListener("change", function () {
+    play(false);
+    show(parseInt(choice.value, 10));
+  });
   slider.addEventListener("input", function () { now = parseFloat(slider.value); draw(); });
   window.addEventListener("resize", function () { draw(); });
   document.addEventListener("themechange", function () { readColors(); if (run) { draw(); } });
@@ -233,5 +253,8 @@
     });
   });
   readColors();
-  show(0);
+  addRuns("Without success", true);
+  addRuns("With success", false);
+  box.classList.toggle("single", runs.length < 2);
+  show(parseInt(choice.value, 10));
 }());

@@ -208,6 +208,29 @@ class ReportMapsTest : public QObject {
     QVERIFY(!place.hasLeader);
     QVERIFY(place.box.low.y() > 200.0 || place.box.high.x() < 200.0);
   }
+
+  void playerJson_speedOfAContact_isToldWithItsUnit() {
+    sim2d::Trace trace;
+    const auto add = [&trace](sim2d::EventKind kind, const char* words) {
+      sim2d::Event event;
+      event.kind = kind;
+      event.id = -1;
+      event.text = words;
+      trace.events.emplace_back(1, event);
+    };
+    add(sim2d::EventKind::Contact, "0.36931624699836924 robot ahead");
+    add(sim2d::EventKind::Contact, "1.5");
+    add(sim2d::EventKind::Contact, "0 table 2");
+    add(sim2d::EventKind::Contact, "");
+    add(sim2d::EventKind::Stop, "1.5 of something");
+    const std::string json = playerJson(trace, {}, {"Run 1", "dwa, hall, seed 3", "timeout"}, 0.2);
+    for (const char* wanted :
+         {"\"closing at 0.37 m/s, robot ahead\"", "\"closing at 1.50 m/s\"",
+          "\"closing at 0.00 m/s, table 2\"", "null,\"\"]", "\"1.5 of something\"", "\"Run 1\"",
+          "\"dwa, hall, seed 3\"", "\"timeout\""}) {
+      QVERIFY2(has(json, wanted), json.c_str());
+    }
+  }
 };
 
 QTEST_APPLESS_MAIN(ReportMapsTest)

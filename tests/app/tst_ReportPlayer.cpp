@@ -1,8 +1,9 @@
+#include <QJsonArray>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "tests/app/RunFiles.h"
+#include "tests/app/StudyFiles.h"
 
 using outside::text;
 
@@ -41,6 +42,26 @@ window.addEventListener("load", function () {
 });
 //]]></script></body>)";
 
+/// The same for a page of several runs: chooses the second, then presses Play in the table.
+constexpr char kChooser[] = R"(<script>//<![CDATA[
+window.addEventListener("load", function () {
+  var box = document.querySelector(".player"), choice = box.querySelector("header select");
+  var names = Array.prototype.map.call(choice.options, function (o) { return o.textContent; });
+  var groups = Array.prototype.map.call(choice.querySelectorAll("optgroup"),
+    function (o) { return o.label; });
+  var first = box.querySelector("header b").textContent;
+  choice.value = "1";
+  choice.dispatchEvent(new Event("change"));
+  var second = box.querySelector("header b").textContent;
+  var label = box.querySelector(".toggle").textContent;
+  var plays = document.querySelectorAll("button.play");
+  plays[2].click();
+  document.title = JSON.stringify({names: names, groups: groups, first: first, second: second,
+    label: label, third: box.querySelector("header b").textContent, chosen: choice.value,
+    plays: plays.length, playing: box.querySelector(".toggle").textContent});
+});
+//]]></script></body>)";
+
 QString browser() {
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"}) {
     QString path = QStandardPaths::findExecutable(text(name));
@@ -49,6 +70,22 @@ QString browser() {
     }
   }
   return {};
+}
+
+/// What a reader's script says of a page.
+QJsonObject readBy(const char* reader, const QString& page, const QString& profile) {
+  QByteArray html = outside::bytesOf(page);
+  outside::writeText(page, html.replace("</body>", reader));
+  QProcess process;
+  process.start(browser(), {text("--headless"), text("--no-sandbox"), text("--disable-gpu"),
+                            text("--user-data-dir=") + profile, text("--virtual-time-budget=90000"),
+                            text("--dump-dom"), text("file://") + page});
+  if (!process.waitForFinished(50000)) {
+    return {};
+  }
+  const QString seen = QString::fromUtf8(process.readAllStandardOutput());
+  const QString title = seen.section(text("<title>"), 1).section(text("</title>"), 0, 0);
+  return QJsonDocument::fromJson(title.toUtf8()).object();
 }
 
 }  // namespace
@@ -71,28 +108,48 @@ class ReportPlayerTest : public QObject {
     const QString page = folder.filePath(text("run.html"));
     const outside::Finished rendered = outside::runProgram({text("render"), run, text("-o"), page});
     QVERIFY2(rendered.exitCode == 0, qPrintable(rendered.err));
-    QByteArray html = outside::bytesOf(page);
-    QCOMPARE(html.count("</body>"), 1);
-    outside::writeText(page, html.replace("</body>", kReader));
-
-    QProcess process;
-    process.start(browser(), {text("--headless"), text("--no-sandbox"), text("--disable-gpu"),
-                              text("--user-data-dir=") + folder.filePath(text("browser")),
-                              text("--virtual-time-budget=90000"), text("--dump-dom"),
-                              text("file://") + page});
-    QVERIFY(process.waitForFinished(50000));
-    const QString seen = QString::fromUtf8(process.readAllStandardOutput());
-    const QString title = seen.section(text("<title>"), 1).section(text("</title>"), 0, 0);
-    const QJsonObject found = QJsonDocument::fromJson(title.toUtf8()).object();
-    QVERIFY2(!found.isEmpty(), qPrintable(title));
+    QCOMPARE(outside::bytesOf(page).count("</body>"), 1);
+    const QJsonObject found = readBy(kReader, page, folder.filePath(text("browser")));
+    const QByteArray title = QJsonDocument(found).toJson();
+    QVERIFY(!found.isEmpty());
     QCOMPARE(found.value(text("begin")).toDouble(), 0.0);
     QCOMPARE(found.value(text("label")).toString(), text("Pause"));
     const double played = found.value(text("played")).toDouble();
-    QVERIFY2(played > 0.0 && played <= 6.0, qPrintable(title));
+    QVERIFY2(played > 0.0 && played <= 6.0, title.constData());
     QCOMPARE(found.value(text("isPaused")).toString(), text("Play"));
-    QVERIFY2(found.value(text("isPainted")).toBool(), qPrintable(title));
+    QVERIFY2(found.value(text("isPainted")).toBool(), title.constData());
     QVERIFY(std::abs(found.value(text("length")).toDouble() - 6.0) < 0.06);
     QVERIFY(std::abs(found.value(text("end")).toDouble() - 6.0) < 0.06);
+  }
+
+  void player_severalRuns_canBeChosen() {
+    if (browser().isEmpty()) {
+      QSKIP("there is no Chromium here");
+    }
+    const outside::StudyFolder yard;
+    const QString out = yard.path(text("out"));
+    const QString study = yard.writeStudy("short.yaml",
+                                          "duration: 2.0\nseeds: 2\nrecord: all\nvalues:\n"
+                                          "  robot1.planner: [pursuit, dwa]\n");
+    const outside::Finished batch = outside::runProgram({text("batch"), study, text("-o"), out});
+    QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
+    const outside::Finished made = outside::runProgram({text("report"), out, text("--no-pdf")});
+    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    const QJsonObject found =
+        readBy(kChooser, out + text("/report.html"), yard.path(text("browser")));
+    const QByteArray all = QJsonDocument(found).toJson();
+    const QJsonArray names = found.value(text("names")).toArray();
+    QVERIFY2(names.size() == 4, all.constData());
+    QVERIFY2(names.at(2).toString().startsWith(text("Run 2, dwa, yard.yaml, seed 1: ")),
+             all.constData());
+    QCOMPARE(found.value(text("groups")).toArray(), QJsonArray({text("Without success")}));
+    QCOMPARE(found.value(text("plays")).toInt(), 4);
+    QCOMPARE(found.value(text("first")).toString(), text("Run 0"));
+    QCOMPARE(found.value(text("second")).toString(), text("Run 1"));
+    QCOMPARE(found.value(text("label")).toString(), text("Play"));
+    QCOMPARE(found.value(text("third")).toString(), text("Run 2"));
+    QCOMPARE(found.value(text("chosen")).toString(), text("2"));
+    QCOMPARE(found.value(text("playing")).toString(), text("Pause"));
   }
 };
 

@@ -471,6 +471,61 @@ class ReportProgramTest : public QObject {
     QVERIFY(tellsContact(playedRuns(outside::bytesOf(page)).at(0).toObject()));
   }
 
+  /// 28 runs that a second does not suffice for: the player has some, and what it has is told.
+  void report_manyFailures_saysWhichCanBePlayed() {
+    const outside::StudyFolder yard;
+    const QString out = yard.path(text("out"));
+    const QString study = yard.writeStudy("short.yaml",
+                                          "duration: 1.0\nseeds: 14\nrecord: all\nvalues:\n"
+                                          "  robot1.planner: [pursuit, dwa]\n");
+    const outside::Finished batch = outside::runProgram({text("batch"), study, text("-o"), out});
+    QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
+    const outside::Finished done = report(out, {text("--no-pdf")});
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    const QByteArray page = outside::bytesOf(out + text("/report.html"));
+    QCOMPARE(textsOf(page, "button").count(text("Play")), 24 + 1);  // the player has one itself
+    const QStringList captions = textsOf(page, "caption");
+    QVERIFY2(!captions.filter(text("24 of the 28 can be played here")).isEmpty(),
+             qPrintable(captions.join(text("|"))));
+    const QJsonObject run = playedRuns(page).at(1).toObject();
+    QCOMPARE(run.value(text("title")).toString(), text("Run 1"));
+    QCOMPARE(run.value(text("about")).toString(), text("pursuit, yard.yaml, seed 2"));
+    QVERIFY(!run.value(text("outcome")).toString().isEmpty());
+    QVERIFY(textsOf(page, "td").contains(run.value(text("outcome")).toString()));
+  }
+
+  /// Of both options some can be played, though all runs of the first come first.
+  void report_noFailures_playsSomeOfEachOption() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(text("e.yaml"));
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\nscenarios: [corner_cafe_agents]\nseeds: 4\n"
+                       "duration: 1.0\nrecord: all\nvalues:\n  robot1.max_vel: [0.5, 1.0]\n");
+    const QString out = folder.filePath(text("out"));
+    const outside::Finished batch =
+        outside::runProgram({text("batch"), experiment, text("-o"), out});
+    QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
+    QByteArray results = outside::bytesOf(out + text("/results.csv"));
+    const QByteArray head = results.left(results.indexOf('\n'));
+    for (const char* key : {",success,", ",completed,"}) {  // as if nobody had asked
+      QVERIFY(head.contains(key));
+      results.replace(key, QByteArray(",own") + QByteArray(key).mid(1));
+    }
+    outside::writeText(out + text("/results.csv"), results);
+    QVERIFY(QFile::remove(out + text("/manifest.json")));  // which knows what they were
+    const outside::Finished done = report(out, {text("--no-pdf")});
+    QVERIFY2(done.exitCode == 0, qPrintable(done.err));
+    const QByteArray page = outside::bytesOf(out + text("/report.html"));
+    QStringList told;
+    for (const auto& run : playedRuns(page)) {
+      told.append(run.toObject().value(text("about")).toString().section(QLatin1Char(','), 0, 0));
+      QCOMPARE(run.toObject().value(text("outcome")).toString(), QString());
+    }
+    QCOMPARE(told, QStringList({text("robot1.max_vel 0.5"), text("robot1.max_vel 0.5"),
+                                text("robot1.max_vel 1.0"), text("robot1.max_vel 1.0")}));
+    QVERIFY(page.contains("The player has 4 of the 8 runs"));
+  }
+
  private:
   static QJsonArray playedRuns(const QByteArray& page) {
     const int from = page.indexOf("id=\"replays\">") + 13;
