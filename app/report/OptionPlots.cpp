@@ -105,8 +105,13 @@ void drawOptions(Figure& figure, const Plane& plane, const Study& study, const M
   }
   PlaneMarks marks;
   if (metricX.sense != 0 && metricY.sense != 0) {
-    drawFront(figure, plane, statistics::paretoFront(atX, senseOf(metricX), atY, senseOf(metricY)),
-              atX, atY, marks);
+    Numbers ranked = atX;  // what never succeeds is not on the front
+    for (std::size_t option = 0; option < ranked.size(); ++option) {
+      ranked[option] = x.succeeds[option] ? ranked[option] : statistics::kUndefined;
+    }
+    drawFront(figure, plane,
+              statistics::paretoFront(ranked, senseOf(metricX), atY, senseOf(metricY)), atX, atY,
+              marks);
   }
   for (std::size_t option = 0; option < study.options.size(); ++option) {
     if (!std::isnan(atX[option]) && !std::isnan(atY[option])) {
@@ -192,7 +197,10 @@ std::optional<Figure> paretoFigure(const Study& study, const MetricComparison& x
   drawOptions(figure, plane, study, x, y);
   figure.caption =
       titleOf(metricX) + " against " + titleOf(metricY) + ": means with their intervals" +
-      (isJudged ? "; the dashed line joins the options that no other beats in both." : ".");
+      (isJudged ? "; the dashed line joins the options that no other beats in both." : ".") +
+      (isJudged && std::count(x.succeeds.begin(), x.succeeds.end(), false) > 0
+           ? " What never succeeds is not among them."
+           : "");
   return figure;
 }
 

@@ -372,7 +372,7 @@ class PageMaker {
     for (const char* words : kMethods) {
       body_ += paragraph(words);
     }
-    body_ += paragraph("Intervals are of " + percentText(study_.level) + ", " +
+    body_ += paragraph("Intervals are of " + levelText(study_.level) + ", " +
                        std::to_string(study_.resamples) +
                        " resamples of the bootstrap, seed 1. Blocks are cases with one seed; " +
                        std::to_string(blocks_.size()) + " here.");

@@ -128,7 +128,7 @@ std::optional<Figure> differencesFigure(const Study& study, const Comparisons& c
   figure.caption =
       "Differences on the same case and seed (dots), with the typical difference and its "
       "interval of " +
-      percentText(study.level) + " (Hodges and Lehmann).";
+      levelText(study.level) + " (Hodges and Lehmann).";
   return figure;
 }
 

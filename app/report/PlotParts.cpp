@@ -75,7 +75,11 @@ void panelTitle(Figure& figure, const std::string& title, double left, double to
               kSize);
 }
 
-std::string percentText(double level) {
+std::string percentText(double share) {
+  return numberText(100.0 * share, 0) + " %";
+}
+
+std::string levelText(double level) {
   return base::formatDouble(std::round(1e8 * level) / 1e6) + " %";
 }
 

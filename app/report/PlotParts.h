@@ -34,7 +34,8 @@ std::vector<const MetricComparison*> ofKind(const Study& study, const Comparison
 void optionNames(Figure& figure, const Study& study, double left, double top, double rowHeight);
 void panelTitle(Figure& figure, const std::string& title, double left, double top);
 std::string nameOfOption(const Study& study, std::size_t option);  // as long as there is room
-std::string percentText(double level);                             // "95 %"
+std::string percentText(double share);                             // "95 %"
+std::string levelText(double level);                               // "95 %", "97.5 %"
 /// Dots of all values, or of evenly many of the sorted ones, across a strip.
 void strip(Figure& figure, const Numbers& values, const Scale& scale, double y, double height,
            const std::string& role);

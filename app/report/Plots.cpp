@@ -133,7 +133,7 @@ std::vector<const PairResult*> shownPairs(const MetricComparison& comparison) {
 std::optional<Figure> ratesFigure(const Study& study, const Comparisons& comparisons) {
   std::optional<Figure> figure = intervalPanels(study, ofKind(study, comparisons, true), "success");
   if (figure) {
-    figure->caption = "Rates with Wilson's intervals of " + percentText(study.level) + ".";
+    figure->caption = "Rates with Wilson's intervals of " + levelText(study.level) + ".";
   }
   return figure;
 }
@@ -142,7 +142,7 @@ std::optional<Figure> intervalsFigure(const Study& study, const Comparisons& com
   std::optional<Figure> figure =
       intervalPanels(study, ofKind(study, comparisons, false), "intervals");
   if (figure) {
-    figure->caption = "Means with bootstrap intervals (BCa) of " + percentText(study.level) + ".";
+    figure->caption = "Means with bootstrap intervals (BCa) of " + levelText(study.level) + ".";
   }
   return figure;
 }

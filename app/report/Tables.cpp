@@ -200,8 +200,7 @@ Table resultsTable(const Study& study, const Comparisons& comparisons,
     }
     table.rows.push_back(std::move(row));
   }
-  table.caption =
-      "Means (rates: shares of runs) with intervals of " + percentText(study.level) + ".";
+  table.caption = "Means (rates: shares of runs) with intervals of " + levelText(study.level) + ".";
   if (study.options.size() > 1) {
     table.caption +=
         " Bold: best. †: worse than the best on the same cases and seeds (p < 0.05, Holm over all "
@@ -238,8 +237,8 @@ std::optional<Table> mediansTable(const Study& study, const Comparisons& compari
       table.rows[option].push_back(estimateCell(study, comparison, option, true, decimals));
     }
   }
-  table.caption = "Medians with intervals of at least " + percentText(study.level) +
-                  " between order statistics.";
+  table.caption =
+      "Medians with intervals of at least " + levelText(study.level) + " between order statistics.";
   return table.columns.size() > 1 ? std::optional(std::move(table)) : std::nullopt;
 }
 
@@ -264,7 +263,7 @@ Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {
   table.caption =
       "Pairs of options on the same case and seed: in how many the first is higher, equal, lower; "
       "typical difference with its interval of " +
-      percentText(study.level) +
+      levelText(study.level) +
       "; p of the signed-rank test (rates: McNemar), and adjusted over the pairs of the metric; "
       "Cliff's δ; pairs that would be enough to see such a difference (power 80 %, level 5 %)." +
       (all || study.options.size() < 4

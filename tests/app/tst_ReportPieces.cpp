@@ -105,10 +105,10 @@ class ReportPiecesTest : public QObject {
              latex.c_str());
   }
 
-  void percentText_level_isWhole() {
-    QCOMPARE(percentText(0.95), std::string("95 %"));
-    QCOMPARE(percentText(0.975), std::string("97.5 %"));
-    QCOMPARE(percentText(0.999), std::string("99.9 %"));
+  void levelText_level_isWhole() {
+    QCOMPARE(levelText(0.95), std::string("95 %"));
+    QCOMPARE(levelText(0.975), std::string("97.5 %"));
+    QCOMPARE(levelText(0.999), std::string("99.9 %"));
   }
 
   void shellText_words_areQuotedWhereNeeded() {

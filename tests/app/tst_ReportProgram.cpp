@@ -333,6 +333,15 @@ class ReportProgramTest : public QObject {
     QVERIFY2(findings.contains(text("best is A (10.550 s), but B is better on the same cases and "
                                     "seeds; C never succeeds and is left out.")),
              qPrintable(findings));
+    const outside::Finished weighed =
+        report(folder.path(), {text("--no-pdf"), text("--weights"), text("time_to_reach_goal=1"),
+                               text("--pareto"), text("time_to_reach_goal,success")});
+    QVERIFY2(weighed.exitCode == 0, qPrintable(weighed.err));
+    const QString table = folder.filePath(text("tables/results.csv"));
+    QCOMPARE(rowOf(table, {text("A")}).last().toDouble(), 1.0);
+    QCOMPARE(rowOf(table, {text("C")}).last(), text("–"));
+    QVERIFY(outside::bytesOf(folder.filePath(text("report.html")))
+                .contains("What never succeeds is not among them."));
     QVERIFY2(findings.contains(text("Success: best is B (100 %), better than C; not clearly "
                                     "different from A.")),
              qPrintable(findings));
