@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/report/Comparison.h"
-#include "app/report/Tables.h"
 #include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
 #include "sim2d/base/Text.h"
@@ -134,25 +133,13 @@ class PlayerChoice {
       about += study_.cases[study_.caseOf[run]] + ", ";
     }
     return {"Run " + std::to_string(row.number), about + "seed " + std::to_string(row.seed),
-            failures_.count(run) != 0 ? outcomeOf(run) : std::string()};
+            failures_.count(run) != 0 ? study_.whatHappened(run) : std::string()};
   }
 
  private:
   struct Taken {
     std::size_t count = 0, bytes = 0;
   };
-
-  /// As the table of failures has it.
-  std::string outcomeOf(std::size_t run) const {
-    const Table table = failuresTable(study_, {run}, {});
-    for (std::size_t column = 0; column < table.columns.size(); ++column) {
-      const std::string& words = table.rows.front()[column].text;
-      if (table.columns[column].title == "What happened" && !words.empty()) {
-        return words;
-      }
-    }
-    return "without success";
-  }
 
   const Study& study_;
   std::set<std::size_t> failures_;

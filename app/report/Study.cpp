@@ -391,6 +391,30 @@ std::optional<std::string> Study::runFolder(std::size_t run) const {
   return fs::exists(place / "trace.json", ignored) ? std::optional(place.string()) : std::nullopt;
 }
 
+std::string Study::whatHappened(std::size_t run) const {
+  if (!results.runs[run].ok) {
+    return results.runs[run].reason.empty() ? "failed" : results.runs[run].reason;
+  }
+  const struct {
+    const char* key;
+    bool whenZero;
+    const char* words;
+  } signs[] = {{"robot_on_person_collision", false, "ran into a person"},
+               {"person_on_robot_collision", false, "a person ran into it"},
+               {"obstacle_collisions", false, "ran into an obstacle"},
+               {"timeout", false, "timeout"},
+               {"completed", true, "goal not reached"}};
+  std::vector<std::string> told;
+  for (const auto& sign : signs) {
+    const std::size_t metric = results.keyAt(sign.key);
+    const bool isKnown = metric < results.keys.size();
+    if (isKnown && (sign.whenZero ? valuesOf(metric)[run] == 0.0 : valuesOf(metric)[run] > 0.0)) {
+      told.emplace_back(sign.words);
+    }
+  }
+  return told.empty() ? "not successful" : base::join(told, ", ");
+}
+
 std::vector<std::string> Study::batchWords() const {
   std::vector<std::string> words = {"hunavsim", "batch", inputs.front().path, "-o", folder};
   if (allowsCode) {

@@ -68,6 +68,8 @@ struct Study {
   const Numbers& valuesOf(std::size_t metric) const { return results.metrics[metric]; }
   /// Folder of a run, if it was kept.
   std::optional<std::string> runFolder(std::size_t run) const;
+  /// Of a run without success, by its reason or its metrics: "ran into a person".
+  std::string whatHappened(std::size_t run) const;
   /// The command that makes the study again, as far as the manifest tells it.
   std::vector<std::string> batchWords() const;
   /// The command that shows a run in the window.

@@ -119,29 +119,6 @@ std::vector<Cell> pairRow(const Study& study, const MetricComparison& comparison
              pair.enoughPairs)};
 }
 
-/// Of a run without success: what its metrics tell.
-std::string whatHappened(const Study& study, std::size_t run) {
-  const struct {
-    const char* key;
-    bool whenZero;
-    const char* words;
-  } signs[] = {{"robot_on_person_collision", false, "ran into a person"},
-               {"person_on_robot_collision", false, "a person ran into it"},
-               {"obstacle_collisions", false, "ran into an obstacle"},
-               {"timeout", false, "timeout"},
-               {"completed", true, "goal not reached"}};
-  std::vector<std::string> words;
-  for (const auto& sign : signs) {
-    const std::size_t metric = study.results.keyAt(sign.key);
-    const bool isKnown = metric < study.results.keys.size();
-    if (isKnown &&
-        (sign.whenZero ? study.valuesOf(metric)[run] == 0.0 : study.valuesOf(metric)[run] > 0.0)) {
-      words.emplace_back(sign.words);
-    }
-  }
-  return words.empty() ? "not successful" : base::join(words, ", ");
-}
-
 std::vector<std::string> summaryRow(const Study& study, std::size_t metric, const Numbers& values) {
   const Metric& what = study.metrics[metric];
   const Numbers five = statistics::quantiles(values, {0.0, 0.25, 0.5, 0.75, 1.0});
@@ -316,7 +293,7 @@ Table failuresTable(const Study& study, const std::vector<std::size_t>& failures
                           {study.options[study.optionOf[run]]},
                           {study.cases[study.caseOf[run]]},
                           {std::to_string(row.seed)},
-                          {row.ok ? whatHappened(study, run) : row.reason},
+                          {study.whatHappened(run)},
                           {command, {}, {}, {}, false, {}, markup}});
   }
   return table;

@@ -12,8 +12,8 @@
 /// Tables of a comparison.
 namespace report {
 
-/// Options x metrics: means or rates with intervals, the best in bold, "†" where an option differs
-/// from the best; with `weights` a column of the composite.
+/// Options x metrics: means or rates with intervals, the best in bold, "†" where an option is
+/// worse; with `weights` a column of the composite.
 Table resultsTable(const Study& study, const Comparisons& comparisons,
                    const std::vector<std::pair<std::string, double>>& weights);
 /// The same of medians; nothing when only rates are shown.
