@@ -148,7 +148,8 @@ void StudyResults::compare() {
     comparison_->setItem(row, column++, cellOf(option, true));
     comparison_->setItem(row, column++, cellOf(QString::number(runs.size()), false));
     for (const StudyMetric& metric : studyMetrics()) {
-      comparison_->setItem(row, column++, cellOf(estimateText(metric, runs), false));
+      const QString text = estimateText(metric, runs);
+      comparison_->setItem(row, column++, cellOf(text.isEmpty() ? tr("–") : text, false));
     }
     ++row;
   }

@@ -28,11 +28,16 @@ QString numberText(double value) {
 
 QString rateText(const std::vector<const StudyRow*>& rows, const QString& key) {
   int successes = 0;
+  int count = 0;
   for (const StudyRow* row : rows) {
     const auto found = row->metrics.find(key);
-    successes += row->isOk && found != row->metrics.end() && found->second != 0.0 ? 1 : 0;
+    const bool isDefined = found != row->metrics.end();
+    count += isDefined || !row->isOk ? 1 : 0;
+    successes += row->isOk && isDefined && found->second != 0.0 ? 1 : 0;
   }
-  const int count = static_cast<int>(rows.size());
+  if (count == 0) {
+    return {};
+  }
   const statistics::Interval interval = statistics::wilsonInterval(successes, count);
   return QStringLiteral("%1 % [%2, %3]")
       .arg(std::lround(100.0 * successes / count))
@@ -119,7 +124,7 @@ QString StudyMetric::heading() const {
 
 QString estimateText(const StudyMetric& metric, const std::vector<const StudyRow*>& rows) {
   if (metric.isRate) {
-    return rows.empty() ? QString() : rateText(rows, metric.key);
+    return rateText(rows, metric.key);
   }
   statistics::Numbers values;
   for (const StudyRow* row : rows) {

@@ -104,6 +104,26 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     QCOMPARE(estimateOf("path_length", {}), QString());
   }
 
+  /// As in the report: a robot without a goal neither succeeds nor fails, a failed run fails.
+  void success_undefined_countsForNothing() {
+    const StudyRow without = [] {
+      StudyRow row = rowOf(2, 10.0);
+      row.metrics.erase(text("success"));
+      return row;
+    }();
+    QCOMPARE(estimateOf("success", {without, without}), QString());
+    StudyRow failed = without;
+    failed.isOk = false;
+    // 1 of 2, Wilson: (0.5 + 3.8415 / 4 ± 1.95996 √(0.125 + 3.8415 / 16)) / 2.9207 = 0.09, 0.91
+    QCOMPARE(estimateOf("success", {without, rowOf(0, 10.0), failed}), text("50 % [9, 91]"));
+    app::StudyResults results(nullptr);
+    results.begin({}, {});
+    results.add({without});
+    QCOMPARE(results.comparison().item(0, 2)->text(), text("–"));
+    QVERIFY(results.comparison().item(0, results.comparison().columnCount() - 1)->text() ==
+            text("10.0"));
+  }
+
   void lines_thatAreNoRows_arePassedOver() {
     QVERIFY(!app::studyRowOf("no json"));
     QVERIFY(!app::studyRowOf("{\"other\": 1}"));
