@@ -129,6 +129,29 @@ class StudyTroublesTest : public QObject {
     QCOMPARE(runProgram(StudyFolder::words(experiment, out, {text("--resume")})).exitCode, 0);
   }
 
+  /// There is no table yet: what runs is to be waited for, what was killed goes on.
+  void report_ofABatchThatHasNotEnded_isTold() {
+    const QString experiment =
+        folder_.writeStudy("not ended.yaml", "seeds: 2\nduration: 900000.0\n");
+    const QString out = folder_.path(text("not-ended"));
+    Running batch(
+        StudyFolder::words(experiment, out, {text("--jobs"), text("1"), text("--allow-code")}));
+    QTRY_VERIFY_WITH_TIMEOUT(!batch.workers().empty(), 20000);
+    const Finished early = runProgram({text("report"), out});
+    QCOMPARE(early.exitCode, 2);
+    QVERIFY2(early.err.contains(text("not-ended: error: the batch in this folder is running")),
+             qPrintable(early.err));
+    ::kill(batch.pid(), SIGKILL);
+    batch.wait();
+    const Finished cut = runProgram({text("report"), out});
+    QCOMPARE(cut.exitCode, 2);
+    const QString goOn = text("hunavsim batch '%1' -o %2 --resume --allow-code\n");
+    QVERIFY2(cut.err.contains(text("has not ended (0 of 2 runs): go on with ")) &&
+                 cut.err.contains(goOn.arg(experiment, out)),
+             qPrintable(cut.err));
+    QVERIFY(!QFile::exists(out + text("/report.html")));
+  }
+
   /// What does not fit on the disk ends the batch with the reason; what fitted is kept.
   void fullDisk_isToldAndResumed() {
     const QString out = folder_.path(text("full"));

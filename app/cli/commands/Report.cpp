@@ -10,6 +10,7 @@
 #include "app/cli/Console.h"
 #include "app/cli/PictureFiles.h"
 #include "app/report/Page.h"
+#include "app/run/BatchFolder.h"
 #include "app/run/ListedFiles.h"
 #include "app/run/OutputFolder.h"
 #include "sim2d/base/Files.h"
@@ -28,6 +29,47 @@ struct ReportOptions {
   bool noPdf = false;
   bool force = false;
 };
+
+/// A word that a shell takes as it is.
+std::string shellWord(const std::string& word) {
+  constexpr const char* kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+:,@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
+    return word;
+  }
+  std::string text = "'";
+  for (const char each : word) {
+    text += each == '\'' ? std::string("'\\''") : std::string(1, each);
+  }
+  return text + "'";
+}
+
+/// A batch that has not written its table yet: it runs, or it was killed. Nothing: there is a
+/// table, or no batch.
+base::Diagnostics batchWithoutEnd(const std::string& folder) {
+  std::error_code ignored;
+  const fs::path place(folder);
+  if (fs::exists(fs::symlink_status(place / "results.csv", ignored)) ||
+      !ResultStore::isStore((place / "results.sqlite").string())) {
+    return {};
+  }
+  const base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::take(folder);
+  if (!lock) {
+    const bool isRunning = lock.diagnostics().front().code == "batch.locked";
+    return isRunning ? base::Diagnostics{base::error("report.batch-runs", {}, folder)}
+                     : lock.diagnostics();
+  }
+  const base::Result<std::unique_ptr<ResultStore>> store = readResults(folder);
+  if (!store) {
+    return store.diagnostics();
+  }
+  const Study& study = (*store)->study();
+  std::string words = shellWord(study.experimentPath) + " -o " + shellWord(folder) + " --resume";
+  words += study.shard.count > 1 ? " --shard " + study.shard.text() : "";
+  words += study.allowsCode ? " --allow-code" : "";
+  return {base::error("report.batch-cut",
+                      {(*store)->finished(), study.shard.runsOf(study.runs), words}, folder)};
+}
 
 /// "path_length=2,success=1". What is no number above 0 is told.
 base::Diagnostics readWeights(const std::string& words,
@@ -113,6 +155,7 @@ base::Result<std::vector<std::string>> earlierFiles(const std::string& folder) {
 int reportCommand(const ReportOptions& options, const Invocation& given) {
   report::Wishes wishes = options.wishes;
   requireFine(readWords(options, wishes), ExitWrongCommandLine);
+  requireFine(batchWithoutEnd(wishes.folder));
   Progress progress(given.quiet || given.json);
   progress.show("reading the results");
   const base::Result<report::Study> study = report::readStudy(wishes);
