@@ -56,7 +56,9 @@ void StudyProcess::start(const QString& experiment, const QString& folder, int j
   process_.start(program_, words);
 }
 
+/// Until it is another program it is a copy of this one: the signal would be taken as if for us.
 void StudyProcess::stop() {
+  process_.waitForStarted(kWaitMs);
   if (isRunning() && process_.processId() > 0) {
     isStopped_ = true;
     ::kill(static_cast<pid_t>(process_.processId()), SIGINT);
