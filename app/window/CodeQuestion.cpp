@@ -1,6 +1,9 @@
 #include "app/window/CodeQuestion.h"
 
+#include <QFileInfo>
+
 #include "app/window/NoticeBar.h"
+#include "app/window/StudyPanel.h"
 #include "sim2d/nav/external/ShownText.h"
 
 namespace app {
@@ -18,6 +21,14 @@ QString wordsOf(const std::vector<ForeignCode>& code) {
                                          QString::fromStdString(each.robot));
   }
   return all.join(QStringLiteral("; "));
+}
+
+void warn(NoticeBar& notices, const QString& id, const QString& file,
+          const std::vector<ForeignCode>& code, const std::function<void()>& allow) {
+  notices.warn(
+      id,
+      QObject::tr("%1 wants to start: %2. It can do all that you may do.").arg(file, wordsOf(code)),
+      {{QObject::tr("Allow for this file"), allow}, {QObject::tr("Do not run"), {}}});
 }
 
 }  // namespace
@@ -40,10 +51,19 @@ void CodeQuestion::ask(bool paused) {
     SimulationRunner& runner = workspace_.runner();
     paused ? runner.stepOnce() : runner.play();
   };
-  notices_.warn(noticeId(),
-                tr("%1 wants to start: %2. It can do all that you may do.")
-                    .arg(workspace_.document().displayName(), wordsOf(code)),
-                {{tr("Allow for this file"), allow}, {tr("Do not run"), {}}});
+  warn(notices_, noticeId(), workspace_.document().displayName(), code, allow);
+}
+
+void CodeQuestion::askFor(StudyPanel& study, NoticeBar& notices) {
+  connect(&study, &StudyPanel::codeWanted, &notices,
+          [&study, &notices](const std::vector<ForeignCode>& code) {
+            if (code.empty()) {
+              notices.drop(studyNoticeId());
+              return;
+            }
+            warn(notices, studyNoticeId(), QFileInfo(study.file()).fileName(), code,
+                 [&study, code] { study.allowCode(code); });
+          });
 }
 
 }  // namespace app

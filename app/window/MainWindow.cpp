@@ -205,7 +205,9 @@ void MainWindow::connectFiles() {
     showIssues();
   });
   connect(startPage_, &StartPage::fileWanted, files, &FileCommands::openFile);
-  connect(&docks_->panel<StudyPanel>(), &StudyPanel::runWanted, this, [files](const QString& run) {
+  StudyPanel& study = docks_->panel<StudyPanel>();
+  CodeQuestion::askFor(study, *notices_);
+  connect(&study, &StudyPanel::runWanted, this, [files](const QString& run) {
     if (files->mayLeave()) {
       files->openFile(run);
     }

@@ -1,18 +1,14 @@
 #include "app/window/StudyPanel.h"
 
-#include <algorithm>
-#include <thread>
-#include <utility>
-
-#include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QSaveFile>
 #include <QSplitter>
-#include <QUrl>
 
+#include "app/window/StudyEarlier.h"
+#include "app/window/StudyWords.h"
 #include "editor/look/FileDialog.h"
 #include "editor/panels/RowDelegate.h"
 
@@ -20,47 +16,13 @@ namespace app {
 
 namespace {
 
-constexpr int kFormWidth = 300;
+constexpr int kFormWidth = 400;
 constexpr int kRoom = 400;
 constexpr QSize kLeastSize(240, 80);
-constexpr int kBarHeight = 8;
+constexpr int kLeastName = 150;
+constexpr QSize kBarSize(100, 8);
 constexpr int kCheckMs = 300;
 constexpr int kProgressSteps = 1000;
-
-int cores() {
-  return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
-
-/// "48 s", "12 min", "3 h 20 min".
-QString durationText(double seconds) {
-  const auto minutes = static_cast<long long>(seconds / 60.0);
-  return seconds < 100.0 ? QObject::tr("%1 s").arg(qRound(seconds))
-         : minutes < 100 ? QObject::tr("%1 min").arg(minutes)
-                         : QObject::tr("%1 h %2 min").arg(minutes / 60).arg(minutes % 60);
-}
-
-/// "2 scenarios × 3 planners × 30 seeds = 180 runs"
-QString sizeText(const Experiment& experiment) {
-  QStringList parts = {editor::counted(experiment.scenarios.size(), QObject::tr("scenario"),
-                                       QObject::tr("scenarios"))};
-  for (const ExperimentValue& value : experiment.values) {
-    if (!value.isDrawn() && value.texts.size() > 1) {
-      const QString path = QString::fromStdString(value.path);
-      parts.append(path.endsWith(QLatin1String(".planner"))
-                       ? QObject::tr("%1 planners").arg(value.texts.size())
-                       : QStringLiteral("%1 %2").arg(value.texts.size()).arg(path));
-    }
-  }
-  parts.append(editor::counted(experiment.seeds.size(), QObject::tr("seed"), QObject::tr("seeds")));
-  return parts.join(QStringLiteral(" × ")) + QStringLiteral(" = ") +
-         editor::counted(experiment.runCount(), QObject::tr("run"), QObject::tr("runs"));
-}
-
-/// "error: this went wrong" -> "This went wrong"
-QString withoutSeverity(const QString& line) {
-  const QString head = QStringLiteral("error: ");
-  return editor::capitalized(line.startsWith(head) ? line.mid(head.size()) : line);
-}
 
 }  // namespace
 
@@ -101,7 +63,7 @@ void StudyPanel::listen() {
   check_.setInterval(kCheckMs);
   connect(&check_, &QTimer::timeout, this, &StudyPanel::check);
   connect(form_, &StudyForm::changed, this, [this] {
-    isEdited_ = true;
+    isEdited_ = written_.isNull() || form_->textFor(QFileInfo(file_).absolutePath()) != written_;
     checkSoon();
   });
   connect(&context_.document, &editor::ScenarioDocument::dirtyChanged, this,
@@ -109,6 +71,9 @@ void StudyPanel::listen() {
   connect(&context_, &editor::PanelContext::themeChanged, this, &StudyPanel::paintWords);
   connect(results_, &StudyResults::playWanted, this, &StudyPanel::play);
   connect(&process_, &StudyProcess::began, this, [this](const StudyBegin& begin) {
+    if (begun_) {
+      showResultsOf(*begun_);
+    }
     total_ = begin.runs;
     before_ = begin.finished;
     since_.start();
@@ -128,7 +93,7 @@ StudyPanel::~StudyPanel() {
 QWidget* StudyPanel::makeHead() {
   auto* head = new QWidget(this);
   auto* row = editor::arranged(new QHBoxLayout(head), {12, 6, 12, 6}, 12);
-  name_->setMinimumWidth(kFormWidth / 2);
+  name_->setMinimumWidth(kLeastName);
   row->addWidget(name_, 1);
   open_ =
       editor::linkButton(tr("Open…"), tr("An experiment file"), head, [this] { askFile(false); });
@@ -150,7 +115,7 @@ QWidget* StudyPanel::makeState() {
   says_->setWordWrap(true);
   progress_->setRange(0, kProgressSteps);
   progress_->setTextVisible(false);
-  progress_->setFixedSize(kFormWidth / 3, kBarHeight);
+  progress_->setFixedSize(kBarSize);
   auto* row = editor::arranged(new QHBoxLayout(state), {12, 8, 12, 4}, 12);
   row->addWidget(says_, 1);
   row->addWidget(anew_);
@@ -163,7 +128,9 @@ void StudyPanel::follow() {
   const bool goesOn = finished > 0 && finished < total_ && !isEdited_;
   start_->setText(isRunning() ? tr("Stop") : goesOn ? tr("Go on") : tr("Start"));
   start_->setDefault(!isRunning());
-  report_->setEnabled(finished > 0 && !isRunning());
+  report_->setEnabled(
+      !isRunning() && !file_.isEmpty() &&
+      QFileInfo::exists(QDir(resultsFolder()).filePath(QStringLiteral("results.csv"))));
   open_->setEnabled(!isRunning());
   saveAs_->setEnabled(!isRunning());
   progress_->setVisible(isRunning());
@@ -192,8 +159,11 @@ QString StudyPanel::resultsFolder() const {
 void StudyPanel::setFile(const QString& path) {
   file_ = path;
   isEdited_ = true;  // until it is written
-  results_->begin({}, {});
+  written_ = QString();
   anew_->hide();
+  code_.forget();
+  Q_EMIT codeWanted({});
+  showEarlier();
   follow();
   checkSoon();
 }
@@ -232,8 +202,35 @@ bool StudyPanel::openFile(const QString& path) {
   }
   setFile(path);
   form_->show(*read);
+  written_ = form_->textFor(QFileInfo(path).absolutePath());
   isEdited_ = false;
+  follow();
   return true;
+}
+
+/// What lies in its folder, without a run.
+void StudyPanel::showEarlier() {
+  const StudyEarlier earlier = earlierIn(resultsFolder());
+  const base::Result<Experiment> of =
+      earlier.experiment ? parseExperiment(*earlier.experiment, file_.toStdString())
+                         : readExperiment(file_.toStdString());
+  shown_ = of && earlier.experiment ? std::optional(*of) : std::nullopt;
+  total_ = earlier.runs;
+  before_ = earlier.rows.size();
+  trouble_ = earlier.trouble;
+  results_->begin(earlier.paths, of ? comparedPath(*of) : QString());
+  results_->add(earlier.rows);
+}
+
+/// Empty, until its rows come.
+void StudyPanel::showResultsOf(const Experiment& experiment) {
+  QStringList paths;
+  for (const ExperimentValue& value : experiment.values) {
+    paths.append(QString::fromStdString(value.path));
+  }
+  shown_ = experiment;
+  trouble_.clear();
+  results_->begin(paths, comparedPath(experiment));
 }
 
 base::Result<Experiment> StudyPanel::experiment() const {
@@ -252,7 +249,7 @@ void StudyPanel::check() {
   const bool hasScenarios = !form_->scenarios().isEmpty();
   start_->setEnabled(bool(checked));
   if (!hasScenarios) {
-    say({});
+    say(editor::capitalized(trouble_), !trouble_.isEmpty());
     return;
   }
   if (!checked) {
@@ -267,7 +264,13 @@ void StudyPanel::check() {
     words.append(
         tr("changes of %1 that are not saved do not count").arg(context_.document.displayName()));
   }
-  say(words.join(QStringLiteral(": ")));
+  const std::size_t finished = results_->runs().rows().size();
+  if (!trouble_.isEmpty()) {
+    words.append(trouble_);
+  } else if (finished > 0 && !isEdited_) {
+    words.append(tr("%1 of %2 finished").arg(finished).arg(total_));
+  }
+  say(words.join(QStringLiteral(": ")), !trouble_.isEmpty());
   follow();
 }
 
@@ -282,133 +285,9 @@ bool StudyPanel::save() {
     say(tr("%1 cannot be written: %2").arg(file_, file.errorString()), true);
     return false;
   }
+  written_ = form_->textFor(QFileInfo(file_).absolutePath());
   isEdited_ = false;
   return true;
-}
-
-void StudyPanel::start(StudyProcess::Begin begin) {
-  if (isRunning()) {
-    return;
-  }
-  if (file_.isEmpty()) {
-    askFile(true);
-  }
-  const base::Result<Experiment> checked = experiment();
-  if (file_.isEmpty() || !checked || !save()) {
-    check();
-    return;
-  }
-  QStringList paths;
-  for (const ExperimentValue& value : checked->values) {
-    paths.append(QString::fromStdString(value.path));
-  }
-  total_ = checked->runCount();
-  before_ = 0;
-  results_->begin(paths, comparedPath(*checked));
-  anew_->hide();
-  process_.start(file_, resultsFolder(), cores(), begin, false);
-  say(tr("Begins…"));
-  follow();
-}
-
-void StudyPanel::stop() {
-  process_.stop();
-  say(tr("Stops…"));
-}
-
-void StudyPanel::showProgress() {
-  const std::vector<StudyRow>& rows = results_->runs().rows();
-  const std::size_t finished = rows.size();
-  const std::size_t made = finished - std::min(before_, finished);
-  QString text = tr("%1 of %2 runs").arg(finished).arg(total_);
-  if (isRunning() && made > 0 && finished < total_) {
-    const double seconds = 1e-3 * static_cast<double>(since_.elapsed());
-    const double left =
-        seconds / static_cast<double>(made) * static_cast<double>(total_ - finished);
-    text += tr(", %1 left").arg(durationText(left));
-  }
-  const auto failed =
-      std::count_if(rows.begin(), rows.end(), [](const StudyRow& row) { return !row.isOk; });
-  if (failed > 0) {
-    text += tr(", %1 failed").arg(failed);
-  }
-  progress_->setValue(total_ == 0 ? 0 : static_cast<int>(kProgressSteps * finished / total_));
-  say(text);
-  Q_EMIT counted(static_cast<int>(finished));
-}
-
-void StudyPanel::finish(bool isComplete, const QString& problems) {
-  results_->compare();
-  if (!problems.isEmpty()) {
-    const QStringList lines = problems.split(QLatin1Char('\n'));
-    say(withoutSeverity(lines.front()), true);
-    says_->setToolTip(problems);
-    anew_->setVisible(QFileInfo::exists(resultsFolder()));
-  } else {
-    showProgress();
-    says_->setToolTip({});
-    if (!isComplete) {
-      say(says_->text() + tr(": stopped, what is finished is kept"));
-    }
-  }
-  follow();
-}
-
-/// One after the other: the second click waits for nothing.
-void StudyPanel::runProgram(const QStringList& words, const QString& saying,
-                            const std::function<void()>& then) {
-  if (helper_.state() != QProcess::NotRunning) {
-    return;
-  }
-  say(saying);
-  helper_.disconnect(this);
-  connect(&helper_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
-    if (error == QProcess::FailedToStart) {
-      say(helper_.errorString(), true);
-    }
-  });
-  connect(&helper_, qOverload<int, QProcess::ExitStatus>(&QProcess::finished), this,
-          [this, then](int code, QProcess::ExitStatus status) {
-            const bool isFine = status == QProcess::NormalExit && code <= 1;
-            if (isFine) {
-              showProgress();
-              then();
-            } else {
-              say(QString::fromUtf8(helper_.readAllStandardError()).trimmed(), true);
-            }
-          });
-  helper_.start(process_.program(), words);
-}
-
-/// The folder of a run that was kept, else the run is made once more.
-void StudyPanel::play(int run) {
-  const QString kept = QDir(resultsFolder()).filePath(QStringLiteral("runs/%1").arg(run));
-  if (QFileInfo::exists(kept)) {
-    Q_EMIT runWanted(kept);
-    return;
-  }
-  const base::Result<Experiment> read = readExperiment(file_.toStdString());
-  if (!read || static_cast<std::size_t>(run) >= read->runCount()) {
-    return;
-  }
-  QStringList words;
-  for (const std::string& word : read->wordsOf(static_cast<std::size_t>(run))) {
-    words.append(QString::fromStdString(word));
-  }
-  played_ = std::make_unique<QTemporaryDir>();
-  const QString folder = played_->filePath(QStringLiteral("run_%1").arg(run));
-  words << QStringLiteral("--quiet") << QStringLiteral("-o") << folder;
-  runProgram(words, tr("Makes run %1 once more…").arg(run),
-             [this, folder] { Q_EMIT runWanted(folder); });
-}
-
-void StudyPanel::openReport() {
-  const QString folder = resultsFolder();
-  runProgram({QStringLiteral("report"), folder, QStringLiteral("--quiet")},
-             tr("Writes the report…"), [folder] {
-               QDesktopServices::openUrl(
-                   QUrl::fromLocalFile(QDir(folder).filePath(QStringLiteral("report.html"))));
-             });
 }
 
 editor::PanelRegistry windowPanels() {

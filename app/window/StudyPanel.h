@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include <QElapsedTimer>
 #include <QLabel>
@@ -9,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 
+#include "app/window/StudyCode.h"
 #include "app/window/StudyForm.h"
 #include "app/window/StudyProcess.h"
 #include "app/window/StudyResults.h"
@@ -25,7 +27,8 @@ class StudyPanel : public QWidget {
   ~StudyPanel() override;
   Q_DISABLE_COPY_MOVE(StudyPanel)
 
-  /// An experiment; problems are shown. False as well while a study runs.
+  /// An experiment, with the results that it has already; problems are shown. False as well while a
+  /// study runs.
   bool openFile(const QString& path);
   /// Where it is saved, and where its results go.
   void setFile(const QString& path);
@@ -33,7 +36,10 @@ class StudyPanel : public QWidget {
   QString resultsFolder() const;
   StudyForm& form() const { return *form_; }
   StudyProcess& process() { return process_; }
+  /// Nothing is written or run while results of another experiment are in the way, or code of
+  /// others is not allowed: that is said, or asked.
   void start(StudyProcess::Begin begin = StudyProcess::Begin::GoOn);
+  void allowCode(const std::vector<ForeignCode>& code) { code_.allow(code); }  // and goes on
   void stop();
   bool isRunning() const { return process_.isRunning(); }
   void play(int run);
@@ -44,6 +50,8 @@ class StudyPanel : public QWidget {
  Q_SIGNALS:
   void runWanted(const QString& folder);  // is to be played
   void counted(int finished);
+  /// Runs would start it: somebody is to be asked, allowCode() is a yes. Empty: not any more.
+  void codeWanted(const std::vector<app::ForeignCode>& code);
 
  private:
   void listen();
@@ -53,8 +61,11 @@ class StudyPanel : public QWidget {
   void checkSoon() { check_.start(); }
   void check();
   base::Result<Experiment> experiment() const;
+  void showEarlier();
+  void showResultsOf(const Experiment& experiment);
+  bool mayWrite(StudyProcess::Begin begin);
+  bool mayRun(const std::vector<ForeignCode>& code, const std::function<void()>& then);
   bool save();
-  void take(const std::vector<StudyRow>& rows);
   void showProgress();
   void finish(bool isComplete, const QString& problems);
   void runProgram(const QStringList& words, const QString& saying,
@@ -67,6 +78,10 @@ class StudyPanel : public QWidget {
   editor::PanelContext& context_;
   QString file_;
   bool isEdited_ = false;  // the fields say something else than the file
+  QString written_;        // what the fields say where they say the same; null: never
+  QString trouble_;        // of the results in its folder
+  std::optional<Experiment> begun_, shown_;  // by the process; whose rows are shown
+  StudyCode code_;
   StudyForm* form_;
   StudyResults* results_;
   StudyProcess process_;
