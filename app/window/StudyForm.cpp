@@ -25,8 +25,8 @@ namespace app {
 namespace {
 
 constexpr int kMostScenarioRows = 6;  // seen at once
-constexpr int kPlannerWidth = 130;
-constexpr int kValueLines = 3;
+constexpr int kPlannerWidth = 118;
+constexpr int kValueLines = 2;
 
 QString quoted(const QString& text) {
   return QString::fromStdString(base::quotedText(text.toStdString()));
@@ -81,43 +81,17 @@ StudyForm::StudyForm(editor::PanelContext& context)
       scenarios_(new QListWidget(this)),
       none_(new QLabel(tr("None yet: add them, or drop files here"), this)),
       planners_(new TallList(this)),
-      values_(new QPlainTextEdit(this)),
       seeds_(new QLineEdit(QStringLiteral("30"), this)),
       duration_(new QLineEdit(this)),
-      record_(new QComboBox(this)) {
-  auto* rows = editor::arranged(new QVBoxLayout(this), {12, 8, 12, 8}, 8);
+      record_(new QComboBox(this)),
+      values_(new QPlainTextEdit(this)) {
+  auto* rows = editor::arranged(new QVBoxLayout(this), {12, 6, 12, 6}, 6);
   rows->addWidget(makeScenarios());
   rows->addWidget(makePlanners());
+  rows->addLayout(makeNumbers());
   rows->addWidget(editor::secondaryLabel(tr("Other values, one path a line"), this));
-  values_->setPlaceholderText(
-      QStringLiteral("\"*.max_vel\": {normal: [1.2, 0.2, 0.6, 1.8]}\nrobot1.max_vel: [0.5, 1.0]"));
-  values_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  values_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  values_->setTabChangesFocus(true);
-  values_->setFixedHeight(kValueLines * values_->fontMetrics().lineSpacing() + 16);
-  values_->setAccessibleName(tr("Other values"));
-  values_->setToolTip(
-      tr("A list: each of them. {normal: [mean, deviation, least, most]}, "
-         "{uniform: [from, to]}, {choice: […]}: drawn for each seed, the same "
-         "for all planners."));
+  styleValues();
   rows->addWidget(values_);
-  QFormLayout* form = formRows();
-  seeds_->setAccessibleName(tr("Seeds"));
-  seeds_->setToolTip(tr("How many, or which: 30, or [3, 7, 11]"));
-  form->addRow(tr("Seeds"), seeds_);
-  duration_->setAccessibleName(tr("Duration"));
-  duration_->setPlaceholderText(tr("of each scenario"));
-  duration_->setToolTip(tr("Of each run at most [s]; empty: what the scenario says"));
-  form->addRow(tr("Duration"), duration_);
-  record_->addItems({tr("metrics alone"), tr("runs with an error"), tr("failures, to be played"),
-                     tr("all runs")});
-  record_->setCurrentIndex(static_cast<int>(Experiment::Record::Unsuccessful));
-  record_->setAccessibleName(tr("Keep"));
-  record_->setToolTip(
-      tr("Files of which runs stay in the folder of the results. Failures are runs with an error "
-         "and those whose robot did not succeed."));
-  form->addRow(tr("Keep"), record_);
-  rows->addLayout(form);
   rows->addStretch();
   setAcceptDrops(true);
   const auto tell = [this] {
@@ -130,6 +104,43 @@ StudyForm::StudyForm(editor::PanelContext& context)
   connect(seeds_, &QLineEdit::textChanged, this, tell);
   connect(duration_, &QLineEdit::textChanged, this, tell);
   connect(record_, qOverload<int>(&QComboBox::currentIndexChanged), this, tell);
+}
+
+QLayout* StudyForm::makeNumbers() {
+  seeds_->setAccessibleName(tr("Seeds"));
+  seeds_->setToolTip(tr("How many, or which: 30, or [3, 7, 11]"));
+  duration_->setAccessibleName(tr("Duration"));
+  duration_->setPlaceholderText(tr("of each scenario"));
+  duration_->setToolTip(tr("Of each run at most [s]; empty: what the scenario says"));
+  record_->addItems({tr("metrics alone"), tr("runs with an error"), tr("failures, to be played"),
+                     tr("all runs")});
+  record_->setCurrentIndex(static_cast<int>(Experiment::Record::Unsuccessful));
+  record_->setAccessibleName(tr("Keep"));
+  record_->setToolTip(
+      tr("Files of which runs stay in the folder of the results. Failures are runs with an error "
+         "and those whose robot did not succeed."));
+  auto* both = editor::arranged(new QHBoxLayout, {}, 8);
+  both->addWidget(seeds_, 2);
+  both->addWidget(new QLabel(tr("Duration"), this));
+  both->addWidget(duration_, 3);
+  QFormLayout* form = formRows();
+  form->addRow(tr("Seeds"), both);
+  form->addRow(tr("Keep"), record_);
+  return form;
+}
+
+void StudyForm::styleValues() {
+  values_->setPlaceholderText(
+      QStringLiteral("\"*.max_vel\": {normal: [1.2, 0.2, 0.6, 1.8]}\nrobot1.max_vel: [0.5, 1.0]"));
+  values_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  values_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  values_->setTabChangesFocus(true);
+  values_->setFixedHeight(kValueLines * values_->fontMetrics().lineSpacing() + 16);
+  values_->setAccessibleName(tr("Other values"));
+  values_->setToolTip(
+      tr("A list: each of them. {normal: [mean, deviation, least, most]}, "
+         "{uniform: [from, to]}, {choice: […]}: drawn for each seed, the same "
+         "for all planners."));
 }
 
 QWidget* StudyForm::makeScenarios() {

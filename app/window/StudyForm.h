@@ -35,6 +35,8 @@ class StudyForm : public QWidget {
  private:
   QWidget* makeScenarios();
   QWidget* makePlanners();
+  QLayout* makeNumbers();
+  void styleValues();
   void addItem(const QString& shown, const QString& path);
   void fitScenarios();
   void askScenarios();
@@ -47,10 +49,10 @@ class StudyForm : public QWidget {
   QListWidget* scenarios_;
   QLabel* none_;
   QListWidget* planners_;
-  QPlainTextEdit* values_;
   QLineEdit* seeds_;
   QLineEdit* duration_;
   QComboBox* record_;
+  QPlainTextEdit* values_;
   QAbstractButton* addThis_ = nullptr;
   QString robotPath_;    // of the planner in a file that was opened
   QStringList planned_;  // in its order

@@ -92,6 +92,32 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     }
   }
 
+  /// With two scenarios, in a window of the usual size.
+  void form_isWholeInSight() {
+    form().addScenario(document().path());
+    form().addScenario(study_->path(text("yard.yaml")));
+    window_->docks().show({text("study")});
+    QCOMPARE(window_->size(), QSize(1280, 800));
+    const QWidget& room = *form().parentWidget();
+    const auto isInSight = [&room](const QWidget& part) {
+      return room.rect().contains(QRect(part.mapTo(&room, {}), part.size()));
+    };
+    QTest::qWait(300);  // until all is in its place
+    QVERIFY(isInSight(field<QComboBox>("Keep")));
+    QVERIFY(isInSight(field<QLineEdit>("Duration")));
+    QVERIFY(isInSight(field<QPlainTextEdit>("Other values")));
+    // Nor are names cut short.
+    const auto& planners = field<QListWidget>("Planners");
+    constexpr int kBox = 36;  // before a name, and behind it
+    for (int row = 0; row < planners.count(); ++row) {
+      const QListWidgetItem& item = *planners.item(row);
+      QVERIFY2(planners.fontMetrics().horizontalAdvance(item.text()) + kBox <=
+                   planners.visualItemRect(&item).width(),
+               qPrintable(item.text()));
+    }
+    quiet::shoot(*window_, "study-form");
+  }
+
   /// By hand: of the 27 resamples of 10, 12, 14 one has the mean 10 and one 14, 3.7 % each, more
   /// than the 2.5 % beyond an end; they lie evenly, so neither bias nor acceleration shifts them.
   void estimates_areThoseByHand() {
