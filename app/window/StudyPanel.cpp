@@ -245,6 +245,7 @@ void StudyPanel::check() {
   if (isRunning()) {
     return;
   }
+  anew_->hide();  // with the words that it was an answer to
   const base::Result<Experiment> checked = experiment();
   const bool hasScenarios = !form_->scenarios().isEmpty();
   start_->setEnabled(bool(checked));

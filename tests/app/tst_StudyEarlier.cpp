@@ -41,6 +41,12 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
     return std::any_of(all.begin(), all.end(),
                        [words](const QPushButton* each) { return each->text() == text(words); });
   }
+  bool isAnewOffered() {
+    const QList<QAbstractButton*> all = panel().findChildren<QAbstractButton*>();
+    return std::any_of(all.begin(), all.end(), [](const QAbstractButton* each) {
+      return each->text() == text("Begin anew") && !each->isHidden();
+    });
+  }
   QLineEdit& seeds() { return quiet::part<QLineEdit>(panel(), "Seeds"); }
   QString result(const char* name) { return panel().resultsFolder() + text("/") + text(name); }
   void waitForEnd() { QTRY_VERIFY_WITH_TIMEOUT(!panel().isRunning(), kLong); }
@@ -198,7 +204,9 @@ class StudyEarlierTest : public QObject, protected quiet::InFolder {
     QCOMPARE(bytesOf(file), mine);
     QCOMPARE(bytesOf(result("results.sqlite")), store);
     QCOMPARE(rows(), std::size_t{4});
+    QVERIFY(isAnewOffered());
     seeds().setText(text("2"));
+    QTRY_VERIFY(!isAnewOffered());
     panel().start();
     waitForEnd();
     QCOMPARE(panel().said(), text("4 of 4 runs"));
