@@ -257,6 +257,12 @@ void StudyPanel::check() {
     say(QString::fromStdString(checked.diagnostics().front().message), true);
     return;
   }
+  say(wordsOn(checked).join(QStringLiteral(": ")), !trouble_.isEmpty());
+  follow();
+}
+
+/// Of an experiment that can be run: how large it is, and what else there is to know.
+QStringList StudyPanel::wordsOn(const base::Result<Experiment>& checked) const {
   QStringList words = {sizeText(*checked)};
   if (!checked.diagnostics().empty()) {
     words.append(QString::fromStdString(checked.diagnostics().front().message));
@@ -271,8 +277,7 @@ void StudyPanel::check() {
   } else if (finished > 0 && !isEdited_) {
     words.append(tr("%1 of %2 finished").arg(finished).arg(total_));
   }
-  say(words.join(QStringLiteral(": ")), !trouble_.isEmpty());
-  follow();
+  return words;
 }
 
 /// A file whose study is as it was read stays as it is, with its comments.

@@ -60,6 +60,7 @@ class StudyPanel : public QWidget {
   void askFile(bool toSave);
   void checkSoon() { check_.start(); }
   void check();
+  QStringList wordsOn(const base::Result<Experiment>& checked) const;
   base::Result<Experiment> experiment() const;
   void showEarlier();
   void showResultsOf(const Experiment& experiment);
