@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <set>
 #include <utility>
 
 #include "app/run/DataPaths.h"
+#include "app/run/ExperimentCheck.h"
 #include "app/run/ProgramRegistries.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/ScenarioFile.h"
-#include "sim2d/scenario/Variation.h"
 #include "sim2d/world/World.h"
 
 namespace app {
@@ -80,20 +79,11 @@ class Reader {
       }
       experiment_.options["--metrics-profile"] = profile->text;
     }
-    const YamlNode* const seeds = root.find("seeds");
-    if (isCountPossible(seeds != nullptr ? *seeds : root)) {
-      readValues(root.find("values"));
-    }
-    if (!base::hasErrors(errors_)) {  // else not all values are known
-      warnOfSeeds(root.find("seeds"));
-      warnOfTwice(root.find("scenarios"));
-      warnOfTwice(root.find("seeds"));
-      const YamlNode* const values = root.find("values");
-      for (std::size_t k = 0; values != nullptr && k < values->items.size(); ++k) {
-        warnOfTwice(&values->items[k]);
-      }
-    }
+    const bool isPossible = readValues(root);
     readRecord(root.find("record"));
+    if (isPossible) {
+      tryRuns(root);
+    }
   }
 
   void checkKeys(const YamlNode& root) {
@@ -125,7 +115,8 @@ class Reader {
       experiment_.scenarioPaths.push_back(locate(item));
       sim2d::ScenarioReading reading = sim2d::readScenario(experiment_.scenarioPaths.back());
       if (reading.ok()) {
-        readable_.push_back(std::move(reading.scenario));  // of the others each run tells
+        readable_.emplace_back(experiment_.scenarios.size() - 1,
+                               std::move(reading.scenario));  // of the others each run tells
       }
     }
   }
@@ -174,36 +165,6 @@ class Reader {
     }
   }
 
-  /// Seeds that make no difference: many runs that are one.
-  void warnOfSeeds(const YamlNode* node) {
-    const auto makesDifferent = [](const ExperimentValue& value) {
-      return value.isDrawn() || value.path.rfind("variation", 0) == 0;
-    };
-    if (node == nullptr || experiment_.seeds.size() < 2 ||
-        std::any_of(experiment_.values.begin(), experiment_.values.end(), makesDifferent)) {
-      return;
-    }
-    for (const sim2d::Scenario& scenario : readable_) {
-      if (!sim2d::dependsOnSeed(scenario)) {
-        errors_.push_back(base::warning("experiment.seeds-alike",
-                                        {scenario.yamlBaseName.value_or("")}, experiment_.path,
-                                        node->line, node->column));
-      }
-    }
-  }
-
-  /// Runs that would be made twice, and are no more evidence than once.
-  void warnOfTwice(const YamlNode* list) {
-    std::set<std::string> seen;
-    for (std::size_t k = 0; list != nullptr && list->isList() && k < list->items.size(); ++k) {
-      const YamlNode& item = list->items[k];
-      if (item.isScalar() && !seen.insert(item.text).second) {
-        errors_.push_back(base::warning("experiment.twice", {item.text}, experiment_.path,
-                                        item.line, item.column));
-      }
-    }
-  }
-
   static std::string optionOf(std::string key) {
     std::replace(key.begin(), key.end(), '_', '-');
     return "--" + key;
@@ -240,69 +201,52 @@ class Reader {
     }
   }
 
-  /// A path or a value that one of the scenarios does not take, before anything runs.
-  void tryValue(const std::string& path, const std::string& text, const YamlNode& item) {
-    for (const sim2d::Scenario& scenario : readable_) {
-      sim2d::Scenario changed = scenario;
-      const base::Diagnostics problems = sim2d::setValue(changed, path, text);
-      if (base::hasErrors(problems)) {
-        const bool isTold = !errors_.empty() && errors_.back().code == problems.front().code &&
-                            errors_.back().values == problems.front().values;
-        if (!isTold) {  // an unknown path once, whatever its values
-          error(item, problems.front());
-        }
-        return;
-      }
+  /// False: there are too many runs.
+  bool readValues(const YamlNode& root) {
+    const YamlNode* const seeds = root.find("seeds");
+    const YamlNode* const node = root.find("values");
+    if (!isCountPossible(seeds != nullptr ? *seeds : root)) {
+      return false;
     }
-  }
-
-  /// Each text of a list at its place; of a range its ends and one step; of a draw both ends, and a
-  /// number as it will be drawn.
-  void tryValues(const ExperimentValue& value, const YamlNode& node) {
-    const YamlNode& list = node.isMap() ? node.items.front() : node;
-    const bool isRange = !value.isDrawn() && node.isMap();
-    for (std::size_t k = 0; k < value.texts.size(); ++k) {
-      const bool isTelling = !isRange || k < 2 || k + 1 == value.texts.size();
-      if (isTelling) {
-        tryValue(value.path, value.texts[k], k < list.items.size() ? list.items[k] : list);
-      }
-    }
-    const std::size_t before = errors_.size();
-    const bool hasEnds = value.isDrawn() && value.texts.empty();
-    for (std::size_t k = 0; hasEnds && k < list.items.size(); ++k) {
-      const bool isEnd = list.items.size() == 2 || k >= 2;
-      if (isEnd) {
-        tryValue(value.path, list.items[k].text, list.items[k]);
-      }
-    }
-    if (hasEnds && errors_.size() == before) {
-      tryValue(value.path, drawnText(value, {}, 0), list);
-    }
-  }
-
-  void readValues(const YamlNode* node) {
     if (node == nullptr) {
-      return;
+      return true;
     }
     if (!node->isMap()) {
       error(*node, "experiment.bad-values");
-      return;
+      return true;
     }
     for (const YamlNode& item : node->items) {
       const base::Result<ExperimentValue> value = readExperimentValue(item);
-      for (base::Diagnostic problem : value.diagnostics()) {
-        problem.file = experiment_.path;
-        errors_.push_back(std::move(problem));
-      }
+      tell(value.diagnostics());
       if (value) {
         experiment_.values.push_back(*value);
       }
       if (!isCountPossible(item)) {
-        return;  // nor tried
+        return false;
       }
-      if (value) {
-        tryValues(*value, item);
-      }
+    }
+    return true;
+  }
+
+  void tell(base::Diagnostics problems) {
+    for (base::Diagnostic& problem : problems) {
+      problem.file = experiment_.path;
+      errors_.push_back(std::move(problem));
+    }
+  }
+
+  /// What can be told of the runs without making any.
+  void tryRuns(const YamlNode& root) {
+    std::vector<ExperimentTrial> trials;
+    trials.reserve(readable_.size());
+    for (auto& [number, scenario] : readable_) {
+      trials.emplace_back(experiment_, number, std::move(scenario));
+    }
+    if (const YamlNode* const values = root.find("values")) {
+      tell(wrongValues(experiment_, trials, *values));
+    }
+    if (!base::hasErrors(errors_)) {  // else not all values are known
+      tell(runsAlike(experiment_, trials, root));
     }
   }
 
@@ -335,7 +279,7 @@ class Reader {
   }
 
   Experiment experiment_;
-  std::vector<sim2d::Scenario> readable_;
+  std::vector<std::pair<std::size_t, sim2d::Scenario>> readable_;  // by their numbers
   base::Diagnostics errors_;
 };
 

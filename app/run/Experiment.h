@@ -37,6 +37,8 @@ struct Experiment {
   /// The run as the words of a command line, without the program, and what they say.
   std::vector<std::string> wordsOf(std::size_t index) const;
   RunOptions optionsOf(std::size_t index) const;
+  /// What is the same in all runs.
+  RunOptions optionsOfAll() const;
 };
 
 /// Every problem with file:line:column; unknown keys are errors.

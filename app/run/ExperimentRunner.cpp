@@ -27,9 +27,9 @@ base::Diagnostics codeOfRuns(const Experiment& experiment, const sim2d::Scenario
                              const std::string& scenarioPath) {
   std::vector<ForeignCode> all = foreignCodeOf(first);
   for (const ExperimentValue& value : experiment.values) {
-    for (const std::string& text : value.texts) {
+    for (const std::size_t k : value.tellingTexts()) {
       sim2d::Scenario changed = first;
-      if (base::hasErrors(sim2d::setValue(changed, value.path, text))) {
+      if (base::hasErrors(sim2d::setValue(changed, value.path, value.texts[k]))) {
         continue;  // told by who read the experiment
       }
       for (const ForeignCode& code : foreignCodeOf(changed)) {
@@ -49,7 +49,7 @@ base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario) {
   const Bundle bundle = readBundle(experiment_.optionsOf(scenario * runs), RunSettings(), files_);
   const Verdict verdict = app::check(bundle);
   base::Diagnostics problems;
-  for (base::Diagnostic problem : verdict.wrongWords) {
+  for (base::Diagnostic problem : errorsOf(verdict.wrongWords)) {  // warnings: by who read it
     problem.file = problem.file.empty() ? experiment_.path : problem.file;
     problems.push_back(std::move(problem));
   }

@@ -73,16 +73,21 @@ std::vector<std::string> Experiment::wordsOf(std::size_t index) const {
 
 RunOptions Experiment::optionsOf(std::size_t index) const {
   const Run of = run(index);
-  RunOptions result;
+  RunOptions result = optionsOfAll();
   result.scenario = scenarioPaths[of.scenario];
   result.seed = of.seed;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    result.set.push_back(values[k].path + "=" + of.values[k]);
+  }
+  return result;
+}
+
+RunOptions Experiment::optionsOfAll() const {
+  RunOptions result;
   for (const Given& given : kGiven) {
     if (const auto found = options.find(given.option); found != options.end()) {
       given.put(result, found->second);
     }
-  }
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    result.set.push_back(values[k].path + "=" + of.values[k]);
   }
   return result;
 }

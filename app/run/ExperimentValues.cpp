@@ -131,6 +131,7 @@ bool readRange(const YamlNode& list, ExperimentValue& value) {
   if (!(steps >= 0.0 && steps < kMostSteps)) {
     return false;
   }
+  value.isRange = true;
   value.texts.reserve(static_cast<std::size_t>(steps) + 1);
   for (int k = 0; k <= static_cast<int>(steps); ++k) {
     value.texts.push_back(base::formatDouble(withoutDust(from + k * step, step)));
@@ -187,6 +188,16 @@ std::string inOneLine(const YamlNode& node) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> ExperimentValue::tellingTexts() const {
+  std::vector<std::size_t> telling;
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    if (!isRange || k < 2 || k + 1 == texts.size()) {
+      telling.push_back(k);
+    }
+  }
+  return telling;
+}
 
 std::string drawnText(const ExperimentValue& value, const std::string& scenario, long long seed) {
   const Draws draws(value.path, scenario, seed);

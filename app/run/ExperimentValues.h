@@ -20,7 +20,11 @@ struct ExperimentValue {
   Kind kind = Kind::Grid;
   std::vector<std::string> texts;   // Grid: in order; Choice: one of them
   std::array<double, 4> numbers{};  // Normal: mean, deviation, least, most; Uniform: from, to
+  bool isRange = false;             // Grid: numbers in equal steps
   bool isDrawn() const { return kind != Kind::Grid; }
+
+  /// Those of `texts` that tell whether all are fine: of a range its ends and one step.
+  std::vector<std::size_t> tellingTexts() const;
 };
 
 /// What a value is in the runs of one scenario and seed, as files write it: a function of the name

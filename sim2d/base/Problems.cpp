@@ -895,6 +895,11 @@ constexpr ProblemText kTexts[] = {
      "MOST"},
     {"experiment.bad-uniform", "uniform takes [FROM, TO]: two numbers, FROM below TO"},
     {"experiment.bad-choice", "choice takes a list of at least one value"},
+    {"experiment.seed-as-value",
+     "seeds of runs stand in seeds: a seed among values would not count (write seeds: [5, 9])"},
+    {"experiment.told-twice",
+     "'{path}' is set by the experiment's key '{key}' too, so that these values would never count "
+     "(leave one of them out)"},
     {"experiment.too-many-runs", "these are {count} runs, at most {most} are possible"},
     {"experiment.bad-record", "record is metrics, failed, unsuccessful or all"},
 

@@ -70,6 +70,30 @@ class CheckProgramTest : public QObject {
     QVERIFY2(right.exitCode == 0, qPrintable(right.err));
   }
 
+  /// No row names a planner that never drove: neither one that an option of all runs would replace,
+  /// nor one that does not exist.
+  void check_valuesThatCannotCount_areErrors() {
+    QTemporaryDir folder;
+    const QString experiment = folder.filePath(QStringLiteral("e.yaml"));
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\nscenarios: [doorway_agents]\nduration: 1.0\n"
+                       "values:\n  robot1.planner: [pursuit, dva]\n  duration: [4.0, 6.0]\n"
+                       "  seed: [5, 9]\n");
+    const QString out = folder.filePath(QStringLiteral("out"));
+    for (const QStringList& words :
+         {QStringList{QStringLiteral("check"), experiment},
+          QStringList{QStringLiteral("batch"), experiment, QStringLiteral("-o"), out}}) {
+      const outside::Finished found = outside::runProgram(words);
+      QCOMPARE(found.exitCode, 2);
+      for (const char* place :
+           {"e.yaml:5:29: error: robot1: planner 'dva'", "e.yaml:6:3: error: 'duration'",
+            "e.yaml:7:3: error: seeds of runs"}) {
+        QVERIFY2(found.err.contains(QLatin1String(place)), qPrintable(found.err));
+      }
+    }
+    QVERIFY(!QDir(out).exists());
+  }
+
   /// libpng writes to the standard error by itself.
   void check_damagedImage_isToldByUsAlone() {
     QTemporaryDir folder;

@@ -196,10 +196,10 @@ class StudyTroublesTest : public QObject {
                                                   "  anna.radius: {range: [0.2, 0.4]}\n");
     const Finished found = runProgram(StudyFolder::words(experiment, folder_.path(text("none"))));
     QCOMPARE(found.exitCode, 2);
-    for (const char* said :
-         {"wrong.yaml:4:29: error:", "did you mean 'anna.max_vel'",
-          "wrong.yaml:5:18: error:", "did you mean 'normal'", "wrong.yaml:6:34: error:",
-          "wrong.yaml:7:21: error:", "wrong.yaml:9:24: error: range takes"}) {
+    for (const char* said : {"wrong.yaml:4:29: error:", "did you mean 'anna.max_vel'",
+                             "wrong.yaml:5:18: error:", "did you mean 'normal'",
+                             "wrong.yaml:6:34: error:", "wrong.yaml:7:21: error:",
+                             "wrong.yaml:8:38: error:", "wrong.yaml:9:24: error: range takes"}) {
       QVERIFY2(found.err.contains(text(said)), qPrintable(text(said) + text("\n") + found.err));
     }
   }

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/run/Experiment.h"
+#include "sim2d/scenario/Scenario.h"
+#include "sim2d/scenario/ScenarioCheck.h"
+
+namespace app {
+
+/// The values of an experiment in one of its scenarios, before anything runs: each in the place of
+/// the first one of its path, beside the options of all runs and the first values of the other
+/// paths, as one of the runs has it. No map is read and no world made. The experiment must outlive
+/// this and stay as it is.
+class ExperimentTrial {
+ public:
+  /// `number`: of the scenario in the experiment; `written`: as its file has it.
+  ExperimentTrial(const Experiment& experiment, std::size_t number, sim2d::Scenario written);
+
+  /// What comes with a text, without places.
+  struct Outcome {
+    base::Diagnostics own;     // of putting it there
+    base::Diagnostics beside;  // errors of the whole, which the run would have
+  };
+  /// `value`: its number in the experiment.
+  Outcome outcomeOf(std::size_t value, const std::string& text);
+  /// The text that the first run has there.
+  const std::string& firstText(std::size_t value) const { return firstTexts_[value]; }
+
+  /// Whether runs differ by their seeds with anything that has been tried.
+  bool dependsOnSeed() const { return dependsOnSeed_; }
+  std::size_t number() const { return number_; }
+  const sim2d::Scenario& scenario() const { return stages_.front(); }
+
+ private:
+  base::Diagnostics put(sim2d::Scenario& scenario, std::size_t value,
+                        const std::string& text) const;
+  base::Diagnostics meaningErrors(const sim2d::Scenario& scenario) const;
+  void putFirstTexts();
+  void findWhatBrings(const std::vector<base::Diagnostics>& errors);
+
+  const Experiment& experiment_;
+  const std::size_t number_;
+  const sim2d::KnownNames names_;
+  std::vector<std::string> firstTexts_;
+  std::vector<sim2d::Scenario> stages_;     // with the first texts of so many paths
+  std::vector<base::Diagnostics> brought_;  // errors of the first run, by the path that brings them
+  std::set<std::string> usual_;             // messages that are there whatever is tried
+  bool dependsOnSeed_ = false;
+};
+
+}  // namespace app

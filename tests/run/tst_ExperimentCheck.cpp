@@ -1,0 +1,259 @@
+#include <chrono>
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/run/Experiment.h"
+#include "app/run/ExperimentRunner.h"
+#include "sim2d/base/Text.h"
+#include "tests/app/StudyFiles.h"
+
+namespace {
+
+/// "6:22 error robot1.planner: …" of each problem.
+QStringList linesOf(const base::Diagnostics& problems) {
+  QStringList lines;
+  for (const base::Diagnostic& problem : problems) {
+    const char* const kind = problem.severity == base::Severity::Error ? "error" : "warning";
+    lines.append(QStringLiteral("%1:%2 %3 %4")
+                     .arg(problem.line)
+                     .arg(problem.column)
+                     .arg(QLatin1String(kind), QString::fromStdString(problem.message)));
+  }
+  return lines;
+}
+
+/// A row that is called as its text, in one line.
+QTestData& newRow(const char* text) {
+  return QTest::newRow(QByteArray(text).trimmed().replace('\n', " / ").constData());
+}
+
+}  // namespace
+
+/// What is said of values before anything runs.
+class ExperimentCheckTest : public QObject {
+  Q_OBJECT
+
+ private:
+  outside::StudyFolder folder_;
+
+  /// Of a study of the yard with these lines, from line 3 on.
+  base::Result<app::Experiment> study(const QByteArray& more) const {
+    const QString file = folder_.writeStudy("e.yaml", more);
+    return app::readExperiment(file.toStdString());
+  }
+  void writeScenario(const char* name, const QByteArray& text) const {
+    outside::writeText(folder_.path(QString::fromLatin1(name)), text);
+  }
+
+ private Q_SLOTS:
+  /// The option would win in every run, so rows would name what never counted.
+  void optionsOfAllRuns_areNoValues_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("said");
+    const auto add = [](const char* text, const char* said) {
+      newRow(text) << QByteArray(text) << QString::fromLatin1(said);
+    };
+    add("planner: orca\nvalues:\n  robot1.planner: [pursuit, dwa]\n",
+        "5:3 error 'robot1.planner' is set by the experiment's key 'planner' too");
+    add("planner: orca\nvalues:\n  robot1.planner: {choice: [pursuit, dwa]}\n",
+        "5:3 error 'robot1.planner' is set by the experiment's key 'planner' too");
+    add("planner: orca\nvalues:\n  robot1: [{start: {x: 1.0, y: 1.0}, planner: dwa}]\n",
+        "5:3 error 'robot1' is set by the experiment's key 'planner' too");
+    add("robot: tiago\nvalues:\n  robot1.type: [generic, pmb2]\n",
+        "5:3 error 'robot1.type' is set by the experiment's key 'robot' too");
+    add("model: sfm\nvalues:\n  model: [orca]\n",
+        "5:3 error 'model' is set by the experiment's key 'model' too");
+    add("duration: 5.0\nvalues:\n  duration: [4.0]\n",
+        "5:3 error 'duration' is set by the experiment's key 'duration' too");
+    add("dt: 0.05\nvalues:\n  dt: {range: [0.01, 0.05, 0.01]}\n",
+        "5:3 error 'dt' is set by the experiment's key 'dt' too");
+    add("stuck_after: 0.0\nvalues:\n  stuck_after: [4.0]\n",
+        "5:3 error 'stuck_after' is set by the experiment's key 'stuck_after' too");
+    add("stop_on_collision: any\nvalues:\n  stop_on_collision: [none]\n",
+        "5:3 error 'stop_on_collision' is set by the experiment's key 'stop_on_collision' too");
+    add("seeds: 2\nvalues:\n  seed: [5, 9]\n", "5:3 error seeds of runs stand in seeds");
+  }
+  void optionsOfAllRuns_areNoValues() {
+    QFETCH(const QByteArray, text);
+    QFETCH(const QString, said);
+    const QStringList lines = linesOf(study(text).diagnostics());
+    QVERIFY2(lines.size() == 1 && lines.front().startsWith(said),
+             qPrintable(lines.join(QLatin1Char('\n'))));
+  }
+
+  void valuesBesideOtherOptions_areTaken_data() {
+    QTest::addColumn<QByteArray>("text");
+    for (const char* text :
+         {"planner: orca\nvalues:\n  robot2.planner: [pursuit, dwa]\n",
+          "planner: dwa\nvalues:\n  robot1.type: [generic, pmb2]\n",
+          "planner: dwa\nvalues:\n  robot1: [{start: {x: 1.0, y: 1.0}, goal: {x: 3.0, y: 3.0}}]\n",
+          "model: sfm\nvalues:\n  anna.model: [orca]\n",
+          "values:\n  robot1.planner: [pursuit, dwa]\n  duration: [4.0]\n  model: [sfm, orca]\n"}) {
+      newRow(text) << QByteArray(text);
+    }
+  }
+  void valuesBesideOtherOptions_areTaken() {
+    QFETCH(QByteArray, text);
+    writeScenario(
+        "two.yaml",
+        QByteArray(outside::kYardText).replace("robots: [robot1]", "robots: [robot1, robot2]") +
+            "    robot2:\n      start: {x: 4.0, y: -3.0, h: 1.5}\n");
+    const QByteArray file = "hunavsim_experiment: 1\nscenarios: [two.yaml]\n" + text;
+    const auto read = app::parseExperiment(file.toStdString(),
+                                           folder_.path(QStringLiteral("e.yaml")).toStdString());
+    QVERIFY2(read.diagnostics().empty(),
+             qPrintable(linesOf(read.diagnostics()).join(QLatin1Char('\n'))));
+  }
+
+  /// A robot that is called otherwise has its planner elsewhere; told if one scenario has it so.
+  void firstRobot_isThatOfTheScenario() {
+    writeScenario("tiago.yaml", QByteArray(outside::kYardText).replace("robot1", "tiago"));
+    const auto linesWith = [this](const std::string& path) {
+      const auto read = app::parseExperiment(
+          "hunavsim_experiment: 1\nscenarios: [tiago.yaml]\nplanner: orca\nvalues:\n  " + path +
+              ": [dwa]\n",
+          folder_.path(QStringLiteral("e.yaml")).toStdString());
+      return linesOf(read.diagnostics());
+    };
+    QVERIFY(linesWith("tiago.planner")
+                .value(0)
+                .startsWith(QStringLiteral(
+                    "5:3 error 'tiago.planner' is set by the experiment's key 'planner' too")));
+    QVERIFY(linesWith("robot1.planner").value(0).contains(QStringLiteral("unknown path")));
+  }
+
+  /// Names, and all else that runs with these values would fail of, each at its place.
+  void everyValue_isCheckedAtItsPlace_data() {
+    QTest::addColumn<QByteArray>("values");
+    QTest::addColumn<QStringList>("said");
+    const auto add = [](const char* values, const QStringList& said) {
+      newRow(values) << QByteArray(values) << said;
+    };
+    const auto line = [](const char* text) { return QString::fromLatin1(text); };
+    add("  robot1.planner: [dwa, pursui]\n  model: [sfm, sfmm]\n  robot1.type: [generic, genric]\n",
+        {line("4:25 error robot1: planner 'pursui' is unknown (did you mean 'pursuit'?"),
+         line("5:16 error model 'sfmm' is unknown (did you mean 'sfm'?"),
+         line("6:26 error robot1: type 'genric' is unknown (did you mean 'generic'?")});
+    add("  robot1.planner: [pursui, dwa]\n  model: [sfmm]\n",
+        {line("4:20 error robot1: planner 'pursui' is unknown"),
+         line("5:11 error model 'sfmm' is unknown")});
+    add("  robot1.planner: {choice: [pursuit, dva]}\n",
+        {line("4:38 error robot1: planner 'dva' is unknown")});
+    add("  anna.model: [sfm, orka]\n", {line("4:21 error anna: model 'orka' is unknown")});
+    add("  \"*.behavior.type\": [Skared, Scared]\n",
+        {line("4:23 warning anna.behavior.type: 'Skared' is no behaviour of HuNavSim")});
+    add("  \"*.model\": [sfm, orka]\n", {line("4:20 error anna: model 'orka' is unknown")});
+    add("  anna.behavior.type: [Scared, Skared]\n",
+        {line("4:32 warning anna.behavior.type: 'Skared' is no behaviour of HuNavSim")});
+    add("  anna.goals: [[1, 2], [2, 7]]\n", {line("4:24 error anna: goal 7 ")});
+    add("  robot1.planner: [pursuit, dwa]\n  robot1.planner_parameters: [{lookahead: 1.0}]\n",
+        {line("4:29 error robot1.planner_parameters.lookahead: ")});
+    add("  robot1.planner: [nav2, dwa, orca]\n  nav2.FollowPath.batch_size: [100]\n",
+        {line("4:26 error nav2.FollowPath.batch_size: no robot is driven by planner nav2"),
+         line("4:31 error nav2.FollowPath.batch_size: no robot is driven by planner nav2")});
+  }
+  void everyValue_isCheckedAtItsPlace() {
+    QFETCH(const QByteArray, values);
+    QFETCH(const QStringList, said);
+    const QStringList lines = linesOf(study("values:\n" + values).diagnostics());
+    QVERIFY2(lines.size() == said.size(), qPrintable(lines.join(QLatin1Char('\n'))));
+    for (int k = 0; k < said.size(); ++k) {
+      QVERIFY2(lines[k].startsWith(said[k]), qPrintable(lines[k]));
+    }
+  }
+
+  /// As the run has them: the planner that an earlier path chose has the parameters.
+  void values_areTriedBesideTheFirstOnes() {
+    for (const char* values :
+         {"planner: nav2\nvalues:\n  nav2.FollowPath.batch_size: [100, 200]\n",
+          "values:\n  robot1.planner: [nav2]\n  nav2.FollowPath.batch_size: [100, 200]\n",
+          "values:\n  robot1.planner: [dwa]\n  robot1.planner_parameters.horizon: [1.0, 2.0]\n",
+          "values:\n  robot1.planner_parameters: [{horizon: 1.0}]\n  robot1.planner: [dwa]\n"}) {
+      const auto read = study(values);
+      QVERIFY2(read.diagnostics().empty(),
+               qPrintable(linesOf(read.diagnostics()).join(QLatin1Char('\n'))));
+    }
+  }
+
+  /// What the scenario says wrong by itself is told there, not of values.
+  void errorsOfTheScenario_areNoneOfValues() {
+    writeScenario("wrong.yaml",
+                  QByteArray(outside::kYardText).replace("goals: [2, 1]", "goals: [9]"));
+    const std::string file = folder_.path(QStringLiteral("e.yaml")).toStdString();
+    const auto read = app::parseExperiment(
+        "hunavsim_experiment: 1\nscenarios: [wrong.yaml]\nvalues:\n  anna.max_vel: [1.0, 1.1]\n",
+        file);
+    QVERIFY(read && read.diagnostics().empty());
+    const base::Diagnostics said = app::ExperimentRunner(*read, {}, {}).check();
+    QVERIFY(said.size() == 1 && said.front().file.find("wrong.yaml") != std::string::npos);
+  }
+
+  /// A range of many is tried at its ends and one step, by who looks for code that runs start too.
+  void rangeOfMany_costsNoMoreThanAFew() {
+    const auto start = std::chrono::steady_clock::now();
+    const auto read = study("seeds: 1\nvalues:\n  robot1.max_vel: {range: [0.5, 1.5, 0.00001]}\n");
+    QVERIFY(read && read->runCount() == 100001);
+    QVERIFY(app::ExperimentRunner(*read, {}, {}).check().empty());
+    QVERIFY(std::chrono::steady_clock::now() - start < std::chrono::seconds(10));
+  }
+  void ends_ofARange_haveTheirPlaces() {
+    const QStringList lines = linesOf(study("values:\n  anna.max_vel: {range: [-1.0, 2.0, 0.5]}\n"
+                                            "  robot1.goal_radius: {range: [0.5, -0.5, -0.1]}\n"
+                                            "  stuck_after: {range: [1, 2000000, 1999999]}\n")
+                                          .diagnostics());
+    QVERIFY2(lines.value(1).startsWith(QStringLiteral("4:26 error anna.max_vel")) ||
+                 lines.value(0).startsWith(QStringLiteral("4:26 error anna.max_vel")),
+             qPrintable(lines.join(QLatin1Char('\n'))));
+    QVERIFY2(lines.last().startsWith(QStringLiteral("6:28 error stuck_after")),
+             qPrintable(lines.join(QLatin1Char('\n'))));
+  }
+
+  /// Seeds that make no difference with any of the values.
+  void seedsAlike_areWarnedOf_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<bool>("isWarned");
+    const auto add = [](const char* text, bool isWarned) {
+      newRow(text) << QByteArray(text) << isWarned;
+    };
+    add("seeds: 3\n", true);
+    add("seeds: 1\n", false);
+    add("seeds: 3\nvalues:\n  variation.preset: [none]\n", true);
+    add("seeds: 3\nvalues:\n  variation.preset: [none, light]\n", false);
+    add("seeds: 3\nvalues:\n  variation.preset: [light]\n  robot1.planner: [dwa, orca]\n", false);
+    add("seeds: 3\nvalues:\n  variation.speed.kind: [none]\n  variation.speed.sd: [0.1, 0.2]\n",
+        true);
+    add("seeds: 3\nvalues:\n  variation.speed.kind: [none, normal]\n"
+        "  variation.speed.sd: [0.1, 0.2]\n",
+        false);
+    add("seeds: 3\nvalues:\n  anna.behavior.configuration: [0]\n", true);
+    add("seeds: 3\nvalues:\n  anna.behavior.configuration: [0, 3]\n", false);
+    add("seeds: 3\nvalues:\n  robot1.planner: [dwa, orca]\n  robot1.max_vel: [1.0, 1.1]\n", true);
+    add("seeds: 3\nvalues:\n  anna.max_vel: {uniform: [1.0, 1.1]}\n", false);
+  }
+  void seedsAlike_areWarnedOf() {
+    QFETCH(const QByteArray, text);
+    QFETCH(const bool, isWarned);
+    writeScenario("fixed.yaml",
+                  QByteArray(outside::kYardText).replace("configuration: 2", "configuration: 0"));
+    const auto read = app::parseExperiment(
+        ("hunavsim_experiment: 1\nscenarios: [fixed.yaml]\n" + text).toStdString(),
+        folder_.path(QStringLiteral("e.yaml")).toStdString());
+    QVERIFY2(read, qPrintable(linesOf(read.diagnostics()).join(QLatin1Char('\n'))));
+    base::Diagnostics alike;
+    for (const base::Diagnostic& said : read.diagnostics()) {
+      if (said.code == "experiment.seeds-alike") {
+        alike.push_back(said);
+      }
+    }
+    const QStringList lines = linesOf(alike);
+    QCOMPARE(lines.size(), isWarned ? 1 : 0);
+    if (isWarned) {
+      QVERIFY2(lines.front().startsWith(QStringLiteral("3:8 warning")), qPrintable(lines.front()));
+      QVERIFY2(lines.front().contains(QStringLiteral("'fixed.yaml'")), qPrintable(lines.front()));
+    }
+  }
+};
+
+QTEST_GUILESS_MAIN(ExperimentCheckTest)
+#include "tst_ExperimentCheck.moc"
