@@ -21,10 +21,9 @@ RunSettings settingsOf(const Experiment& experiment) {
   return settings;
 }
 
-/// Code that runs want to start and may not: those of the first values, and of each other value
-/// beside them.
-base::Diagnostics codeOfRuns(const Experiment& experiment, const sim2d::Scenario& first,
-                             const std::string& scenarioPath) {
+}  // namespace
+
+std::vector<ForeignCode> foreignCodeOf(const Experiment& experiment, const sim2d::Scenario& first) {
   std::vector<ForeignCode> all = foreignCodeOf(first);
   for (const ExperimentValue& value : experiment.values) {
     for (const std::size_t k : value.tellingTexts()) {
@@ -39,10 +38,8 @@ base::Diagnostics codeOfRuns(const Experiment& experiment, const sim2d::Scenario
       }
     }
   }
-  return tellForeignCode(all, base::Severity::Error, scenarioPath);
+  return all;
 }
-
-}  // namespace
 
 base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario) {
   const std::size_t runs = experiment_.runCount() / experiment_.scenarios.size();
@@ -55,7 +52,8 @@ base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario) {
   }
   base::append(problems, errorsOf(verdict.problems));
   if (!experiment_.allowCode) {
-    base::append(problems, codeOfRuns(experiment_, *bundle.scenario, bundle.path));
+    base::append(problems, tellForeignCode(foreignCodeOf(experiment_, *bundle.scenario),
+                                           base::Severity::Error, bundle.path));
   }
   for (const std::string& input : inputsOf(bundle)) {
     if (std::find(inputs_.begin(), inputs_.end(), input) == inputs_.end()) {

@@ -5,9 +5,14 @@
 
 #include "app/run/Experiment.h"
 #include "app/run/KnownFiles.h"
+#include "app/run/PlannerFiles.h"
 #include "app/run/ResultRow.h"
 
 namespace app {
+
+/// Code of others that runs in a scenario would start: with the first values, which it has, and
+/// with each other value beside them.
+std::vector<ForeignCode> foreignCodeOf(const Experiment& experiment, const sim2d::Scenario& first);
 
 /// Makes the runs of an experiment, one after the other, in this process. What they have in common
 /// is read and worked out once; no run changes anything of it. One thread.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/run/ExperimentRunner.h"
 #include "app/run/RunOptions.h"
 #include "sim2d/scenario/ScenarioFile.h"
 
@@ -14,14 +15,6 @@ bool holds(const std::vector<ForeignCode>& all, const ForeignCode& code) {
   return std::find(all.begin(), all.end(), code) != all.end();
 }
 
-void addCodeOf(const sim2d::Scenario& scenario, std::vector<ForeignCode>& all) {
-  for (const ForeignCode& code : foreignCodeOf(scenario)) {
-    if (!holds(all, code)) {
-      all.push_back(code);
-    }
-  }
-}
-
 }  // namespace
 
 /// What is wrong with scenarios and values is told by who runs them.
@@ -31,13 +24,9 @@ std::vector<ForeignCode> codeOf(const Experiment& experiment) {
   for (std::size_t k = 0; k < experiment.scenarios.size(); ++k) {
     sim2d::Scenario first = sim2d::readScenario(experiment.scenarioPaths[k]).scenario;
     applyOptions(first, experiment.optionsOf(k * runs), {});
-    addCodeOf(first, all);
-    for (const ExperimentValue& value : experiment.values) {
-      for (const std::string& text : value.texts) {
-        sim2d::Scenario changed = first;
-        if (!base::hasErrors(sim2d::setValue(changed, value.path, text))) {
-          addCodeOf(changed, all);
-        }
+    for (const ForeignCode& code : foreignCodeOf(experiment, first)) {
+      if (!holds(all, code)) {
+        all.push_back(code);
       }
     }
   }

@@ -908,9 +908,7 @@ constexpr ProblemText kTexts[] = {
     {"report.batch-runs",
      "the batch in this folder is running: its report can be made when it has ended"},
     {"report.batch-cut",
-     "the batch in this folder has not ended ({finished} of {runs} runs): go on with hunavsim "
-     "batch "
-     "{words}"},
+     "the batch in this folder has not ended ({finished} of {runs} runs): go on with {words}"},
     {"report.columns",
      "the first line must be run,scenario,seed,...,status,reason,simulated,... (results of a "
      "batch)"},

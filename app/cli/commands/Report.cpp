@@ -30,20 +30,6 @@ struct ReportOptions {
   bool force = false;
 };
 
-/// A word that a shell takes as it is.
-std::string shellWord(const std::string& word) {
-  constexpr const char* kPlain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-+:,@%";
-  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
-    return word;
-  }
-  std::string text = "'";
-  for (const char each : word) {
-    text += each == '\'' ? std::string("'\\''") : std::string(1, each);
-  }
-  return text + "'";
-}
-
 /// A batch that has not written its table yet: it runs, or it was killed. Nothing: there is a
 /// table, or no batch.
 base::Diagnostics batchWithoutEnd(const std::string& folder) {
@@ -64,11 +50,17 @@ base::Diagnostics batchWithoutEnd(const std::string& folder) {
     return store.diagnostics();
   }
   const Study& study = (*store)->study();
-  std::string words = shellWord(study.experimentPath) + " -o " + shellWord(folder) + " --resume";
-  words += study.shard.count > 1 ? " --shard " + study.shard.text() : "";
-  words += study.allowsCode ? " --allow-code" : "";
-  return {base::error("report.batch-cut",
-                      {(*store)->finished(), study.shard.runsOf(study.runs), words}, folder)};
+  std::vector<std::string> words = {"hunavsim", "batch", study.experimentPath,
+                                    "-o",       folder,  "--resume"};
+  if (study.shard.count > 1) {
+    words.insert(words.end(), {"--shard", study.shard.text()});
+  }
+  if (study.allowsCode) {
+    words.emplace_back("--allow-code");
+  }
+  return {base::error(
+      "report.batch-cut",
+      {(*store)->finished(), study.shard.runsOf(study.runs), report::shellText(words)}, folder)};
 }
 
 /// "path_length=2,success=1". What is no number above 0 is told.
