@@ -83,8 +83,6 @@ class ValueCheck {
   base::Diagnostics takeProblems() { return std::move(problems_); }
 
  private:
-  using Problem = std::pair<std::string_view, decltype(base::Diagnostic::values)>;
-
   bool isToldTwice(const ExperimentValue& value, const YamlNode& node) {
     const auto tell = [&](base::Diagnostic problem) {
       problems_.push_back(placed(base::keyNode(node), std::move(problem)));
@@ -153,8 +151,8 @@ class ValueCheck {
     }
   }
 
-  void tellOnce(const base::Diagnostic& problem, const YamlNode& item, std::set<Problem>& told) {
-    Problem key{problem.code, problem.values};
+  void tellOnce(const base::Diagnostic& problem, const YamlNode& item, std::set<ProblemKey>& told) {
+    ProblemKey key{problem.code, problem.values};
     if (experiment_.values[value_].path.rfind("*.", 0) == 0) {  // the same of each person
       auto& values = key.second;
       values.erase(std::remove_if(values.begin(), values.end(),
@@ -169,7 +167,7 @@ class ValueCheck {
   const Experiment& experiment_;
   std::vector<ExperimentTrial>& trials_;
   std::size_t value_ = 0;
-  std::set<Problem> toldOfText_, toldOfPath_;
+  std::set<ProblemKey> toldOfText_, toldOfPath_;
   base::Diagnostics problems_;
 };
 

@@ -21,9 +21,13 @@ std::string firstTextOf(const Experiment& experiment, const ExperimentValue& val
                          : value.texts.front();
 }
 
-bool isAmong(const base::Diagnostics& problems, const std::string& message) {
+ProblemKey keyOf(const base::Diagnostic& problem) {
+  return {problem.code, problem.values};
+}
+
+bool isAmong(const base::Diagnostics& problems, const ProblemKey& key) {
   return std::any_of(problems.begin(), problems.end(),
-                     [&message](const auto& each) { return each.message == message; });
+                     [&key](const auto& each) { return keyOf(each) == key; });
 }
 
 }  // namespace
@@ -39,7 +43,7 @@ ExperimentTrial::ExperimentTrial(const Experiment& experiment, std::size_t numbe
   stages_.push_back(std::move(written));
   for (const base::Diagnostics& problems : {ofRuns, meaningErrors(stages_.front())}) {
     for (const base::Diagnostic& problem : problems) {
-      usual_.insert(problem.message);
+      usual_.insert(keyOf(problem));
     }
   }
   putFirstTexts();
@@ -67,7 +71,7 @@ void ExperimentTrial::putFirstTexts() {
     firstTexts_.push_back(firstTextOf(experiment_, experiment_.values[k], number_));
     stages_.push_back(stages_.back());
     for (const base::Diagnostic& problem : errorsOf(put(stages_.back(), k, firstTexts_.back()))) {
-      usual_.insert(problem.message);  // and is told of that text
+      usual_.insert(keyOf(problem));  // and is told of that text
     }
     errors.push_back(meaningErrors(stages_.back()));
   }
@@ -78,8 +82,8 @@ void ExperimentTrial::putFirstTexts() {
 void ExperimentTrial::findWhatBrings(const std::vector<base::Diagnostics>& errors) {
   for (std::size_t k = 0; k < errors.size(); ++k) {
     for (const base::Diagnostic& problem : errors[k]) {
-      const bool isLeft = isAmong(errors.back(), problem.message);
-      if (isLeft && usual_.insert(problem.message).second) {
+      const bool isLeft = isAmong(errors.back(), keyOf(problem));
+      if (isLeft && usual_.insert(keyOf(problem)).second) {
         brought_[k].push_back(problem);
       }
     }
@@ -103,7 +107,7 @@ ExperimentTrial::Outcome ExperimentTrial::outcomeOf(std::size_t value, const std
   }
   base::append(errors, meaningErrors(tried));
   for (base::Diagnostic& problem : errors) {
-    if (usual_.count(problem.message) == 0) {
+    if (usual_.count(keyOf(problem)) == 0) {
       outcome.beside.push_back(std::move(problem));
     }
   }

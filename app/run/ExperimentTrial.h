@@ -2,6 +2,8 @@
 
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/run/Experiment.h"
@@ -9,6 +11,9 @@
 #include "sim2d/scenario/ScenarioCheck.h"
 
 namespace app {
+
+/// What is said, wherever.
+using ProblemKey = std::pair<std::string_view, decltype(base::Diagnostic::values)>;
 
 /// The values of an experiment in one of its scenarios, before anything runs: each in the place of
 /// the first one of its path, beside the options of all runs and the first values of the other
@@ -47,7 +52,7 @@ class ExperimentTrial {
   std::vector<std::string> firstTexts_;
   std::vector<sim2d::Scenario> stages_;     // with the first texts of so many paths
   std::vector<base::Diagnostics> brought_;  // errors of the first run, by the path that brings them
-  std::set<std::string> usual_;             // messages that are there whatever is tried
+  std::set<ProblemKey> usual_;              // that are there whatever is tried
   bool dependsOnSeed_ = false;
 };
 

@@ -13,6 +13,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/ProgramRegistries.h"
 #include "app/window/FileDialogs.h"
+#include "editor/look/Fields.h"
 #include "editor/look/FileDialog.h"
 #include "editor/look/Form.h"
 #include "editor/panels/RowDelegate.h"
@@ -83,7 +84,7 @@ StudyForm::StudyForm(editor::PanelContext& context)
       planners_(new TallList(this)),
       seeds_(new QLineEdit(QStringLiteral("30"), this)),
       duration_(new QLineEdit(this)),
-      record_(new QComboBox(this)),
+      record_(new editor::ChoiceField(this)),
       values_(new QPlainTextEdit(this)) {
   auto* rows = editor::arranged(new QVBoxLayout(this), {12, 6, 12, 6}, 6);
   rows->addWidget(makeScenarios());

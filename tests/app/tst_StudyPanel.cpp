@@ -130,6 +130,18 @@ class StudyPanelTest : public QObject, protected quiet::InFolder {
     QCOMPARE(estimateOf("path_length", {}), QString());
   }
 
+  /// Who scrolls the form over it changes nothing.
+  void keep_wheelOverIt_isLeftAlone() {
+    auto& keep = field<QComboBox>("Keep");
+    const int before = keep.currentIndex();
+    const QPoint at = keep.rect().center();
+    QWheelEvent down(at, keep.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                     Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&keep, &down);
+    QCOMPARE(keep.currentIndex(), before);
+    QVERIFY(before + 1 < keep.count());  // it could have
+  }
+
   /// As in the report: a robot without a goal neither succeeds nor fails, a failed run fails.
   void success_undefined_countsForNothing() {
     const StudyRow without = [] {
