@@ -173,8 +173,8 @@ class PageMaker {
       return;
     }
     head_ += paragraph(
-        "In " + std::to_string(constant) +
-            " combinations of option and case all seeds gave the same values. Their runs are "
+        "In " + counted(constant, "combination") +
+            " of option and case all seeds gave the same values. Their runs are "
             "counted as if they were independent and are not: intervals and p values are too "
             "small. Let the seed matter (variation in the scenario, noise of sensors, random "
             "arrivals), or read the table as one run per combination.",
