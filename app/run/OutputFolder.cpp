@@ -331,12 +331,12 @@ bool isRestOfOutput(const std::string& name) {
 std::optional<std::string> nameOfUnfinished(const std::string& name) {
   // <name>.new-<number>-<number>
   constexpr std::string_view kMark = ".new-", kDigits = "0123456789";
-  constexpr std::size_t kNowhere = std::string::npos;
+  constexpr std::size_t kNpos = std::string::npos;
   const std::size_t end = name.rfind(kMark);
   const std::size_t first = end + kMark.size();
-  const std::size_t dash = end == kNowhere ? kNowhere : name.find_first_not_of(kDigits, first);
-  const bool fits = end > 0 && dash != kNowhere && dash > first && name[dash] == '-' &&
-                    dash + 1 < name.size() && name.find_first_not_of(kDigits, dash + 1) == kNowhere;
+  const std::size_t dash = end == kNpos ? kNpos : name.find_first_not_of(kDigits, first);
+  const bool fits = end > 0 && dash != kNpos && dash > first && name[dash] == '-' &&
+                    dash + 1 < name.size() && name.find_first_not_of(kDigits, dash + 1) == kNpos;
   return fits ? std::optional(name.substr(0, end)) : std::nullopt;
 }
 
