@@ -351,6 +351,10 @@ base::Diagnostics readManifest(const fs::path& path, Study& study) {
   study.shard = textIn(manifest, "shard");
   const auto code = manifest.find("code");
   study.allowsCode = code != manifest.end() && code->is_object() && code->value("allowed", false);
+  const auto limit = manifest.find("time_limit");
+  if (limit != manifest.end() && limit->is_number()) {
+    study.timeLimit = limit->get<double>();
+  }
   readDrawn(manifest, study);
   return {};
 }
@@ -419,6 +423,9 @@ std::vector<std::string> Study::batchWords() const {
   std::vector<std::string> words = {"hunavsim", "batch", inputs.front().path, "-o", folder};
   if (allowsCode) {
     words.emplace_back("--allow-code");
+  }
+  if (timeLimit) {
+    words.insert(words.end(), {"--time-limit", base::formatDouble(*timeLimit)});
   }
   if (!shard.empty()) {
     words.insert(words.end(), {"--shard", shard});

@@ -55,6 +55,7 @@ struct Study {
   std::vector<std::string> drawn;  // value paths that are drawn for each scenario and seed
   std::string shard;               // "1/3"; empty = the whole study
   bool allowsCode = false;
+  std::optional<double> timeLimit;    // of one run [s], by the wall clock
   std::vector<std::string> runWords;  // options of `run` that the experiment sets for all
   bool knowsRunWords = false;         // the experiment file is still the one that was run
   bool lacksFile = false;             // that is there and cannot be read

@@ -157,7 +157,7 @@ void removeUnfinished(const std::string& folder) {
 
 }  // namespace
 
-base::Result<Study> studyOf(const Experiment& experiment, const std::vector<std::string>& inputs,
+base::Result<Study> studyOf(const Experiment& experiment, const std::vector<InputHash>& inputs,
                             const Shard& shard) {
   Study study;
   base::Diagnostics unread;
@@ -167,12 +167,11 @@ base::Result<Study> studyOf(const Experiment& experiment, const std::vector<std:
   study.experiment = experiment.text;
   study.inputs.reserve(inputs.size() + 1);
   study.inputs.push_back({experiment.path, sha256Of(experiment.text)});
-  for (const std::string& input : inputs) {
-    const std::optional<std::string> hash = sha256OfFile(input);
-    if (!hash) {
-      unread.push_back(base::error("file.cannot-read", {"it is gone or damaged"}, input));
+  for (const InputHash& input : inputs) {
+    if (input.sha256.empty()) {
+      unread.push_back(base::error("file.cannot-read", {"it is gone or damaged"}, input.path));
     }
-    study.inputs.push_back({input, hash.value_or("")});
+    study.inputs.push_back(input);
   }
   for (const ExperimentValue& value : experiment.values) {
     study.paths.push_back(value.path);
@@ -254,6 +253,9 @@ base::Diagnostics BatchFolder::takeEarlier(const Study& study, Earlier earlier) 
   if (problems.empty() && found.study().shard.number != study.shard.number) {
     problems.push_back(base::error("batch.other-shard",
                                    {found.study().shard.text(), study.shard.text()}, folder_));
+  }
+  if (problems.empty()) {
+    problems = (*store)->setTimeLimit(study.timeLimit);
   }
   if (problems.empty()) {
     store_ = *std::move(store);

@@ -11,8 +11,8 @@
 namespace app {
 
 /// The study that an experiment is. `inputs`: the files that its runs read. Error: one of them
-/// cannot be read any more.
-base::Result<Study> studyOf(const Experiment& experiment, const std::vector<std::string>& inputs,
+/// cannot be read.
+base::Result<Study> studyOf(const Experiment& experiment, const std::vector<InputHash>& inputs,
                             const Shard& shard);
 /// What of `now` is not as it `was`, with its places; empty: runs of both belong together.
 base::Diagnostics differences(const Study& was, const Study& now);

@@ -1,11 +1,10 @@
 #include "app/run/ExperimentRunner.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 
 #include "app/run/DataPaths.h"
-#include "app/run/PlannerFiles.h"
+#include "app/run/ExperimentInputs.h"
 #include "app/run/Simulation.h"
 
 namespace app {
@@ -23,27 +22,13 @@ RunSettings settingsOf(const Experiment& experiment) {
 
 }  // namespace
 
-std::vector<ForeignCode> foreignCodeOf(const Experiment& experiment, const sim2d::Scenario& first) {
-  std::vector<ForeignCode> all = foreignCodeOf(first);
-  for (const ExperimentValue& value : experiment.values) {
-    for (const std::size_t k : value.tellingTexts()) {
-      sim2d::Scenario changed = first;
-      if (base::hasErrors(sim2d::setValue(changed, value.path, value.texts[k]))) {
-        continue;  // told by who read the experiment
-      }
-      for (const ForeignCode& code : foreignCodeOf(changed)) {
-        if (std::find(all.begin(), all.end(), code) == all.end()) {
-          all.push_back(code);
-        }
-      }
-    }
-  }
-  return all;
-}
-
 base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario) {
-  const std::size_t runs = experiment_.runCount() / experiment_.scenarios.size();
-  const Bundle bundle = readBundle(experiment_.optionsOf(scenario * runs), RunSettings(), files_);
+  const Bundle bundle =
+      readBundle(experiment_.optionsOf(scenario * runsPerScenario()), RunSettings(), files_);
+  std::vector<std::size_t>& inputs = inputsOfScenario_.emplace_back();
+  for (const std::string& path : filesOf(experiment_, scenario, bundle, files_)) {
+    inputs.push_back(inputs_.look(path));
+  }
   const Verdict verdict = app::check(bundle);
   base::Diagnostics problems;
   for (base::Diagnostic problem : errorsOf(verdict.wrongWords)) {  // warnings: by who read it
@@ -55,19 +40,23 @@ base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario) {
     base::append(problems, tellForeignCode(foreignCodeOf(experiment_, *bundle.scenario),
                                            base::Severity::Error, bundle.path));
   }
-  for (const std::string& input : inputsOf(bundle)) {
-    if (std::find(inputs_.begin(), inputs_.end(), input) == inputs_.end()) {
-      inputs_.push_back(input);
-    }
-  }
   return problems;
 }
 
 base::Diagnostics ExperimentRunner::check() {
-  inputs_.clear();
+  inputs_ = {};
+  inputsOfScenario_.clear();
   base::Diagnostics problems;
   for (std::size_t k = 0; k < experiment_.scenarios.size(); ++k) {
     base::append(problems, checkScenario(k));
+  }
+  return problems;
+}
+
+base::Diagnostics ExperimentRunner::changedInputs(std::size_t index) {
+  base::Diagnostics problems;
+  for (const std::string& path : inputs_.changed(inputsOfScenario_[index / runsPerScenario()])) {
+    problems.push_back(base::error("batch.input-changed", {}, path));
   }
   return problems;
 }

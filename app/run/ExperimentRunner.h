@@ -5,14 +5,10 @@
 
 #include "app/run/Experiment.h"
 #include "app/run/KnownFiles.h"
-#include "app/run/PlannerFiles.h"
 #include "app/run/ResultRow.h"
+#include "app/run/SeenFiles.h"
 
 namespace app {
-
-/// Code of others that runs in a scenario would start: with the first values, which it has, and
-/// with each other value beside them.
-std::vector<ForeignCode> foreignCodeOf(const Experiment& experiment, const sim2d::Scenario& first);
 
 /// Makes the runs of an experiment, one after the other, in this process. What they have in common
 /// is read and worked out once; no run changes anything of it. One thread.
@@ -25,13 +21,18 @@ class ExperimentRunner {
 
   /// Scenarios that no run could use, and values that no scenario takes.
   base::Diagnostics check();
-  /// Files that the runs read beside the experiment, each once; known after check().
-  const std::vector<std::string>& inputs() const { return inputs_; }
+  /// Files that the runs read or start beside the experiment, each once; known after check().
+  const std::vector<InputHash>& inputs() const { return inputs_.hashes(); }
+  /// Errors: files of a run that are others by now, so nobody knows which of them it has read.
+  base::Diagnostics changedInputs(std::size_t index);
 
   /// Errors: files of the run could not be written. A run that fails is a row.
   base::Result<ResultRow> run(std::size_t index);
 
  private:
+  std::size_t runsPerScenario() const {
+    return experiment_.runCount() / experiment_.scenarios.size();
+  }
   base::Diagnostics checkScenario(std::size_t scenario);
   std::string folderOf(std::size_t run) const;
   bool isKept(const ResultRow& row) const;
@@ -41,7 +42,8 @@ class ExperimentRunner {
   const Experiment& experiment_;
   const std::string runsFolder_;
   KnownFiles files_;
-  std::vector<std::string> inputs_;
+  SeenFiles inputs_;
+  std::vector<std::vector<std::size_t>> inputsOfScenario_;
 };
 
 }  // namespace app

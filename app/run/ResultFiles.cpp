@@ -91,6 +91,9 @@ Json manifestOf(const Study& study, std::size_t finished, std::size_t failed) {
                {"runs", study.runs},
                {"finished", finished},
                {"failed", failed}};
+  if (study.timeLimit > 0.0) {
+    json["time_limit"] = study.timeLimit;
+  }
   if (study.shard.count > 1) {
     json["shard"] = study.shard.text();
   }

@@ -133,7 +133,8 @@ base::Diagnostics ResultStore::makeTables(const Study& study) {
       {"runs", std::to_string(study.runs)},
       {"shard", std::to_string(study.shard.number)},
       {"shards", std::to_string(study.shard.count)},
-      {"code", study.allowsCode ? "allowed" : ""}};
+      {"code", study.allowsCode ? "allowed" : ""},
+      {"time_limit", base::formatDouble(study.timeLimit)}};
   for (const auto& [key, value] : entries) {
     const SqlStatement statement(database_, "INSERT INTO experiment VALUES(?,?)");
     statement.bind(1, std::string(key));
@@ -233,6 +234,7 @@ base::Diagnostics ResultStore::readStudy() {
   study_.drawn = textsOf(entries["drawn"]);
   study_.runs = countOf(entries["runs"]);
   study_.allowsCode = entries["code"] == "allowed";
+  study_.timeLimit = base::parseDouble(entries["time_limit"]).value_or(0.0);
   study_.shard = {countOf(entries["shard"]), countOf(entries["shards"])};
   const bool isWhole = study_.runs > 0 && study_.shard.number >= 1 &&
                        study_.shard.number <= study_.shard.count && !study_.inputs.empty();
@@ -255,6 +257,16 @@ base::Diagnostics ResultStore::readRuns() {
     failed_ += statement.text(1) == "ok" ? 0 : 1;
   }
   return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics() : trouble("batch.damaged");
+}
+
+base::Diagnostics ResultStore::setTimeLimit(double seconds) {
+  const std::string change = "INSERT OR REPLACE INTO experiment VALUES('time_limit','" +
+                             base::formatDouble(seconds) + "')";
+  if (seconds != study_.timeLimit && !run(change.c_str())) {
+    return trouble("batch.cannot-store");
+  }
+  study_.timeLimit = seconds;
+  return {};
 }
 
 base::Diagnostics ResultStore::add(const StoredRun& run) {

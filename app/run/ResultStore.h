@@ -6,17 +6,13 @@
 #include <vector>
 
 #include "app/run/ResultRow.h"
+#include "app/run/SeenFiles.h"
 
 struct sqlite3;
 
 namespace app {
 
 struct SqlStatement;
-
-/// A file and what stood in it.
-struct InputHash {
-  std::string path, sha256;
-};
 
 /// Part `number` of `count`, from 1 on: the runs whose number leaves `number` - 1 over.
 struct Shard {
@@ -38,6 +34,7 @@ struct Study {
   std::size_t runs = 0;                    // of the experiment, over all shards
   Shard shard;
   bool allowsCode = false;  // programs that scenarios name may start
+  double timeLimit = 0.0;   // of one run [s], by the wall clock; 0 = none
 };
 
 /// A run with its place in the experiment.
@@ -74,6 +71,8 @@ class ResultStore {
   bool has(std::size_t run) const { return has_[run]; }
 
   base::Diagnostics add(const StoredRun& run);
+  /// That of the runs that are missing.
+  base::Diagnostics setTimeLimit(double seconds);
   /// All runs that are in it, by number.
   base::Diagnostics forEach(const std::function<void(const StoredRun&)>& visit) const;
   /// Into one plain file that others can read.

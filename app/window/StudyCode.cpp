@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/run/ExperimentRunner.h"
+#include "app/run/ExperimentInputs.h"
 #include "app/run/RunOptions.h"
 #include "sim2d/scenario/ScenarioFile.h"
 

@@ -853,6 +853,9 @@ constexpr ProblemText kTexts[] = {
     {"batch.other-experiment",
      "the experiment is another one: where it differs first there was '{was}'"},
     {"batch.other-input", "this file is another one than when the batch began"},
+    {"batch.input-changed",
+     "this file has changed while its runs were made; put it back and go on with --resume, or "
+     "begin anew with --force"},
     {"batch.other-shard", "the folder holds shard {was}, not {now}"},
     {"batch.other-shards", "a study of {was} shards, not of {now}"},
     {"merge.twice", "shard {shard} is given twice: it is in {other} too"},

@@ -103,6 +103,39 @@ class StudyTroublesTest : public QObject {
     const auto rows = outside::readCsv(out + text("/results.csv"));
     QCOMPARE(rows.size(), std::size_t{2});
     QCOMPARE(rows[1].at(text("reason")), text("not finished within 0.2 s"));
+    QCOMPARE(runProgram({text("report"), out, text("-q")}).exitCode, 0);
+    QVERIFY(bytesOf(out + text("/report.html")).contains("--time-limit 0.2"));
+  }
+
+  /// Nobody knows which of both such a run has read.
+  void scenario_changedWhileItRuns_endsTheBatch() {
+    QVERIFY(QDir().mkpath(folder_.path(text("edited"))));
+    const QString scenario = folder_.path(text("edited/yard.yaml"));
+    const QString experiment = folder_.path(text("edited/e.yaml"));
+    outside::writeText(scenario, outside::kYardText);
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 2\n"
+                       "duration: 900000.0\n");
+    const QString out = folder_.path(text("edited/out"));
+    const auto words = [&](const char* limit, const QStringList& more) {
+      return StudyFolder::words(
+          experiment, out,
+          QStringList{text("--jobs"), text("1"), text("--time-limit"), text(limit)} + more);
+    };
+    Running batch(words("2", {}));
+    QTRY_VERIFY_WITH_TIMEOUT(!batch.workers().empty(), 20000);
+    outside::writeText(scenario,
+                       QByteArray(outside::kYardText).replace("max_vel: 1.2", "max_vel: 1.3"));
+    const Finished found = batch.wait();
+    QCOMPARE(found.exitCode, 2);
+    QVERIFY2(found.err.contains(text("yard.yaml: error: this file has changed while")) &&
+                 found.err.contains(text("after 0 of 2 runs")),
+             qPrintable(found.err));
+    QCOMPARE(runProgram(words("0.2", {text("--resume")})).exitCode, 2);
+    outside::writeText(scenario, outside::kYardText);
+    QCOMPARE(runProgram(words("0.2", {text("--resume")})).exitCode, 1);  // late, both
+    QCOMPARE(outside::readCsv(out + text("/results.csv")).size(), std::size_t{2});
+    QVERIFY(bytesOf(out + text("/manifest.json")).contains("\"time_limit\": 0.2"));
   }
 
   void damagedDatabase_isToldAndKept() {

@@ -241,6 +241,7 @@ class RobotWayTest : public QObject {
   /// 1 and 3 cm (the limit is 2), and grazes a block.
   void contacts_ofARun_areWhereTheyBegin() {
     std::vector<Vec2> way;
+    way.reserve(10);
     for (int k = 0; k < 10; ++k) {
       way.emplace_back(k, 0.0);
     }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <unistd.h>
@@ -10,6 +11,7 @@
 
 #include "app/run/Batch.h"
 #include "app/run/ExperimentRunner.h"
+#include "app/run/Sha256.h"
 #include "sim2d/base/Text.h"
 
 namespace {
@@ -236,6 +238,65 @@ class BatchTest : public QObject {
     };
     QVERIFY(app::runBatch(job).empty());
     QCOMPARE(rows[1].fields[0].second, std::string(3'000'000, 'b'));
+  }
+
+  /// Those of the first values, of the others beside them, and code of others.
+  void inputs_ofAllValues_areKnown() {
+    const auto write = [this](const char* name, const std::string& text) {
+      return base::writeFileAtomically(path(name), text).empty();
+    };
+    QVERIFY(write("first.xml", "<root/>") && write("own.xml", "<root> </root>"));
+    QVERIFY(write("follow.so", "no library") && write("velocities.csv", "t,v,w\n"));
+    const std::string trees = path("first.xml") + ", " + path("own.xml") + ", lost.xml";
+    const auto robot = [this](const char* planner, const char* file) {
+      return "    - {start: {x: 1.0, y: 2.0}, goal: {x: 3.0, y: 2.0}, planner: " +
+             std::string(planner) + ", planner_parameters: {file: " + path(file) + "}}\n";
+    };
+    QVERIFY(write("i.yaml",
+                  "hunavsim_experiment: 1\n"
+                  "scenarios: [" SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml]\n"
+                  "values:\n  Ana.max_vel: [1.0, 1.5]\n  Ana.tree: [" +
+                      trees + "]\n  robot1:\n" + robot("library", "follow.so") +
+                      robot("replay", "velocities.csv")));
+    const base::Result<app::Experiment> study = app::readExperiment(path("i.yaml"));
+    QVERIFY2(study, study.diagnostics().empty() ? "" : study.diagnostics().front().text().c_str());
+    app::ExperimentRunner runner(*study, {}, {});
+    runner.check();  // that the library is none is told elsewhere
+    std::map<std::string, std::string> hashes;
+    for (const app::InputHash& input : runner.inputs()) {
+      QVERIFY2(hashes.emplace(input.path, input.sha256).second, input.path.c_str());
+    }
+    for (const char* name : {"first.xml", "own.xml", "follow.so", "velocities.csv"}) {
+      QCOMPARE(hashes[path(name)], *app::sha256OfFile(path(name)));
+    }
+    QCOMPARE(hashes.count(path("lost.xml")), std::size_t{0});
+    QVERIFY(hashes.count(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml") == 1);
+  }
+
+  void input_changed_isToldAsLongAsItIs() {
+    const std::string cafe = SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml";
+    const std::string copy = path("cafe_agents.yaml");
+    const std::string text = *base::readTextFile(cafe);
+    QVERIFY(base::writeFileAtomically(copy, text).empty());
+    QVERIFY(base::writeFileAtomically(path("c.yaml"), "hunavsim_experiment: 1\nscenarios: [" +
+                                                          cafe + ", cafe_agents.yaml]\nseeds: 2\n")
+                .empty());
+    const app::Experiment study = *app::readExperiment(path("c.yaml"));
+    app::ExperimentRunner runner(study, {}, {});
+    runner.check();
+    QVERIFY(runner.changedInputs(3).empty());
+    QVERIFY(base::writeFileAtomically(copy, text).empty());  // the same again
+    QVERIFY(runner.changedInputs(3).empty());
+    QVERIFY(base::writeFileAtomically(copy, text + "# more\n").empty());
+    const base::Diagnostics told = runner.changedInputs(3);
+    QCOMPARE(told.size(), std::size_t{1});
+    QCOMPARE(told.front().code, std::string_view("batch.input-changed"));
+    QCOMPARE(told.front().file, copy);
+    QVERIFY(runner.changedInputs(1).empty());  // of the other scenario
+    QVERIFY(base::writeFileAtomically(copy, text).empty());
+    QVERIFY(runner.changedInputs(2).empty());
+    std::filesystem::remove(copy);
+    QCOMPARE(runner.changedInputs(2).size(), std::size_t{1});
   }
 
   /// What a worker did before leaves no trace: the same rows in any order, in one process or many.

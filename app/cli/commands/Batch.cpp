@@ -110,7 +110,10 @@ base::Diagnostics makeRuns(const Experiment& experiment, ExperimentRunner& runne
     const Experiment::Run values = experiment.run(run);
     const StoredRun stored{run, experiment.scenarios[values.scenario], values.seed, values.values,
                            row};
-    base::Diagnostics problems = folder.add(stored);
+    base::Diagnostics problems = runner.changedInputs(run);
+    if (problems.empty()) {
+      problems = folder.add(stored);
+    }
     if (options.rows && problems.empty()) {
       printRow(stored);
     }
@@ -130,9 +133,10 @@ int batchCommand(const BatchOptions& options, const Invocation& given) {
   if (!options.script.empty()) {
     return printScript(options);
   }
-  const base::Result<Study> study =
+  base::Result<Study> study =
       studyOf(*experiment, runner.inputs(), shardOf(options.shard).value_or(Shard()));
   requireFine(study.diagnostics());
+  study->timeLimit = options.timeLimit;
   const Earlier earlier = options.resume  ? Earlier::Resume
                           : options.force ? Earlier::Replace
                                           : Earlier::Refuse;

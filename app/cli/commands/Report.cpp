@@ -58,6 +58,9 @@ base::Diagnostics batchWithoutEnd(const std::string& folder) {
   if (study.allowsCode) {
     words.emplace_back("--allow-code");
   }
+  if (study.timeLimit > 0.0) {
+    words.insert(words.end(), {"--time-limit", base::formatDouble(study.timeLimit)});
+  }
   return {base::error(
       "report.batch-cut",
       {(*store)->finished(), study.shard.runsOf(study.runs), report::shellText(words)}, folder)};
