@@ -183,6 +183,14 @@ std::string element(const char* name, const std::string& attributes, const std::
   return content.empty() ? begin + "/>" : begin + ">" + content + "</" + name + ">";
 }
 
+std::string paragraph(const std::string& words, const std::string& attributes) {
+  return element("p", attributes, escaped(words)) + "\n";
+}
+
+std::string counted(std::size_t count, const std::string& word) {
+  return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
 std::string tableHtml(const Table& table, const std::string& htmlClass) {
   std::string head;
   for (const Table::Column& column : table.columns) {

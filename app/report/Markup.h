@@ -23,6 +23,10 @@ std::string plainNumber(double value, int decimals);
 std::string pText(double p);
 /// "<name attributes>content</name>"; without content "<name attributes/>".
 std::string element(const char* name, const std::string& attributes, const std::string& content);
+/// Plain text as a <p>; `attributes` begin with a space.
+std::string paragraph(const std::string& words, const std::string& attributes = {});
+/// "1 run", "2 runs".
+std::string counted(std::size_t count, const std::string& word);
 
 /// A table to be shown, and to be written as CSV and LaTeX.
 struct Table {

@@ -27,14 +27,4 @@ using OnStep = std::function<void(const std::string& what)>;
 Report makeReport(const Study& study, const std::vector<std::pair<std::string, double>>& weights,
                   const std::vector<std::string>& command, const OnStep& onStep = {});
 
-/// A page that plays one run; `contacts` as for playerJson().
-std::string playerPage(const sim2d::Trace& trace,
-                       const std::vector<metrics::RobotContact>& contacts,
-                       const std::string& title);
-
-/// The skeleton with its holes filled; `withPlayer`: its script too.
-std::string wholePage(const std::string& title, const std::string& body, bool withPlayer);
-/// The player's box and the runs' data, JSON each.
-std::string playerMarkup(const std::vector<std::string>& runs);
-
 }  // namespace report

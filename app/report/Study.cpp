@@ -7,11 +7,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/report/Comparison.h"
+#include "app/report/StudyChoice.h"
 #include "app/run/Experiment.h"
 #include "app/run/ListedFiles.h"
 #include "app/run/Sha256.h"
-#include "metrics/MetricRegistry.h"
 #include "sim2d/base/Text.h"
 
 namespace report {
@@ -21,267 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr const char* kUsualMetrics[] = {"success",
-                                         "time_to_reach_goal",
-                                         "path_length",
-                                         "path_efficiency",
-                                         "minimum_distance_to_people",
-                                         "robot_on_person_collision",
-                                         "intimate_space_intrusions",
-                                         "personal_space_intrusions"};
-constexpr const char* kScenario = "scenario";
-constexpr const char* kPareto = "--pareto";
-
-Metric metricOf(const std::string& key, bool isBoolean) {
-  Metric metric{key, key, {}, isBoolean, 0};
-  const std::size_t dot = key.rfind('.');  // "robot2.success": of a robot that is not the first
-  const bool isOfRobot = dot != std::string::npos;
-  if (const metrics::MetricEntry* entry =
-          metrics::standardRegistry().find(isOfRobot ? key.substr(dot + 1) : key)) {
-    metric.name = (isOfRobot ? key.substr(0, dot) + ": " : "") + entry->info.name;
-    metric.unit = entry->info.unit;
-    metric.isRate = isBoolean || entry->info.kind == metrics::Kind::Boolean;
-    metric.sense = entry->info.better == metrics::Better::Higher  ? 1
-                   : entry->info.better == metrics::Better::Lower ? -1
-                                                                  : 0;
-  }
-  return metric;
-}
-
-/// The distinct texts in the order in which they come first.
-std::vector<std::string> distinct(const std::vector<std::string>& texts) {
-  std::vector<std::string> found;
-  std::set<std::string> seen;
-  for (const std::string& text : texts) {
-    if (seen.insert(text).second) {
-      found.push_back(text);
-    }
-  }
-  return found;
-}
-
-std::vector<std::size_t> placesIn(const std::vector<std::string>& names,
-                                  const std::vector<std::string>& texts) {
-  std::map<std::string, std::size_t> places;
-  for (const std::string& name : names) {
-    places.emplace(name, places.size());
-  }
-  std::vector<std::size_t> found;
-  found.reserve(texts.size());
-  for (const std::string& text : texts) {
-    found.push_back(places.at(text));
-  }
-  return found;
-}
-
-/// Characters with which all scenarios begin, to the last slash in them.
-std::size_t sharedFolder(const std::vector<Results::Run>& runs) {
-  std::string shared = runs.empty() ? std::string() : runs.front().scenario;
-  for (const Results::Run& run : runs) {
-    const auto same =
-        std::mismatch(shared.begin(), shared.end(), run.scenario.begin(), run.scenario.end());
-    shared.erase(same.first, shared.end());
-  }
-  return shared.rfind('/') + 1;  // 0 without one
-}
-
 bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
-
-/// "pedestrian_max_vel" for people: the last words of a path.
-std::string shortPath(const std::string& path) {
-  const std::size_t dot = path.rfind('.');
-  return dot == std::string::npos ? path : path.substr(dot + 1);
-}
-
-/// Makes a study of results and wishes, and says what is wrong with the wishes.
-class StudyMaker {
- public:
-  /// `known`: what the manifest tells.
-  StudyMaker(const Wishes& wishes, Study known, Results results)
-      : wishes_(wishes), study_(std::move(known)) {
-    study_.folder = wishes.folder;
-    study_.results = std::move(results);
-    study_.level = wishes.level;
-    study_.resamples = wishes.resamples;
-  }
-
-  void choose() {
-    const Results& results = study_.results;
-    for (std::size_t k = 0; k < results.keys.size(); ++k) {
-      study_.metrics.push_back(metricOf(results.keys[k], results.isBoolean[k]));
-    }
-    chooseMetrics();
-    choosePareto();
-    study_.sharedFolder = sharedFolder(study_.results.runs);
-    chooseCompared();
-    nameCases();
-    const std::string what = study_.compared.empty() ? "Results of a batch"
-                             : study_.compared == kScenario
-                                 ? "Scenarios compared"
-                                 : titleOf(shortPath(study_.compared)) + " compared";
-    study_.title = what;
-  }
-  Study& study() { return study_; }
-  base::Diagnostics& problems() { return problems_; }
-
- private:
-  static std::string titleOf(std::string word) {
-    std::replace(word.begin(), word.end(), '_', ' ');
-    if (!word.empty() && word[0] >= 'a' && word[0] <= 'z') {
-      word[0] = static_cast<char>(word[0] - 'a' + 'A');
-    }
-    return word + (word == "Planner" || word == "Model" ? "s" : "");
-  }
-
-  /// Place of a key that somebody has named; what is unknown is told.
-  std::optional<std::size_t> placeOf(const std::string& key, const char* option) {
-    const std::size_t place = study_.results.keyAt(key);
-    if (place < study_.results.keys.size()) {
-      return place;
-    }
-    problems_.push_back(base::error("metrics.unknown-metric",
-                                    {key, base::nearestName(key, study_.results.keys)}, option));
-    return std::nullopt;
-  }
-
-  void chooseMetrics() {
-    for (const std::string& key : distinct(wishes_.metrics)) {
-      if (const auto place = placeOf(key, "--metrics")) {
-        study_.shown.push_back(*place);
-      }
-    }
-    for (const auto& [key, weight] : wishes_.weights) {
-      const auto place = placeOf(key, "--weights");
-      if (place && study_.metrics[*place].sense == 0) {
-        problems_.push_back(base::error("report.no-better", {key}, "--weights"));
-      }
-    }
-    if (!wishes_.metrics.empty()) {
-      return;
-    }
-    for (const char* key : kUsualMetrics) {
-      const std::size_t place = study_.results.keyAt(key);
-      if (place < study_.results.keys.size() && hasValues(place)) {
-        study_.shown.push_back(place);
-      }
-    }
-    constexpr std::size_t kFew = 6;
-    for (std::size_t k = 0; study_.shown.empty() && k < study_.results.keys.size(); ++k) {
-      if (hasValues(k)) {  // metrics of the user's own
-        study_.shown.push_back(k);
-      }
-    }
-    study_.shown.resize(std::min(study_.shown.size(), std::max(kFew, std::size(kUsualMetrics))));
-  }
-
-  bool hasValues(std::size_t metric) const {
-    for (std::size_t run = 0; run < study_.runCount(); ++run) {
-      if (!std::isnan(valueOf(study_, metric, run))) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  void choosePareto() {
-    const std::string x = wishes_.paretoX.empty() ? "time_to_reach_goal" : wishes_.paretoX;
-    const std::string y = wishes_.paretoY.empty() ? "minimum_distance_to_people" : wishes_.paretoY;
-    const std::size_t known = study_.results.keys.size();
-    const bool isAsked = !wishes_.paretoX.empty();
-    const std::size_t atX = isAsked ? placeOf(x, kPareto).value_or(known) : study_.results.keyAt(x);
-    const std::size_t atY = isAsked ? placeOf(y, kPareto).value_or(known) : study_.results.keyAt(y);
-    if (atX < known && atY < known && hasValues(atX) && hasValues(atY)) {
-      study_.pareto = {atX, atY};
-    }
-  }
-
-  /// Texts per run of a value path, or of the scenario.
-  std::vector<std::string> column(const std::string& path) const {
-    const auto& paths = study_.results.paths;
-    const auto at =
-        static_cast<std::size_t>(std::find(paths.begin(), paths.end(), path) - paths.begin());
-    std::vector<std::string> texts;
-    texts.reserve(study_.runCount());
-    for (std::size_t run = 0; run < study_.runCount(); ++run) {
-      texts.push_back(at < paths.size() ? study_.results.runs[run].values[at]
-                                        : study_.scenarioName(run));
-    }
-    return texts;
-  }
-  bool isDrawn(const std::string& path) const {
-    return std::find(study_.drawn.begin(), study_.drawn.end(), path) != study_.drawn.end();
-  }
-  /// By the experiment; what is drawn belongs to the seed.
-  bool isVaried(const std::string& path) const {
-    return !isDrawn(path) && distinct(column(path)).size() > 1;
-  }
-
-  std::string mostTelling() const {
-    const auto& paths = study_.results.paths;
-    for (const bool wantsPlanner : {true, false}) {
-      for (const std::string& path : paths) {
-        if ((!wantsPlanner || endsWith(path, ".planner")) && isVaried(path)) {
-          return path;
-        }
-      }
-    }
-    return isVaried(kScenario) ? kScenario : std::string();
-  }
-
-  void chooseCompared() {
-    const auto& paths = study_.results.paths;
-    study_.compared = wishes_.compare.empty() ? mostTelling() : wishes_.compare;
-    if (!wishes_.compare.empty() && wishes_.compare != kScenario &&
-        std::find(paths.begin(), paths.end(), wishes_.compare) == paths.end()) {
-      std::vector<std::string> known;
-      std::copy_if(paths.begin(), paths.end(), std::back_inserter(known),
-                   [this](const std::string& path) { return !isDrawn(path); });
-      known.emplace_back(kScenario);
-      problems_.push_back(base::error("report.unknown-path",
-                                      {wishes_.compare, base::join(known, ", ")}, "--compare"));
-      study_.compared.clear();
-    } else if (isDrawn(study_.compared)) {
-      problems_.push_back(base::error("report.drawn-path", {study_.compared}, "--compare"));
-    }
-    const std::vector<std::string> texts =
-        study_.compared.empty() ? std::vector<std::string>(study_.runCount(), "all runs")
-                                : column(study_.compared);
-    study_.options = distinct(texts);
-    study_.optionOf = placesIn(study_.options, texts);
-  }
-
-  /// What else is varied, without what is the same in all runs.
-  void nameCases() {
-    std::vector<std::string> texts(study_.runCount());
-    const auto add = [&](const std::string& path, bool withName) {
-      if (path == study_.compared || !isVaried(path)) {
-        return;
-      }
-      const std::vector<std::string> words = column(path);
-      for (std::size_t run = 0; run < texts.size(); ++run) {
-        texts[run] += (texts[run].empty() ? "" : ", ") +
-                      (withName ? shortPath(path) + " " + words[run] : words[run]);
-      }
-    };
-    add(kScenario, false);
-    for (const std::string& path : study_.results.paths) {
-      add(path, true);
-    }
-    for (std::size_t run = 0; run < texts.size(); ++run) {
-      if (texts[run].empty()) {
-        texts[run] = study_.compared == kScenario ? "all" : study_.scenarioName(run);
-      }
-    }
-    study_.cases = distinct(texts);
-    study_.caseOf = placesIn(study_.cases, texts);
-  }
-
-  const Wishes& wishes_;
-  Study study_;
-  base::Diagnostics problems_;
-};
 
 std::string textIn(const Json& object, const char* key) {
   const auto found = object.is_object() ? object.find(key) : object.end();
@@ -469,13 +210,15 @@ base::Result<Study> readStudy(const Wishes& wishes) {
   if (!results) {
     return problems;
   }
-  StudyMaker maker(wishes, std::move(manifest), *std::move(results));
-  maker.choose();
-  base::append(problems, maker.problems());
+  Study study = std::move(manifest);
+  study.folder = wishes.folder;
+  study.results = *std::move(results);
+  study.level = wishes.level;
+  study.resamples = wishes.resamples;
+  base::append(problems, chooseCompared(wishes, study));
   if (base::hasErrors(problems)) {
     return problems;
   }
-  Study& study = maker.study();
   study.resultsHash = app::sha256Of(*text);
   for (base::Diagnostic& problem : readRunWords(study)) {
     problem.severity = base::Severity::Warning;

@@ -19,7 +19,7 @@
 #include "app/cli/PictureFiles.h"
 #include "app/cli/RunPicture.h"
 #include "app/cli/RunStrip.h"
-#include "app/report/Page.h"
+#include "app/report/PlayerPage.h"
 #include "app/run/MetricsSetup.h"
 #include "app/run/RecordedRun.h"
 #include "app/run/RunFolder.h"
