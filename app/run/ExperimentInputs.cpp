@@ -70,7 +70,9 @@ std::vector<std::string> filesOf(const Experiment& experiment, std::size_t scena
                                  const Bundle& first, KnownFiles& files) {
   FileList list(inputsOf(first));
   for (const ForeignCode& code : foreignCodeOf(experiment, *first.scenario)) {
-    list.add(filesOf(code, first.path));
+    if (const std::optional<std::string> file = fileOf(code, first.path)) {
+      list.add({*file});
+    }
   }
   const std::set<std::string> trees = treePathsOf(first);
   const std::size_t run = scenario * (experiment.runCount() / experiment.scenarios.size());

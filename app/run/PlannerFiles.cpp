@@ -100,6 +100,17 @@ std::vector<std::string> filesOf(const ForeignCode& code, const std::string& sce
   return {besideScenario(code.words, scenarioPath)};
 }
 
+std::optional<std::string> fileOf(const ForeignCode& code, const std::string& scenarioPath) {
+  std::vector<std::string> files = filesOf(code, scenarioPath);
+  const auto words = sim2d::commandWords(code.words);
+  const bool isByPath =
+      code.key == kCommandKey && words && words->front().find('/') == std::string::npos;
+  if (isByPath && !files.empty()) {
+    files.erase(files.begin());
+  }
+  return files.empty() ? std::nullopt : std::optional(files.front());
+}
+
 std::vector<std::string> filesThatPlannersRead(const sim2d::Scenario& scenario,
                                                const std::string& scenarioPath) {
   std::vector<std::string> files;

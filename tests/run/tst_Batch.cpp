@@ -248,16 +248,18 @@ class BatchTest : public QObject {
     QVERIFY(write("first.xml", "<root/>") && write("own.xml", "<root> </root>"));
     QVERIFY(write("follow.so", "no library") && write("velocities.csv", "t,v,w\n"));
     const std::string trees = path("first.xml") + ", " + path("own.xml") + ", lost.xml";
-    const auto robot = [this](const char* planner, const char* file) {
-      return "    - {start: {x: 1.0, y: 2.0}, goal: {x: 3.0, y: 2.0}, planner: " +
-             std::string(planner) + ", planner_parameters: {file: " + path(file) + "}}\n";
+    const auto robot = [](const std::string& planner) {
+      return "    - {start: {x: 1.0, y: 2.0}, goal: {x: 3.0, y: 2.0}, planner: " + planner + "}\n";
     };
+    QVERIFY(write("follow.sh", "exit\n") && write("log.txt", "its own"));
     QVERIFY(write("i.yaml",
                   "hunavsim_experiment: 1\n"
                   "scenarios: [" SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml]\n"
                   "values:\n  Ana.max_vel: [1.0, 1.5]\n  Ana.tree: [" +
-                      trees + "]\n  robot1:\n" + robot("library", "follow.so") +
-                      robot("replay", "velocities.csv")));
+                      trees + "]\n  robot1:\n" +
+                      robot("library, planner_parameters: {file: " + path("follow.so") + "}") +
+                      robot("external, command: sh " + path("follow.sh") + " " + path("log.txt")) +
+                      robot("replay, planner_parameters: {file: " + path("velocities.csv") + "}")));
     const base::Result<app::Experiment> study = app::readExperiment(path("i.yaml"));
     QVERIFY2(study, study.diagnostics().empty() ? "" : study.diagnostics().front().text().c_str());
     app::ExperimentRunner runner(*study, {}, {});
@@ -266,10 +268,11 @@ class BatchTest : public QObject {
     for (const app::InputHash& input : runner.inputs()) {
       QVERIFY2(hashes.emplace(input.path, input.sha256).second, input.path.c_str());
     }
-    for (const char* name : {"first.xml", "own.xml", "follow.so", "velocities.csv"}) {
+    for (const char* name : {"first.xml", "own.xml", "follow.so", "follow.sh", "velocities.csv"}) {
       QCOMPARE(hashes[path(name)], *app::sha256OfFile(path(name)));
     }
-    QCOMPARE(hashes.count(path("lost.xml")), std::size_t{0});
+    QCOMPARE(hashes.count(path("lost.xml")) + hashes.count(path("log.txt")), std::size_t{0});
+    QCOMPARE(hashes.count("/usr/bin/sh") + hashes.count("/bin/sh"), std::size_t{0});
     QVERIFY(hashes.count(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml") == 1);
   }
 
