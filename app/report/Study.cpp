@@ -1,9 +1,9 @@
 #include "app/report/Study.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <set>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 

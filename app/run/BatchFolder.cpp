@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include <nlohmann/json.hpp>
 
@@ -155,6 +156,33 @@ void removeUnfinished(const std::string& folder) {
   std::for_each(unfinished.begin(), unfinished.end(), removeQuietly);
 }
 
+/// By path, without the experiment.
+std::map<std::string, std::string> hashesOf(const Study& study) {
+  std::map<std::string, std::string> hashes;
+  for (std::size_t k = 1; k < study.inputs.size(); ++k) {
+    hashes[study.inputs[k].path] = study.inputs[k].sha256;
+  }
+  return hashes;
+}
+
+/// Files that are others by now, of those that its runs have met and that its runs would begin
+/// with.
+base::Diagnostics otherFiles(const Study& was, const Study& now) {
+  const std::map<std::string, std::string> before = hashesOf(was), after = hashesOf(now);
+  base::Diagnostics found;
+  for (const auto& [path, hash] : after) {
+    if (before.count(path) == 0) {
+      found.push_back(base::error("batch.other-input", {}, path));
+    }
+  }
+  for (const auto& [path, hash] : before) {
+    if (after.count(path) == 0 && sha256OfFile(path) != hash) {
+      found.push_back(base::error("batch.other-input", {}, path));
+    }
+  }
+  return found;
+}
+
 }  // namespace
 
 base::Result<Study> studyOf(const Experiment& experiment, const std::vector<InputHash>& inputs,
@@ -198,10 +226,10 @@ base::Diagnostics differences(const Study& was, const Study& now) {
   if (was.shard.count != now.shard.count) {
     found.push_back(base::error("batch.other-shards", {was.shard.count, now.shard.count}));
   }
-  for (std::size_t k = 1; k < std::max(was.inputs.size(), now.inputs.size()); ++k) {
-    const bool isBoth = k < was.inputs.size() && k < now.inputs.size();
-    if (!isBoth || was.inputs[k].sha256 != now.inputs[k].sha256) {
-      const InputHash& input = k < now.inputs.size() ? now.inputs[k] : was.inputs[k];
+  const std::map<std::string, std::string> hashes = hashesOf(was);
+  for (const InputHash& input : now.inputs) {
+    const auto same = hashes.find(input.path);
+    if (same != hashes.end() && same->second != input.sha256) {
       found.push_back(base::error("batch.other-input", {}, input.path));
     }
   }
@@ -250,11 +278,14 @@ base::Diagnostics BatchFolder::takeEarlier(const Study& study, Earlier earlier) 
                                                               {found.finished(), runs}, folder_)};
   }
   base::Diagnostics problems = differences(found.study(), study);
+  if (problems.empty()) {
+    problems = otherFiles(found.study(), study);
+  }
   if (problems.empty() && found.study().shard.number != study.shard.number) {
     problems.push_back(base::error("batch.other-shard",
                                    {found.study().shard.text(), study.shard.text()}, folder_));
   }
-  if (problems.empty()) {
+  if (problems.empty() && study.timeLimit > 0.0 && !found.isComplete()) {
     problems = (*store)->setTimeLimit(study.timeLimit);
   }
   if (problems.empty()) {

@@ -14,7 +14,8 @@ namespace app {
 /// cannot be read.
 base::Result<Study> studyOf(const Experiment& experiment, const std::vector<InputHash>& inputs,
                             const Shard& shard);
-/// What of `now` is not as it `was`, with its places; empty: runs of both belong together.
+/// What of `now` is not as it `was`, with its places; empty: runs of both belong together. Of files
+/// those that both have used.
 base::Diagnostics differences(const Study& was, const Study& now);
 
 /// What to do with a batch that lies in the folder already and is not finished.

@@ -195,6 +195,9 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownF
     for (std::string& file : filesThatPlannersRead(*bundle.scenario, options.scenario)) {
       bundle.inputs.push_back(std::move(file));
     }
+    if (const auto file = metricsFileOf(*bundle.scenario, options.scenario)) {
+      bundle.inputs.push_back(*file);
+    }
   }
   return bundle;
 }

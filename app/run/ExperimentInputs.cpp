@@ -1,8 +1,8 @@
 #include "app/run/ExperimentInputs.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <set>
+#include <iterator>
+#include <utility>
 
 #include "app/run/RunFolder.h"
 #include "sim2d/base/Text.h"
@@ -12,86 +12,85 @@ namespace app {
 
 namespace {
 
-/// Each file once. What a value names and nobody has is told by the runs that want it.
-class FileList {
+/// Whether a value may say what a robot starts: of a planner's key, or of the whole robot.
+bool mayNameCode(const ExperimentValue& value) {
+  constexpr const char* kKeys[] = {"planner", "command", "planner_parameters", "file"};
+  const std::string& path = value.path;
+  const std::string last = path.substr(path.rfind('.') + 1);  // the whole without a dot
+  return last == path || std::any_of(std::begin(kKeys), std::end(kKeys),
+                                     [&](const char* key) { return last == key; });
+}
+
+/// Goes through all texts of these values together; of very many through each beside the first ones
+/// alone.
+class CodeSearch {
  public:
-  explicit FileList(std::vector<std::string> first) : paths_(std::move(first)) {
-    known_.insert(paths_.begin(), paths_.end());
-  }
-  void add(const std::vector<std::string>& paths) {
-    std::error_code ignored;
-    for (const std::string& path : paths) {
-      if (std::filesystem::is_regular_file(path, ignored) && known_.insert(path).second) {
-        paths_.push_back(path);
+  explicit CodeSearch(const Experiment& experiment) {
+    std::size_t together = 1;
+    for (const ExperimentValue& value : experiment.values) {
+      std::vector<std::string> others = mayNameCode(value) ? otherTextsOf(value) : Texts();
+      if (!others.empty()) {
+        together = std::min(kMostTogether + 1, together * (others.size() + 1));
+        values_.emplace_back(value.path, std::move(others));
       }
     }
+    isTogether_ = together <= kMostTogether;
   }
-  std::vector<std::string> take() { return std::move(paths_); }
 
- private:
-  std::vector<std::string> paths_;
-  std::set<std::string> known_;
-};
-
-std::set<std::string> treePathsOf(const Bundle& bundle) {
-  std::set<std::string> paths;
-  for (const auto& [person, tree] : bundle.trees) {
-    paths.insert(tree.path);
-  }
-  return paths;
-}
-
-/// No number names a file.
-bool mayNameFile(const std::string& text) {
-  return !base::parseDouble(text);
-}
-
-}  // namespace
-
-std::vector<ForeignCode> foreignCodeOf(const Experiment& experiment, const sim2d::Scenario& first) {
-  std::vector<ForeignCode> all = foreignCodeOf(first);
-  for (const ExperimentValue& value : experiment.values) {
-    for (const std::size_t k : value.tellingTexts()) {
-      sim2d::Scenario changed = first;
-      if (base::hasErrors(sim2d::setValue(changed, value.path, value.texts[k]))) {
-        continue;  // told by who read the experiment
+  void look(const sim2d::Scenario& scenario, std::size_t from = 0) {
+    for (const ForeignCode& code : foreignCodeOf(scenario)) {
+      if (std::find(found_.begin(), found_.end(), code) == found_.end()) {
+        found_.push_back(code);
       }
-      for (const ForeignCode& code : foreignCodeOf(changed)) {
-        if (std::find(all.begin(), all.end(), code) == all.end()) {
-          all.push_back(code);
+    }
+    for (std::size_t k = from; k < values_.size(); ++k) {
+      for (const std::string& text : values_[k].second) {
+        sim2d::Scenario changed = scenario;
+        if (!base::hasErrors(sim2d::setValue(changed, values_[k].first, text))) {  // told elsewhere
+          look(changed, isTogether_ ? k + 1 : values_.size());
         }
       }
     }
   }
-  return all;
+  std::vector<ForeignCode> take() { return std::move(found_); }
+
+ private:
+  using Texts = std::vector<std::string>;
+
+  /// Without numbers, which name no code, and the one that the first run has.
+  static Texts otherTextsOf(const ExperimentValue& value) {
+    Texts texts;
+    for (const std::size_t k : value.tellingTexts()) {
+      if ((k > 0 || value.isDrawn()) && !base::parseDouble(value.texts[k])) {
+        texts.push_back(value.texts[k]);
+      }
+    }
+    return texts;
+  }
+
+  static constexpr std::size_t kMostTogether = 2000;
+  std::vector<std::pair<std::string, Texts>> values_;  // path, texts
+  bool isTogether_ = true;
+  std::vector<ForeignCode> found_;
+};
+
+}  // namespace
+
+std::vector<ForeignCode> foreignCodeOf(const Experiment& experiment, const sim2d::Scenario& first) {
+  CodeSearch search(experiment);
+  search.look(first);
+  return search.take();
 }
 
-std::vector<std::string> filesOf(const Experiment& experiment, std::size_t scenario,
-                                 const Bundle& first, KnownFiles& files) {
-  FileList list(inputsOf(first));
-  for (const ForeignCode& code : foreignCodeOf(experiment, *first.scenario)) {
-    if (const std::optional<std::string> file = fileOf(code, first.path)) {
-      list.add({*file});
+std::vector<std::string> inputFilesOf(const Bundle& bundle) {
+  std::vector<std::string> paths = inputsOf(bundle);
+  for (const ForeignCode& code : foreignCodeOf(*bundle.scenario)) {
+    const std::optional<std::string> file = codeFileOf(code, bundle.path);
+    if (file && std::find(paths.begin(), paths.end(), *file) == paths.end()) {
+      paths.push_back(*file);
     }
   }
-  const std::set<std::string> trees = treePathsOf(first);
-  const std::size_t run = scenario * (experiment.runCount() / experiment.scenarios.size());
-  for (std::size_t k = 0; k < experiment.values.size(); ++k) {
-    const ExperimentValue& value = experiment.values[k];
-    for (const std::size_t text : value.tellingTexts()) {
-      if (!mayNameFile(value.texts[text])) {
-        continue;
-      }
-      RunOptions options = experiment.optionsOf(run);
-      options.set[k] = value.path + "=" + value.texts[text];
-      Bundle other = readBundle(options, first.settings, files);
-      for (auto tree = other.trees.begin(); tree != other.trees.end();) {  // to be parsed
-        tree = trees.count(tree->second.path) != 0 ? other.trees.erase(tree) : std::next(tree);
-      }
-      list.add(inputsOf(other));
-    }
-  }
-  return list.take();
+  return paths;
 }
 
 }  // namespace app

@@ -9,14 +9,11 @@
 
 namespace app {
 
-/// Code of others that runs in a scenario would start: with the first values, which it has, and
-/// with each other value beside them.
+/// Code of others that runs in a scenario would start, whatever values of the experiment name it.
+/// `first`: the scenario with the first values.
 std::vector<ForeignCode> foreignCodeOf(const Experiment& experiment, const sim2d::Scenario& first);
 
-/// Files that the runs of one scenario read, or start as code of others: with the first values, and
-/// with each other value beside them. `scenario`: its number; `first`: its first run; `files`: what
-/// that was read from.
-std::vector<std::string> filesOf(const Experiment& experiment, std::size_t scenario,
-                                 const Bundle& first, KnownFiles& files);
+/// Files that a run reads or, as code of others, starts.
+std::vector<std::string> inputFilesOf(const Bundle& bundle);
 
 }  // namespace app

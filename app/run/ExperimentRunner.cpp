@@ -22,13 +22,44 @@ RunSettings settingsOf(const Experiment& experiment) {
 
 }  // namespace
 
-base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario) {
-  const Bundle bundle =
-      readBundle(experiment_.optionsOf(scenario * runsPerScenario()), RunSettings(), files_);
-  std::vector<std::size_t>& inputs = inputsOfScenario_.emplace_back();
-  for (const std::string& path : filesOf(experiment_, scenario, bundle, files_)) {
-    inputs.push_back(inputs_.look(path));
+/// What was read before may be kept; what was written since it was looked at is read again.
+Bundle ExperimentRunner::read(std::size_t index, const RunSettings& settings, Used& used) {
+  constexpr int kMostTries = 5;
+  for (int tries = 1;; ++tries) {
+    const std::timespec before = SeenFiles::now();
+    Bundle bundle = readBundle(experiment_.optionsOf(index), settings, *files_);
+    used = filesOf(bundle);
+    if (tries == kMostTries || !seen_.areWrittenSince(used, before)) {
+      return bundle;
+    }
+    files_ = std::make_unique<KnownFiles>(loader_);
   }
+}
+
+const ExperimentRunner::Used& ExperimentRunner::filesOf(const Bundle& bundle) {
+  constexpr std::size_t kMostKnown = 10000;
+  std::vector<std::string> names = bundle.inputs;  // with trees, but not what those include
+  for (const ForeignCode& code : foreignCodeOf(*bundle.scenario)) {
+    names.push_back(code.words);
+  }
+  const auto found = usedBy_.find(names);
+  if (found != usedBy_.end()) {
+    return found->second;
+  }
+  if (usedBy_.size() >= kMostKnown) {
+    usedBy_.clear();
+  }
+  Used used;
+  for (const std::string& path : inputFilesOf(bundle)) {
+    used.push_back(seen_.look(path));
+  }
+  return usedBy_[names] = std::move(used);
+}
+
+base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario) {
+  const std::size_t runs = experiment_.runCount() / experiment_.scenarios.size();
+  Used used;
+  const Bundle bundle = read(scenario * runs, RunSettings(), used);
   const Verdict verdict = app::check(bundle);
   base::Diagnostics problems;
   for (base::Diagnostic problem : errorsOf(verdict.wrongWords)) {  // warnings: by who read it
@@ -44,19 +75,9 @@ base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario) {
 }
 
 base::Diagnostics ExperimentRunner::check() {
-  inputs_ = {};
-  inputsOfScenario_.clear();
   base::Diagnostics problems;
   for (std::size_t k = 0; k < experiment_.scenarios.size(); ++k) {
     base::append(problems, checkScenario(k));
-  }
-  return problems;
-}
-
-base::Diagnostics ExperimentRunner::changedInputs(std::size_t index) {
-  base::Diagnostics problems;
-  for (const std::string& path : inputs_.changed(inputsOfScenario_[index / runsPerScenario()])) {
-    problems.push_back(base::error("batch.input-changed", {}, path));
   }
   return problems;
 }
@@ -66,12 +87,21 @@ std::string ExperimentRunner::folderOf(std::size_t run) const {
 }
 
 base::Result<ResultRow> ExperimentRunner::run(std::size_t index) {
-  const bool hasFiles = experiment_.record != Record::Metrics;
   const base::Diagnostics stays = removeRun(folderOf(index));  // of an earlier batch, or cut short
   if (!stays.empty()) {
     return stays;
   }
-  const Bundle bundle = readBundle(experiment_.optionsOf(index), settingsOf(experiment_), files_);
+  Used used;
+  const Bundle bundle = read(index, settingsOf(experiment_), used);
+  base::Result<ResultRow> row = make(index, bundle);
+  if (row) {
+    row->inputs = seen_.thenAndNow(used);
+  }
+  return row;
+}
+
+base::Result<ResultRow> ExperimentRunner::make(std::size_t index, const Bundle& bundle) {
+  const bool hasFiles = experiment_.record != Record::Metrics;
   Verdict verdict = app::check(bundle);
   if (!verdict.ok()) {
     base::Diagnostics all = verdict.wrongWords;

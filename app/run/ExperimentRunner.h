@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,23 +19,28 @@ class ExperimentRunner {
   /// `runsFolder`: folders of runs that are kept lie in it, <runsFolder>/<run>. `loader` reads map
   /// images other than PGM. The experiment must outlive this.
   ExperimentRunner(const Experiment& experiment, std::string runsFolder, sim2d::ImageLoader loader)
-      : experiment_(experiment), runsFolder_(std::move(runsFolder)), files_(std::move(loader)) {}
+      : experiment_(experiment),
+        runsFolder_(std::move(runsFolder)),
+        loader_(std::move(loader)),
+        files_(std::make_unique<KnownFiles>(loader_)) {}
 
   /// Scenarios that no run could use, and values that no scenario takes.
   base::Diagnostics check();
-  /// Files that the runs read or start beside the experiment, each once; known after check().
-  const std::vector<InputHash>& inputs() const { return inputs_.hashes(); }
-  /// Errors: files of a run that are others by now, so nobody knows which of them it has read.
-  base::Diagnostics changedInputs(std::size_t index);
+  /// Files that the first runs of the scenarios use, each once; known after check().
+  const std::vector<InputHash>& inputs() const { return seen_.all(); }
 
-  /// Errors: files of the run could not be written. A run that fails is a row.
+  /// Errors: files of the run could not be written. A run that fails is a row. Its inputs are those
+  /// that this process has met first.
   base::Result<ResultRow> run(std::size_t index);
 
  private:
-  std::size_t runsPerScenario() const {
-    return experiment_.runCount() / experiment_.scenarios.size();
-  }
+  /// Numbers of files that were seen.
+  using Used = std::vector<std::size_t>;
+
   base::Diagnostics checkScenario(std::size_t scenario);
+  Bundle read(std::size_t index, const RunSettings& settings, Used& used);
+  const Used& filesOf(const Bundle& bundle);
+  base::Result<ResultRow> make(std::size_t index, const Bundle& bundle);
   std::string folderOf(std::size_t run) const;
   bool isKept(const ResultRow& row) const;
   base::Diagnostics keep(std::size_t index, FinishedRun& run, RunWriter& writer,
@@ -41,9 +48,10 @@ class ExperimentRunner {
 
   const Experiment& experiment_;
   const std::string runsFolder_;
-  KnownFiles files_;
-  SeenFiles inputs_;
-  std::vector<std::vector<std::size_t>> inputsOfScenario_;
+  const sim2d::ImageLoader loader_;
+  std::unique_ptr<KnownFiles> files_;
+  SeenFiles seen_;
+  std::map<std::vector<std::string>, Used> usedBy_;  // what bundles name: all that they read
 };
 
 }  // namespace app

@@ -64,7 +64,8 @@ class Parts {
     return problems;
   }
 
-  const Study& study() const { return parts_.begin()->second.store->study(); }
+  /// The whole, with the files of all.
+  const Study& study() const { return study_; }
   const std::map<std::size_t, Part>& all() const { return parts_; }
 
  private:
@@ -72,7 +73,7 @@ class Parts {
     const Study& study = part.store->study();
     base::Diagnostics problems;
     if (!parts_.empty()) {
-      for (base::Diagnostic problem : differences(this->study(), study)) {
+      for (base::Diagnostic problem : differences(study_, study)) {
         problem.file = part.folder + (problem.file.empty() ? "" : ": " + problem.file);
         problems.push_back(std::move(problem));
       }
@@ -89,11 +90,29 @@ class Parts {
                       {study.shard.text(), part.store->finished(), study.shard.runsOf(study.runs)},
                       part.folder));
     }
+    addToWhole(study);
     parts_[study.shard.number] = std::move(part);
     return problems;
   }
 
+  void addToWhole(const Study& study) {
+    if (parts_.empty()) {
+      study_ = study;
+      return;
+    }
+    for (const InputHash& input : study.inputs) {
+      const auto isIt = [&input](const InputHash& each) { return each.path == input.path; };
+      if (std::none_of(study_.inputs.begin(), study_.inputs.end(), isIt)) {
+        study_.inputs.push_back(input);
+      }
+    }
+    if (study.timeLimit != study_.timeLimit) {
+      study_.timeLimit = 0.0;  // no one limit is that of all
+    }
+  }
+
   std::map<std::size_t, Part> parts_;
+  Study study_;
 };
 
 base::Diagnostics copyFile(const fs::path& from, const fs::path& to) {

@@ -50,14 +50,20 @@ void addWindowProblem(const metrics::Window& window, const std::string& file,
 
 }  // namespace
 
+std::optional<std::string> metricsFileOf(const sim2d::Scenario& scenario,
+                                         const std::string& scenarioPath) {
+  const std::optional<std::string>& file = scenario.desktop.metrics.file;
+  return file ? std::optional((std::filesystem::path(scenarioPath).parent_path() / *file).string())
+              : std::nullopt;
+}
+
 base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
                                           const std::string& scenarioPath) {
   const sim2d::MetricsSettings& settings = scenario.desktop.metrics;
   MetricsSetup setup;
   base::Diagnostics problems = readParameters(settings.parameters, setup.parameters, scenarioPath);
-  if (settings.file) {
-    const auto path = std::filesystem::path(scenarioPath).parent_path() / *settings.file;
-    takeFile(metrics::readMetricsFile(path.string()), setup, problems);
+  if (const auto path = metricsFileOf(scenario, scenarioPath)) {
+    takeFile(metrics::readMetricsFile(*path), setup, problems);
   }
   metrics::Selection& selection = setup.selection;
   selection.window.from = settings.from.value_or(selection.window.from);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ struct MetricsSetup {
   bool hasFile = false;  // the scenario names a metrics file
 };
 
+/// The metrics file that a scenario names, where it lies.
+std::optional<std::string> metricsFileOf(const sim2d::Scenario& scenario,
+                                         const std::string& scenarioPath);
 /// The settings under `metrics` of a scenario; its file is relative to `scenarioPath`. Problems:
 /// a file that cannot be read, a parameter that is unknown or out of its range, a wrong window.
 base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,

@@ -1,6 +1,9 @@
 #include "app/run/PlannerFiles.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <string_view>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/external/CodePermission.h"
@@ -57,6 +60,17 @@ std::vector<std::string> filesOfCommand(const std::string& command) {
   return files;
 }
 
+/// An interpreter, or a command that runs another: "/usr/bin/python3.11".
+bool startsOthers(const std::string& program) {
+  constexpr std::string_view kNames[] = {
+      "python", "pypy",    "sh",      "bash", "dash",    "zsh",    "perl",  "ruby",
+      "node",   "java",    "lua",     "R",    "julia",   "env",    "nice",  "timeout",
+      "stdbuf", "taskset", "setarch", "ros",  "Rscript", "octave", "nodejs"};
+  std::string name = fs::path(program).filename().string();
+  name.erase(name.find_last_not_of("0123456789.") + 1);  // of its version
+  return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
+}
+
 }  // namespace
 
 std::string folderOfPlanners(const std::string& scenarioPath) {
@@ -100,15 +114,10 @@ std::vector<std::string> filesOf(const ForeignCode& code, const std::string& sce
   return {besideScenario(code.words, scenarioPath)};
 }
 
-std::optional<std::string> fileOf(const ForeignCode& code, const std::string& scenarioPath) {
-  std::vector<std::string> files = filesOf(code, scenarioPath);
-  const auto words = sim2d::commandWords(code.words);
-  const bool isByPath =
-      code.key == kCommandKey && words && words->front().find('/') == std::string::npos;
-  if (isByPath && !files.empty()) {
-    files.erase(files.begin());
-  }
-  return files.empty() ? std::nullopt : std::optional(files.front());
+std::optional<std::string> codeFileOf(const ForeignCode& code, const std::string& scenarioPath) {
+  const std::vector<std::string> files = filesOf(code, scenarioPath);
+  const auto found = std::find_if_not(files.begin(), files.end(), startsOthers);
+  return found == files.end() ? std::nullopt : std::optional(*found);
 }
 
 std::vector<std::string> filesThatPlannersRead(const sim2d::Scenario& scenario,

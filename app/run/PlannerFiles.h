@@ -29,10 +29,10 @@ base::Diagnostics tellForeignCode(const std::vector<ForeignCode>& code, base::Se
 /// Where the code lies, as far as files tell: the program, arguments of it that are files (a
 /// script), or the library.
 std::vector<std::string> filesOf(const ForeignCode& code, const std::string& scenarioPath);
-/// The one that holds it: the library, the program, or what a program found by PATH (an
-/// interpreter) is given first. Other arguments may be files that the code itself writes. Nothing:
-/// who knows.
-std::optional<std::string> fileOf(const ForeignCode& code, const std::string& scenarioPath);
+/// The one of them that holds the code: the library, the program, or the script where the program
+/// is a usual interpreter. Other arguments may be files that the code itself writes. Nothing: who
+/// knows.
+std::optional<std::string> codeFileOf(const ForeignCode& code, const std::string& scenarioPath);
 /// What planners read: recorded velocities.
 std::vector<std::string> filesThatPlannersRead(const sim2d::Scenario& scenario,
                                                const std::string& scenarioPath);

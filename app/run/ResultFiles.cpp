@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <vector>
@@ -79,8 +80,11 @@ std::string headLineOf(const Study& study, const std::vector<std::string>& colum
 }
 
 Json manifestOf(const Study& study, std::size_t finished, std::size_t failed) {
+  std::vector<InputHash> files = study.inputs;  // in whatever order runs have met them
+  std::sort(std::next(files.begin(), files.empty() ? 0 : 1), files.end(),
+            [](const InputHash& a, const InputHash& b) { return a.path < b.path; });
   Json inputs = Json::array();
-  for (const InputHash& input : study.inputs) {
+  for (const InputHash& input : files) {
     inputs.push_back({{"path", input.path}, {"sha256", input.sha256}});
   }
   const bool isComplete = finished == study.shard.runsOf(study.runs);

@@ -82,6 +82,10 @@ std::string rowText(const ResultRow& row) {
   for (const auto& [column, field] : row.fields) {
     json["fields"][column] = field;
   }
+  json["inputs"] = Json::array();
+  for (const InputHash& input : row.inputs) {
+    json["inputs"].push_back({input.path, input.sha256});
+  }
   return base::jsonText(json, -1);
 }
 
@@ -97,6 +101,9 @@ ResultRow rowOfText(const std::string& text) {
   row.simulated = json.value("simulated", "");
   for (const auto& [column, field] : json["fields"].items()) {
     row.fields.emplace_back(column, field.get<std::string>());
+  }
+  for (const Json& input : json.value("inputs", Json::array())) {
+    row.inputs.push_back({input.at(0).get<std::string>(), input.at(1).get<std::string>()});
   }
   return row;
 }

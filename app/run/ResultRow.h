@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/run/RunFolder.h"
+#include "app/run/SeenFiles.h"
 
 namespace app {
 
@@ -16,6 +17,7 @@ struct ResultRow {
   /// Columns behind those that every row has, with their fields as CSV has them: metrics of the
   /// first robot by their keys, then those of each other robot, `robot2.path_length`.
   std::vector<std::pair<std::string, std::string>> fields;
+  std::vector<InputHash> inputs;  // of the run; one that changed meanwhile comes twice
 };
 
 /// Metrics that say whether a run succeeded: the first of them that there is counts.

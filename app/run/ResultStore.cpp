@@ -224,6 +224,7 @@ base::Diagnostics ResultStore::readStudy() {
     const SqlStatement inputs(database_, "SELECT path, sha256 FROM inputs ORDER BY position");
     while (inputs.step()) {
       study_.inputs.push_back({inputs.text(0), inputs.text(1)});
+      hashes_[inputs.text(0)] = inputs.text(1);
     }
   }
   study_.version = entries["version"];
@@ -269,6 +270,30 @@ base::Diagnostics ResultStore::setTimeLimit(double seconds) {
   return {};
 }
 
+base::Diagnostics ResultStore::addInputs(const std::vector<InputHash>& inputs) {
+  base::Diagnostics problems;
+  for (const InputHash& input : inputs) {
+    const auto known = hashes_.find(input.path);
+    if (known != hashes_.end() && known->second != input.sha256) {
+      problems.push_back(base::error("batch.input-changed", {}, input.path));
+    }
+    if (known != hashes_.end() || input.sha256.empty() || !problems.empty()) {
+      continue;  // what was not there is told by the run
+    }
+    const SqlStatement statement(database_, "INSERT INTO inputs VALUES(?,?,?)");
+    statement.bind(1, static_cast<long long>(study_.inputs.size()));
+    statement.bind(2, input.path);
+    statement.bind(3, input.sha256);
+    statement.step();
+    if (sqlite3_errcode(database_) != SQLITE_DONE) {
+      return trouble("batch.cannot-store");
+    }
+    hashes_[input.path] = input.sha256;
+    study_.inputs.push_back(input);
+  }
+  return problems;
+}
+
 base::Diagnostics ResultStore::add(const StoredRun& run) {
   if (!insertion_) {  // also after close() of a former process made one plain file of it
     if (!this->run("PRAGMA journal_mode=WAL")) {
@@ -276,6 +301,10 @@ base::Diagnostics ResultStore::add(const StoredRun& run) {
     }
     insertion_ =
         std::make_unique<SqlStatement>(database_, "INSERT INTO runs VALUES(?,?,?,?,?,?,?,?)");
+  }
+  base::Diagnostics others = addInputs(run.row.inputs);
+  if (!others.empty()) {
+    return others;
   }
   const SqlStatement& to = *insertion_;
   to.bind(1, static_cast<long long>(run.run));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ struct Shard {
 struct Study {
   std::string version, commit;             // of the program
   std::string experimentPath, experiment;  // where the experiment lies, and its text
-  std::vector<InputHash> inputs;           // the experiment first
+  std::vector<InputHash> inputs;           // the experiment first, then what runs used
   std::vector<std::string> paths;          // of values, as they are columns
   std::vector<std::string> drawn;          // those of them that are drawn per scenario and seed
   std::size_t runs = 0;                    // of the experiment, over all shards
@@ -70,8 +71,10 @@ class ResultStore {
   bool isComplete() const { return finished_ == study_.shard.runsOf(study_.runs); }
   bool has(std::size_t run) const { return has_[run]; }
 
+  /// Inputs of the run belong to the study from then on. Errors: one of them is another file than
+  /// for the study; the run is not added then.
   base::Diagnostics add(const StoredRun& run);
-  /// That of the runs that are missing.
+  /// Of the runs that are missing.
   base::Diagnostics setTimeLimit(double seconds);
   /// All runs that are in it, by number.
   base::Diagnostics forEach(const std::function<void(const StoredRun&)>& visit) const;
@@ -85,6 +88,7 @@ class ResultStore {
   base::Diagnostics makeTables(const Study& study);
   base::Diagnostics readStudy();
   base::Diagnostics readRuns();
+  base::Diagnostics addInputs(const std::vector<InputHash>& inputs);
   bool run(const char* sql) const;
   base::Diagnostics trouble(const char* code) const;
 
@@ -92,7 +96,8 @@ class ResultStore {
   sqlite3* database_ = nullptr;
   std::unique_ptr<SqlStatement> insertion_;
   Study study_;
-  std::vector<bool> has_;  // by run
+  std::map<std::string, std::string> hashes_;  // of inputs, by path
+  std::vector<bool> has_;                      // by run
   std::size_t finished_ = 0, failed_ = 0;
 };
 

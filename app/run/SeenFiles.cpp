@@ -8,9 +8,17 @@
 
 namespace app {
 
+namespace {
+
+auto parts(const std::timespec& time) {
+  return std::make_pair(time.tv_sec, time.tv_nsec);
+}
+
+}  // namespace
+
 bool SeenFiles::Stamp::operator==(const Stamp& other) const {
   const auto all = [](const Stamp& stamp) {
-    return std::tie(stamp.seconds, stamp.nanoseconds, stamp.size, stamp.device, stamp.inode);
+    return std::make_tuple(parts(stamp.time), stamp.size, stamp.device, stamp.inode);
   };
   return all(*this) == all(other);
 }
@@ -20,36 +28,48 @@ std::optional<SeenFiles::Stamp> SeenFiles::stampOf(const std::string& path) {
   if (::stat(path.c_str(), &status) != 0) {
     return std::nullopt;
   }
-  return Stamp{status.st_ctim.tv_sec, status.st_ctim.tv_nsec, status.st_size, status.st_dev,
-               status.st_ino};
+  return Stamp{status.st_ctim, status.st_size, status.st_dev, status.st_ino};
 }
 
 std::size_t SeenFiles::look(const std::string& path) {
-  const auto found = std::find_if(hashes_.begin(), hashes_.end(),
-                                  [&path](const InputHash& each) { return each.path == path; });
-  if (found == hashes_.end()) {
+  const auto [place, isNew] = numbers_.emplace(path, files_.size());
+  if (isNew) {
     stamps_.push_back(stampOf(path));  // before it is read
-    hashes_.push_back({path, sha256OfFile(path).value_or("")});
-    return hashes_.size() - 1;
+    files_.push_back({path, sha256OfFile(path).value_or("")});
   }
-  return static_cast<std::size_t>(found - hashes_.begin());
+  return place->second;
 }
 
-std::vector<std::string> SeenFiles::changed(const std::vector<std::size_t>& numbers) {
-  std::vector<std::string> others;
+std::vector<InputHash> SeenFiles::thenAndNow(const std::vector<std::size_t>& numbers) {
+  std::vector<InputHash> found;
   for (const std::size_t number : numbers) {
-    const InputHash& input = hashes_[number];
-    const std::optional<Stamp> now = stampOf(input.path);
+    const InputHash& then = files_[number];
+    found.push_back(then);
+    const std::optional<Stamp> now = stampOf(then.path);
     if (now == stamps_[number]) {
       continue;
     }
-    if (sha256OfFile(input.path).value_or("") == input.sha256) {
-      stamps_[number] = now;  // written again, or touched
+    const std::string hash = sha256OfFile(then.path).value_or("");
+    if (hash == then.sha256) {
+      stamps_[number] = now;  // the same was written again
     } else {
-      others.push_back(input.path);
+      found.push_back({then.path, hash});
     }
   }
-  return others;
+  return found;
+}
+
+std::timespec SeenFiles::now() {
+  std::timespec time = {};
+  ::clock_gettime(CLOCK_REALTIME_COARSE, &time);
+  return time;
+}
+
+bool SeenFiles::areWrittenSince(const std::vector<std::size_t>& numbers,
+                                const std::timespec& time) const {
+  return std::any_of(numbers.begin(), numbers.end(), [&](std::size_t number) {
+    return stamps_[number] && parts(stamps_[number]->time) >= parts(time);
+  });
 }
 
 }  // namespace app

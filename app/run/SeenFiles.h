@@ -1,42 +1,50 @@
 #pragma once
 
+#include <ctime>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include "sim2d/base/Result.h"
 
 namespace app {
 
 /// A file and what stood in it.
 struct InputHash {
-  std::string path, sha256;
+  std::string path, sha256;  // no hash: it was not there, or could not be read
 };
 
-/// Files as they were when they were first looked at, for who reads them later, again and again,
-/// and wants the same each time. One thread.
+/// Files as they were when they were first looked at, for who reads them again and again and wants
+/// the same each time. One thread.
 class SeenFiles {
  public:
   /// The number of a file; it is looked at the first time.
   std::size_t look(const std::string& path);
-  /// All of them, by number; without a hash what could not be read.
-  const std::vector<InputHash>& hashes() const { return hashes_; }
+  /// All of them, by number, as they were then.
+  const std::vector<InputHash>& all() const { return files_; }
 
-  /// Paths of those that hold something else by now, or are gone. Reads only what was written
-  /// since.
-  std::vector<std::string> changed(const std::vector<std::size_t>& numbers);
+  /// These as they were then; one that holds something else by now, or is gone, comes twice, the
+  /// second time as it is. Reads only what was written meanwhile.
+  std::vector<InputHash> thenAndNow(const std::vector<std::size_t>& numbers);
+
+  /// By the clock of files.
+  static std::timespec now();
+  /// Whether one of these was written at that time or later: who has read it since may have read
+  /// something else than was looked at.
+  bool areWrittenSince(const std::vector<std::size_t>& numbers, const std::timespec& time) const;
 
  private:
-  /// What changes whenever a file is written or another takes its place.
+  /// Changes whenever a file is written or another takes its place.
   struct Stamp {
-    long long seconds = 0, nanoseconds = 0, size = 0;
+    std::timespec time = {};
+    long long size = 0;
     unsigned long long device = 0, inode = 0;
     bool operator==(const Stamp& other) const;
   };
   static std::optional<Stamp> stampOf(const std::string& path);
 
-  std::vector<InputHash> hashes_;
+  std::vector<InputHash> files_;
   std::vector<std::optional<Stamp>> stamps_;  // nothing: it was not there
+  std::map<std::string, std::size_t> numbers_;
 };
 
 }  // namespace app

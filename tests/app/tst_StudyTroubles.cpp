@@ -59,6 +59,30 @@ class StudyTroublesTest : public QObject {
     QVERIFY2(partly.err.contains(text("not complete: 0 of 2 runs")), qPrintable(partly.err));
   }
 
+  /// Two definitions of a metric do not belong into one table.
+  void merge_anotherMetricsFile_isRefused() {
+    const QString metrics = folder_.path(text("own_metrics.yaml"));
+    const QString scenario = folder_.path(text("own.yaml"));
+    outside::writeText(
+        scenario, QByteArray(outside::kYardText) + "    metrics:\n      file: own_metrics.yaml\n");
+    const QString experiment = folder_.path(text("own_e.yaml"));
+    outside::writeText(experiment,
+                       "hunavsim_experiment: 1\nscenarios: [own.yaml]\nseeds: 2\n"
+                       "duration: 0.5\n");
+    QStringList merge = {text("merge"), text("-o"), folder_.path(text("own_all"))};
+    for (const char* shard : {"1/2", "2/2"}) {
+      outside::writeText(metrics, QByteArray("metrics: {path_length: true}\n# ") + shard + "\n");
+      merge << folder_.path(text("own_%1").arg(text(shard).left(1)));
+      const Finished made =
+          runProgram(StudyFolder::words(experiment, merge.back(), {text("--shard"), text(shard)}));
+      QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    }
+    const Finished found = runProgram(merge);
+    QCOMPARE(found.exitCode, 2);
+    QVERIFY2(found.err.contains(text("own_metrics.yaml: error: this file is another one")),
+             qPrintable(found.err));
+  }
+
   void twoBatches_inOneFolder_theSecondIsRefused() {
     const QString out = folder_.path(text("busy"));
     Running first(StudyFolder::words(folder_.endless(), out, {text("--jobs"), text("1")}));
@@ -114,28 +138,26 @@ class StudyTroublesTest : public QObject {
     const QString experiment = folder_.path(text("edited/e.yaml"));
     outside::writeText(scenario, outside::kYardText);
     outside::writeText(experiment,
-                       "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 2\n"
-                       "duration: 900000.0\n");
+                       "hunavsim_experiment: 1\nscenarios: [yard.yaml]\nseeds: 3\n"
+                       "duration: 4000.0\n");
     const QString out = folder_.path(text("edited/out"));
-    const auto words = [&](const char* limit, const QStringList& more) {
-      return StudyFolder::words(
-          experiment, out,
-          QStringList{text("--jobs"), text("1"), text("--time-limit"), text(limit)} + more);
-    };
-    Running batch(words("2", {}));
+    const QStringList words =
+        StudyFolder::words(experiment, out, {text("--jobs"), text("1"), text("--resume")});
+    Running batch(words);
     QTRY_VERIFY_WITH_TIMEOUT(!batch.workers().empty(), 20000);
     outside::writeText(scenario,
                        QByteArray(outside::kYardText).replace("max_vel: 1.2", "max_vel: 1.3"));
     const Finished found = batch.wait();
     QCOMPARE(found.exitCode, 2);
     QVERIFY2(found.err.contains(text("yard.yaml: error: this file has changed while")) &&
-                 found.err.contains(text("after 0 of 2 runs")),
+                 found.err.contains(text(" of 3 runs: batch --resume goes on")),
              qPrintable(found.err));
-    QCOMPARE(runProgram(words("0.2", {text("--resume")})).exitCode, 2);
+    const Finished other = runProgram(words);
+    QCOMPARE(other.exitCode, 2);
+    QVERIFY2(other.err.contains(text("this file is another one")), qPrintable(other.err));
     outside::writeText(scenario, outside::kYardText);
-    QCOMPARE(runProgram(words("0.2", {text("--resume")})).exitCode, 1);  // late, both
-    QCOMPARE(outside::readCsv(out + text("/results.csv")).size(), std::size_t{2});
-    QVERIFY(bytesOf(out + text("/manifest.json")).contains("\"time_limit\": 0.2"));
+    QCOMPARE(runProgram(words).exitCode, 0);
+    QCOMPARE(outside::readCsv(out + text("/results.csv")).size(), std::size_t{3});
   }
 
   void damagedDatabase_isToldAndKept() {

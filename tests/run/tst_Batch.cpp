@@ -240,66 +240,83 @@ class BatchTest : public QObject {
     QCOMPARE(rows[1].fields[0].second, std::string(3'000'000, 'b'));
   }
 
-  /// Those of the first values, of the others beside them, and code of others.
-  void inputs_ofAllValues_areKnown() {
+  /// Whatever names them, alone or together with another value; of code what holds it.
+  void inputs_areThoseOfTheRun() {
     const auto write = [this](const char* name, const std::string& text) {
       return base::writeFileAtomically(path(name), text).empty();
     };
     QVERIFY(write("first.xml", "<root/>") && write("own.xml", "<root> </root>"));
     QVERIFY(write("follow.so", "no library") && write("velocities.csv", "t,v,w\n"));
+    QVERIFY(write("follow.sh", "exit\n") && write("log.txt", "its own"));
     const std::string trees = path("first.xml") + ", " + path("own.xml") + ", lost.xml";
     const auto robot = [](const std::string& planner) {
       return "    - {start: {x: 1.0, y: 2.0}, goal: {x: 3.0, y: 2.0}, planner: " + planner + "}\n";
     };
-    QVERIFY(write("follow.sh", "exit\n") && write("log.txt", "its own"));
-    QVERIFY(write("i.yaml",
-                  "hunavsim_experiment: 1\n"
-                  "scenarios: [" SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml]\n"
-                  "values:\n  Ana.max_vel: [1.0, 1.5]\n  Ana.tree: [" +
-                      trees + "]\n  robot1:\n" +
-                      robot("library, planner_parameters: {file: " + path("follow.so") + "}") +
-                      robot("external, command: sh " + path("follow.sh") + " " + path("log.txt")) +
-                      robot("replay, planner_parameters: {file: " + path("velocities.csv") + "}")));
+    QVERIFY(
+        write("i.yaml",
+              "hunavsim_experiment: 1\nduration: 0.1\n"
+              "scenarios: [" SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml]\n"
+              "values:\n  Ana.tree: [" +
+                  trees + "]\n  robot1:\n" +
+                  robot("library, planner_parameters: {file: " + path("follow.so") + "}") +
+                  robot("external, command: /bin/sh " + path("follow.sh") + " " + path("log.txt")) +
+                  robot("replay, planner_parameters: {file: " + path("velocities.csv") + "}")));
     const base::Result<app::Experiment> study = app::readExperiment(path("i.yaml"));
     QVERIFY2(study, study.diagnostics().empty() ? "" : study.diagnostics().front().text().c_str());
     app::ExperimentRunner runner(*study, {}, {});
     runner.check();  // that the library is none is told elsewhere
-    std::map<std::string, std::string> hashes;
-    for (const app::InputHash& input : runner.inputs()) {
-      QVERIFY2(hashes.emplace(input.path, input.sha256).second, input.path.c_str());
-    }
-    for (const char* name : {"first.xml", "own.xml", "follow.so", "follow.sh", "velocities.csv"}) {
-      QCOMPARE(hashes[path(name)], *app::sha256OfFile(path(name)));
-    }
-    QCOMPARE(hashes.count(path("lost.xml")) + hashes.count(path("log.txt")), std::size_t{0});
-    QCOMPARE(hashes.count("/usr/bin/sh") + hashes.count("/bin/sh"), std::size_t{0});
-    QVERIFY(hashes.count(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml") == 1);
+    const auto hashes = [this](const std::vector<app::InputHash>& inputs) {
+      std::set<std::string> names;
+      for (const char* name : {"first.xml", "own.xml", "lost.xml", "follow.so", "follow.sh",
+                               "log.txt", "velocities.csv"}) {
+        for (const app::InputHash& input : inputs) {
+          if (input.path == path(name) && input.sha256 == app::sha256OfFile(path(name))) {
+            names.insert(name);
+          }
+        }
+      }
+      return names;
+    };
+    using Names = std::set<std::string>;
+    QVERIFY(hashes(runner.inputs()) == Names({"first.xml", "follow.so"}));
+    QVERIFY(hashes(runner.run(0)->inputs) == Names({"first.xml", "follow.so"}));
+    QVERIFY(hashes(runner.run(4)->inputs) == Names({"own.xml", "follow.sh"}));
+    QVERIFY(hashes(runner.run(8)->inputs) == Names({"velocities.csv"}));  // the tree is lost
   }
 
-  void input_changed_isToldAsLongAsItIs() {
-    const std::string cafe = SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml";
-    const std::string copy = path("cafe_agents.yaml");
-    const std::string text = *base::readTextFile(cafe);
-    QVERIFY(base::writeFileAtomically(copy, text).empty());
-    QVERIFY(base::writeFileAtomically(path("c.yaml"), "hunavsim_experiment: 1\nscenarios: [" +
-                                                          cafe + ", cafe_agents.yaml]\nseeds: 2\n")
-                .empty());
+  void inputs_changed_areToldTwice() {
+    const std::string text =
+        *base::readTextFile(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
+    const auto write = [this](const char* name, const std::string& content) {
+      return base::writeFileAtomically(path(name), content).empty();
+    };
+    QVERIFY(write("cafe_agents.yaml", text));
+    QVERIFY(write("c.yaml",
+                  "hunavsim_experiment: 1\nscenarios: [cafe_agents.yaml]\nseeds: 2\n"
+                  "duration: 0.1\n"));
     const app::Experiment study = *app::readExperiment(path("c.yaml"));
     app::ExperimentRunner runner(study, {}, {});
     runner.check();
-    QVERIFY(runner.changedInputs(3).empty());
-    QVERIFY(base::writeFileAtomically(copy, text).empty());  // the same again
-    QVERIFY(runner.changedInputs(3).empty());
-    QVERIFY(base::writeFileAtomically(copy, text + "# more\n").empty());
-    const base::Diagnostics told = runner.changedInputs(3);
-    QCOMPARE(told.size(), std::size_t{1});
-    QCOMPARE(told.front().code, std::string_view("batch.input-changed"));
-    QCOMPARE(told.front().file, copy);
-    QVERIFY(runner.changedInputs(1).empty());  // of the other scenario
-    QVERIFY(base::writeFileAtomically(copy, text).empty());
-    QVERIFY(runner.changedInputs(2).empty());
-    std::filesystem::remove(copy);
-    QCOMPARE(runner.changedInputs(2).size(), std::size_t{1});
+    const auto told = [&](std::size_t run) {
+      std::vector<std::string> hashes;
+      const base::Result<app::ResultRow> row = runner.run(run);
+      for (const app::InputHash& input : row->inputs) {
+        if (input.path == path("cafe_agents.yaml")) {
+          hashes.push_back(input.sha256);
+        }
+      }
+      return hashes;
+    };
+    const std::string was = app::sha256Of(text), is = app::sha256Of(text + "# more\n");
+    QVERIFY(told(0) == std::vector<std::string>{was});
+    QVERIFY(write("cafe_agents.yaml", text));  // the same again
+    QVERIFY(told(1) == std::vector<std::string>{was});
+    QVERIFY(write("cafe_agents.yaml", text + "# more\n"));
+    QVERIFY(told(0) == std::vector<std::string>({was, is}));
+    QVERIFY(write("cafe_agents.yaml", text));
+    QVERIFY(told(1) == std::vector<std::string>{was});
+    std::filesystem::remove(path("cafe_agents.yaml"));
+    QVERIFY(told(0) == std::vector<std::string>({was, ""}));
   }
 
   /// What a worker did before leaves no trace: the same rows in any order, in one process or many.

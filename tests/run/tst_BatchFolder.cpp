@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "app/run/BatchFolder.h"
+#include "app/run/Sha256.h"
 #include "sim2d/base/Text.h"
 #include "tests/support/StruckCalls.h"
 
@@ -99,6 +100,74 @@ class BatchFolderTest : public QObject {
       QCOMPARE(textOf("results.csv"), std::string("my remarks\n"));
     }
     QVERIFY(work(0, 3, Earlier::Replace));
+  }
+
+  /// What a run has used belongs to the study: another file in its place is refused, in the run
+  /// that met it, in later ones, and in those of other shards.
+  void inputs_ofRuns_stayAsTheyAre() {
+    const std::string tree = place_->path().toStdString() + "/b.xml";
+    QVERIFY(base::writeFileAtomically(tree, "<root/>").empty());
+    const std::string hash = app::sha256Of("<root/>");
+    {
+      const auto batch = *BatchFolder::open(folder(), study(), Earlier::Refuse);
+      app::StoredRun run = runOf(0);
+      run.row.inputs = {{"a.xml", "11"}, {tree, hash}, {"lost.xml", ""}};
+      QVERIFY(batch->add(run).empty());
+      run = runOf(1);
+      run.row.inputs = {{"a.xml", "11"}, {"a.xml", "12"}, {"c.xml", "13"}};
+      const base::Diagnostics told = batch->add(run);
+      QCOMPARE(told.size(), std::size_t{1});
+      QCOMPARE(told.front().code, std::string_view("batch.input-changed"));
+      QCOMPARE(told.front().file, std::string("a.xml"));
+      QVERIFY(!batch->store().has(1));
+      QVERIFY(batch->finish().empty());
+    }
+    const std::string manifest = textOf("manifest.json");
+    QVERIFY2(
+        manifest.find("e.yaml") < manifest.find("/b.xml") &&
+            manifest.find("/b.xml") < manifest.find("a.xml"),  // by path, behind the experiment
+        manifest.c_str());
+    QVERIFY(manifest.find("c.xml") == std::string::npos);
+    QVERIFY(manifest.find("lost.xml") == std::string::npos);
+    const auto filesTold = [this](const app::Study& now) {
+      std::vector<std::string> files;
+      const auto batch = BatchFolder::open(folder(), now, Earlier::Resume);
+      for (const base::Diagnostic& problem : batch.diagnostics()) {
+        files.push_back(problem.file);
+      }
+      return files;
+    };
+    using Files = std::vector<std::string>;
+    QVERIFY(filesTold(study()) == Files{"a.xml"});  // is not there
+    app::Study now = study();
+    now.inputs.push_back({"a.xml", "11"});
+    QVERIFY(filesTold(now).empty());
+    now.inputs.push_back({"new.xml", "14"});
+    QVERIFY(filesTold(now) == Files{"new.xml"});
+    now.inputs = {{"e.yaml", "00"}, {"a.xml", "15"}};
+    QVERIFY(filesTold(now) == Files{"a.xml"});
+    now.inputs = {{"e.yaml", "00"}, {"a.xml", "11"}};
+    QVERIFY(base::writeFileAtomically(tree, "<root></root>").empty());
+    QVERIFY(filesTold(now) == Files{tree});
+  }
+
+  /// It is that of the runs that are missing, and stays where none is told.
+  void timeLimit_resumed_isTheLastOne() {
+    const auto limitAfter = [this](double limit, std::size_t run) {
+      app::Study now = study();
+      now.timeLimit = limit;
+      const auto batch = BatchFolder::open(folder(), now, Earlier::Resume);
+      if (!batch || (!(*batch)->store().has(run) && !(*batch)->add(runOf(run)).empty()) ||
+          !(*batch)->finish().empty()) {
+        return -1.0;
+      }
+      return (*batch)->store().study().timeLimit;
+    };
+    QCOMPARE(limitAfter(0.5, 0), 0.5);
+    QCOMPARE(limitAfter(0.0, 1), 0.5);
+    QVERIFY(textOf("manifest.json").find("\"time_limit\": 0.5") != std::string::npos);
+    QCOMPARE(limitAfter(2.0, 2), 2.0);
+    QCOMPARE(limitAfter(3.0, 2), 2.0);  // nothing is missing
   }
 };
 

@@ -104,16 +104,14 @@ base::Diagnostics makeRuns(const Experiment& experiment, ExperimentRunner& runne
   BatchJob job;
   job.runs = folder.missing();
   job.jobs = options.jobs > 0 ? options.jobs : cores;
-  job.timeLimit = options.timeLimit > 0.0 ? options.timeLimit : job.timeLimit;
+  const double limit = store.study().timeLimit;
+  job.timeLimit = limit > 0.0 ? limit : job.timeLimit;
   job.make = [&](std::size_t run) { return runner.run(run); };
   job.take = [&](std::size_t run, const ResultRow& row) {
     const Experiment::Run values = experiment.run(run);
     const StoredRun stored{run, experiment.scenarios[values.scenario], values.seed, values.values,
                            row};
-    base::Diagnostics problems = runner.changedInputs(run);
-    if (problems.empty()) {
-      problems = folder.add(stored);
-    }
+    base::Diagnostics problems = folder.add(stored);
     if (options.rows && problems.empty()) {
       printRow(stored);
     }
@@ -178,7 +176,7 @@ void addBatch(CommandRegistry& commands) {
           ->check(shardProblem);
   command
       .add_option("--time-limit", options.timeLimit,
-                  "Seconds of wall time after which a run has failed")
+                  "Seconds of wall time after which a run has failed (--resume: as before)")
       ->check(CLI::PositiveNumber);
   command
       .add_option("--script", options.script,
