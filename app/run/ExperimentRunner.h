@@ -29,8 +29,8 @@ class ExperimentRunner {
   /// Files that the first runs of the scenarios use, each once; known after check().
   const std::vector<InputHash>& inputs() const { return seen_.all(); }
 
-  /// Errors: files of the run could not be written. A run that fails is a row. Its inputs are those
-  /// that this process has met first.
+  /// Errors: files of the run could not be written. A run that fails is a row. Its inputs are the
+  /// files as this process has met them first, and once more those that are others by the end.
   base::Result<ResultRow> run(std::size_t index);
 
  private:
