@@ -24,12 +24,12 @@ RunSettings settingsOf(const Experiment& experiment) {
 
 /// What was read before may be kept; what was written since it was looked at is read again.
 Bundle ExperimentRunner::read(std::size_t index, const RunSettings& settings, Used& used) {
-  constexpr int kMostTries = 5;
-  for (int tries = 1;; ++tries) {
+  constexpr int kMostReads = 5;
+  for (int reads = 1;; ++reads) {
     const std::timespec before = SeenFiles::now();
     Bundle bundle = readBundle(experiment_.optionsOf(index), settings, *files_);
     used = filesOf(bundle);
-    if (tries == kMostTries || !seen_.areWrittenSince(used, before)) {
+    if (reads == kMostReads || !seen_.areWrittenSince(used, before)) {
       return bundle;
     }
     files_ = std::make_unique<KnownFiles>(loader_);
@@ -49,11 +49,11 @@ const ExperimentRunner::Used& ExperimentRunner::filesOf(const Bundle& bundle) {
   if (usedBy_.size() >= kMostKnown) {
     usedBy_.clear();
   }
-  Used used;
+  Used& used = usedBy_[names];
   for (const std::string& path : inputFilesOf(bundle)) {
     used.push_back(seen_.look(path));
   }
-  return usedBy_[names] = std::move(used);
+  return used;
 }
 
 base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario) {

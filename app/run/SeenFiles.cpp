@@ -42,6 +42,7 @@ std::size_t SeenFiles::look(const std::string& path) {
 
 std::vector<InputHash> SeenFiles::thenAndNow(const std::vector<std::size_t>& numbers) {
   std::vector<InputHash> found;
+  found.reserve(numbers.size());
   for (const std::size_t number : numbers) {
     const InputHash& then = files_[number];
     found.push_back(then);

@@ -132,6 +132,7 @@ class BatchFolderTest : public QObject {
     const auto filesTold = [this](const app::Study& now) {
       std::vector<std::string> files;
       const auto batch = BatchFolder::open(folder(), now, Earlier::Resume);
+      files.reserve(batch.diagnostics().size());
       for (const base::Diagnostic& problem : batch.diagnostics()) {
         files.push_back(problem.file);
       }
