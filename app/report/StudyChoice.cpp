@@ -84,6 +84,7 @@ std::string shortPath(const std::string& path) {
   return dot == std::string::npos ? path : path.substr(dot + 1);
 }
 
+/// Fills in the study from its results and the wishes, and says what is wrong with the wishes.
 class StudyChoice {
  public:
   StudyChoice(const Wishes& wishes, Study& study) : wishes_(wishes), study_(study) {}
