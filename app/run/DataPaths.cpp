@@ -88,8 +88,5 @@ std::optional<base::Diagnostic> unknownScenario(const std::string& word,
 std::string programVersion() {
   return HUNAVSIM_VERSION;
 }
-std::string programCommit() {
-  return HUNAVSIM_COMMIT;
-}
 
 }  // namespace app
