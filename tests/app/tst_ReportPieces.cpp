@@ -283,9 +283,9 @@ class ReportPiecesTest : public QObject {
     rare[3] = rare[50] = rare[99] = {1.0, 0.0};
     const Study few = pairedStudy(rare);
     QCOMPARE(compare(few, 0, blocksOf(few)).pairs[0].enoughPairs, 391.0);
-    std::vector<std::array<double, 2>> some;
-    for (int k = 0; k < 10; ++k) {
-      some.push_back({k < 8 ? 2.0 + 0.1 * k : 1.0, 1.0});
+    std::vector<std::array<double, 2>> some(10, {1.0, 1.0});
+    for (int k = 0; k < 8; ++k) {
+      some[k][0] = 2.0 + 0.1 * k;
     }
     const Study most = pairedStudy(some);
     QCOMPARE(compare(most, 0, blocksOf(most)).pairs[0].enoughPairs, 14.0);
