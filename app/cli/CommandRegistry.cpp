@@ -27,6 +27,9 @@ void addAllCommands(CommandRegistry& to);  // written by CMake
 
 namespace {
 
+/// Fontconfig, which Qt asks for fonts when it begins, falls where memory ends.
+constexpr std::size_t kForFonts = std::size_t{16} << 20;  // [bytes]
+
 /// Numbers are read without a locale, whatever the user's is.
 template <class Application>
 int within(Invocation& given, const CommandRegistry::Action& action) {
@@ -130,6 +133,9 @@ int CommandRegistry::start(Invocation given) const {
   const Command& command = commands_.at(chosen.front()->get_name());
   const Drawing drawing = command.drawing();
   prepareDrawing(drawing);
+  if (drawing != Drawing::None) {
+    requireMemory(kForFonts);
+  }
   switch (drawing) {
     case Drawing::Widgets:
       return within<QApplication>(given, command.action);

@@ -50,4 +50,12 @@ void setMemoryAside() {
   }
 }
 
+void requireMemory(std::size_t bytes) {
+  void* volatile room = std::malloc(bytes);  // volatile: an optimiser would leave both calls out
+  if (room == nullptr) {
+    throw std::bad_alloc();
+  }
+  std::free(room);
+}
+
 }  // namespace app

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 namespace app {
 
 /// For the whole program, from every thread. When memory ends, std::bad_alloc is thrown as ever,
@@ -7,5 +9,9 @@ namespace app {
 /// on the way to whoever tells it (those of nlohmann::json do). Where that is not enough either,
 /// the program ends with the same line and exit code, not by a signal; no destructor runs then.
 void setMemoryAside();
+
+/// Throws std::bad_alloc where so much [bytes] cannot be had now: before libraries are called that
+/// do not look at what malloc hands out.
+void requireMemory(std::size_t bytes);
 
 }  // namespace app
