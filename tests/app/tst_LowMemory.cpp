@@ -77,11 +77,12 @@ class LowMemoryTest : public QObject {
 
   void command_withLittleMemory_endsWithALine_data() {
     QTest::addColumn<QStringList>("words");
-    QTest::addColumn<int>("rangeKiB");
+    QTest::addColumn<int>("from");  // [KiB] more than the least
+    QTest::addColumn<int>("until");
     QTest::addColumn<int>("step");
     const QString scenario = text(SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml");
     const auto row = [](const char* name, const QStringList& words) {
-      QTest::newRow(name) << words << kRangeKiB << stepKiB();
+      QTest::newRow(name) << words << 0 << kRangeKiB << stepKiB();
     };
     row("check", {text("check"), scenario, text("--map"), path("room.yaml")});
     row("run", {text("run"), scenario, text("--map"), path("room.yaml"), text("--duration"),
@@ -93,8 +94,8 @@ class LowMemoryTest : public QObject {
     // No picture: Qt's painter does not look at what malloc hands out.
     const QStringList page{text("render"), path("run"), text("-o"), path("run.html")};
     row("page", page);
-    // Qt's plugin is in, its fonts are not: for a quarter of a MiB.
-    QTest::newRow("page in small steps") << page << 8 * 1024 << 128;
+    // Qt's plugin is in, its fonts are not: for some 150 KiB.
+    QTest::newRow("page in small steps") << page << -1024 << 2048 << 32;
     row("from", {text("run"), text("--from"), path("run@3"), text("--seed"), text("5"), text("-q"),
                  text("--force"), text("-o"), path("from")});
     row("futures", {text("futures"), path("run@3"), text("--seeds"), text("2"), text("--horizon"),
@@ -107,12 +108,16 @@ class LowMemoryTest : public QObject {
   }
   void command_withLittleMemory_endsWithALine() {
     QFETCH(QStringList, words);
-    QFETCH(int, rangeKiB);
+    QFETCH(int, from);
+    QFETCH(int, until);
     QFETCH(int, step);
     int failures = 0;
-    for (int kib = least_; kib < least_ + rangeKiB; kib += step) {
+    for (int kib = least_ + from; kib < least_ + until; kib += step) {
       const Finished finished = runWithin(kib, words);
       const QByteArray where = QByteArray::number(kib) + " KiB: " + finished.err.toUtf8();
+      if (from < 0 && finished.err.contains(text("error while loading shared libraries"))) {
+        continue;  // it has not begun
+      }
       QVERIFY2(finished.exitCode == 0 || finished.exitCode == 1, where.constData());
       if (finished.exitCode != 0) {
         const QByteArray told =
