@@ -284,8 +284,8 @@ class ReportPiecesTest : public QObject {
     const Study few = pairedStudy(rare);
     QCOMPARE(compare(few, 0, blocksOf(few)).pairs[0].enoughPairs, 391.0);
     std::vector<std::array<double, 2>> some(10, {1.0, 1.0});
-    for (int k = 0; k < 8; ++k) {
-      some[k][0] = 2.0 + 0.1 * k;
+    for (std::size_t k = 0; k < 8; ++k) {
+      some[k][0] = 2.0 + 0.1 * static_cast<double>(k);
     }
     const Study most = pairedStudy(some);
     QCOMPARE(compare(most, 0, blocksOf(most)).pairs[0].enoughPairs, 14.0);
