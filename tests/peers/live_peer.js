@@ -61,7 +61,10 @@ function clockAfter(count) {
 async function play() {
   await clockAfter(0);
   report.paused = await call("/hunavsim/pause", { data: true });
-  await new Promise((resolve) => setTimeout(resolve, 200));  // what was under way
+  for (let seen = 0; seen !== report.clocks.length; ) {  // what was under way
+    seen = report.clocks.length;
+    await new Promise((resolve) => setTimeout(resolve, 300));
+  }
   const before = report.clocks.length;
   for (let i = 0; i < 3; ++i) {
     report.stepped = await call("/hunavsim/step", {});
