@@ -174,7 +174,7 @@ class RunsAndFuturesTest : public QObject {
     QTest::mouseDClick(runs().list().viewport(), Qt::LeftButton, {}, name);
     QTRY_COMPARE(runner().branch(), 0);
     QCOMPARE(runner().recording(), first);
-    QTRY_COMPARE(runs().comparison().partings(), text("B is the same"));
+    QTRY_COMPARE_WITH_TIMEOUT(runs().comparison().partings(), text("B is the same"), 30000);
   }
 
   void futures_fromTheMoment_areDrawnAndCounted() {
@@ -279,7 +279,8 @@ class RunsAndFuturesTest : public QObject {
                  .exitCode,
              0);
     runs().addRecorded(other);
-    QTRY_COMPARE(runs().comparison().partings(), text("B is of another scenario"));
+    QTRY_COMPARE_WITH_TIMEOUT(runs().comparison().partings(), text("B is of another scenario"),
+                              30000);
   }
 
   void run_ofAFolderThatIsNone_isTold() {
