@@ -1,37 +1,41 @@
 # Writes what app::programCommit() says: cmake -DSOURCE=FOLDER -DOUTPUT=FILE -P Commit.cmake. The commit;
-# where what the program is made of differs from it, with "-dirty-" and a hash of the difference; so
-# two programs of one commit are told apart. FILE keeps its time where nothing changes.
+# where files that the program is made of differ from it, with "-dirty-" and a hash of what they hold;
+# so two programs of one commit are told apart. FILE keeps its time where nothing changes.
 cmake_minimum_required(VERSION 3.22)
 set(parts app bt editor metrics resources sim2d CMakeLists.txt CMakePresets.json scripts/*.cmake
     :!*.md)
 set(ENV{GIT_OPTIONAL_LOCKS} 0)
 
-# git(<output> <words…>): empty where it fails.
+# git(<output> <words…>): a list of the lines; NOTFOUND where git fails, which counts as a difference.
 function(git output)
-  execute_process(COMMAND git ${ARGN} WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE status
-                  OUTPUT_VARIABLE text OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  execute_process(COMMAND git -c core.quotePath=false ${ARGN} WORKING_DIRECTORY ${SOURCE}
+                  RESULT_VARIABLE status OUTPUT_VARIABLE text ERROR_QUIET
+                  OUTPUT_STRIP_TRAILING_WHITESPACE)
   if(NOT status EQUAL 0)
-    set(text "")
+    set(text NOTFOUND)
   endif()
+  string(REPLACE "\n" ";" text "${text}")
   set(${output} "${text}" PARENT_SCOPE)
 endfunction()
 
-set(commit "")
+set(commit NOTFOUND)
 if(EXISTS ${SOURCE}/.git)  # not that of a folder around an unpacked archive
   git(commit rev-parse --short=12 HEAD)
 endif()
 if(commit)
-  git(difference diff HEAD --binary --no-ext-diff --no-textconv -- ${parts})
+  git(changed diff HEAD --name-only --no-renames --no-ext-diff -- ${parts})
   git(added ls-files --others --exclude-standard -- ${parts})
-  string(REPLACE "\n" ";" added "${added}")
-  foreach(file IN LISTS added)
+  set(held "")
+  foreach(file IN LISTS changed added)
+    set(hash gone)
     if(EXISTS "${SOURCE}/${file}")
       file(SHA256 "${SOURCE}/${file}" hash)
-      string(APPEND difference "\n${file} ${hash}")
     endif()
+    list(APPEND held "${hash} ${file}")
   endforeach()
-  if(NOT difference STREQUAL "")
-    string(SHA256 hash "${difference}")
+  if(held)
+    list(SORT held)
+    string(SHA256 hash "${held}")
     string(SUBSTRING ${hash} 0 8 hash)
     string(APPEND commit "-dirty-${hash}")
   endif()
