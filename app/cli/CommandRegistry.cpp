@@ -27,7 +27,7 @@ void addAllCommands(CommandRegistry& to);  // written by CMake
 
 namespace {
 
-/// Fontconfig, which Qt asks for fonts when it begins, falls where memory ends.
+/// Fontconfig, which Qt asks for fonts when it begins, crashes where memory ends.
 constexpr std::size_t kForFonts = std::size_t{16} << 20;  // [bytes]
 
 /// Numbers are read without a locale, whatever the user's is.
@@ -127,7 +127,8 @@ int CommandRegistry::start(Invocation given) const {
   given.quiet = quiet_;
   given.json = json_;
   const std::vector<CLI::App*> chosen = root_.get_subcommands();
-  if (chosen.empty()) {
+  if (chosen.empty()) {  // the window
+    requireMemory(kForFonts);
     return default_(given);
   }
   const Command& command = commands_.at(chosen.front()->get_name());

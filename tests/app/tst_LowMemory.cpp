@@ -96,6 +96,9 @@ class LowMemoryTest : public QObject {
     row("page", page);
     // Qt's plugin is in, its fonts are not: for some 150 KiB.
     QTest::newRow("page in small steps") << page << -1024 << 2048 << 32;
+    QTest::newRow("window in small steps")
+        << QStringList{scenario, text("--screenshot"), path("window.png"), text("--at"), text("0")}
+        << -1024 << 2048 << 32;
     row("from", {text("run"), text("--from"), path("run@3"), text("--seed"), text("5"), text("-q"),
                  text("--force"), text("-o"), path("from")});
     row("futures", {text("futures"), path("run@3"), text("--seeds"), text("2"), text("--horizon"),
