@@ -208,6 +208,10 @@ void Session::stop() {
   order([&] { stop_ = true; });
 }
 
+void Session::refresh() {
+  order([&] { wantsRefresh_ = true; });
+}
+
 void Session::add(sim2d::Input input) {
   order([&] { inputs_.push_back(std::move(input)); });
 }
@@ -250,6 +254,16 @@ void Session::serve(sim2d::HumanBehavior& behavior, const sim2d::WorldView& view
   }
 }
 
+/// Without the lock: whoever sees the state may give orders, or hold locks of others who do.
+void Session::refresh(const sim2d::World& world, std::unique_lock<std::mutex>& lock) {
+  wantsRefresh_ = false;
+  if (refresh_) {
+    lock.unlock();
+    refresh_(world.frame());
+    lock.lock();
+  }
+}
+
 /// True: the run is to end instead.
 bool Session::waitForTurn(sim2d::World& world) {
   std::unique_lock<std::mutex> lock(mutex_);
@@ -265,6 +279,7 @@ bool Session::waitForTurn(sim2d::World& world) {
   if (news_.refused.size() < kMostRefused) {
     base::append(news_.refused, world.refused());
   }
+  bool isWaiting = false;  // in a pause
   while (!stop_) {
     serve(world.behavior(), world.view());
     if (world.stepIndex() < repeatUntil_) {
@@ -272,6 +287,9 @@ bool Session::waitForTurn(sim2d::World& world) {
     } else if (stepsAllowed_ > 0) {
       --stepsAllowed_;
       return false;
+    } else if (wantsRefresh_ || (paused_ && !isWaiting)) {
+      isWaiting = paused_;
+      refresh(world, lock);  // and looks again: there may be other orders
     } else if (paused_) {
       changed_.wait(lock);
     } else {

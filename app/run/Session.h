@@ -75,6 +75,9 @@ class Session {
   /// Sees each state before the next step, in the thread that runs, and may change the world.
   using Changer = std::function<void(const sim2d::Frame&, sim2d::World&)>;
   void changeWith(Changer change) { change_ = std::move(change); }
+  /// Gets the newest state once more whenever `refresh` is called and each time the run begins to
+  /// wait in a pause; between two steps, in the thread that runs, not while something is repeated.
+  void refreshWith(Watcher watch) { refresh_ = std::move(watch); }
   /// Once. `watch` sees each state before the next step and may give orders; `sink` gets all of
   /// them, the last with the event `stop`.
   sim2d::RunResult run(sim2d::World& world, sim2d::FrameSink* sink = nullptr,
@@ -96,6 +99,7 @@ class Session {
   void setSpeed(double factor);  // > 0; infinity = as fast as possible, which it is at first
   double speed();
   void stop();
+  void refresh();                // also while paused
   void add(sim2d::Input input);  // acts in the next step
   /// Asked before each step, in the thread that runs, for inputs of that step beside those added.
   using Steering = std::function<sim2d::StepInputs(const sim2d::Frame&)>;
@@ -114,6 +118,7 @@ class Session {
   template <class Change>
   void order(Change change);
   bool waitForTurn(sim2d::World& world);
+  void refresh(const sim2d::World& world, std::unique_lock<std::mutex>& lock);
   void serve(sim2d::HumanBehavior& behavior, const sim2d::WorldView& view);
   sim2d::StepInputs takeInputs(const sim2d::Frame& frame);
   void measure(double time);
@@ -126,10 +131,12 @@ class Session {
   sim2d::RecordedInputs repeated_;
   std::int64_t repeatUntil_ = 0;
   Changer change_;
+  Watcher refresh_;
   std::mutex mutex_;
   std::condition_variable changed_;
   // guarded by the mutex
   bool paused_ = false, stop_ = false, restartClock_ = true;
+  bool wantsRefresh_ = false;
   int stepsAllowed_ = 0;
   double speed_ = std::numeric_limits<double>::infinity();
   sim2d::StepInputs inputs_;

@@ -2,7 +2,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <thread>
 
@@ -11,6 +13,8 @@
 #include <QtTest>
 
 #include "app/bridge/live/LiveRun.h"
+#include "app/bridge/messages/Codec.h"
+#include "app/bridge/messages/HunavMessages.h"
 #include "app/run/Bundle.h"
 #include "tests/bridge/LiveClient.h"
 #include "tests/support/Peers.h"
@@ -105,6 +109,8 @@ class LiveRunTest : public QObject {
   void run_watched_isTheSame();
   void run_asFastAsItGoes_endsBeforeItsClients();
   void run_pausedThenInterrupted_ends();
+  void run_pausedThenJoined_showsTheLastState_data();
+  void run_pausedThenJoined_showsTheLastState();
   void run_foxglovesOwnClient_readsAll_data();
   void run_foxglovesOwnClient_readsAll();
 };
@@ -161,6 +167,71 @@ void LiveRunTest::run_pausedThenInterrupted_ends() {
   scene.start();
   scene.interrupt();
   QVERIFY(scene.finish().status == sim2d::RunStatus::Interrupted);
+}
+
+void LiveRunTest::run_pausedThenJoined_showsTheLastState_data() {
+  QTest::addColumn<double>("speed");
+  QTest::newRow("real time") << 1.0;
+  QTest::newRow("faster than screens") << 20.0;
+}
+
+/// One client pauses the run, another one comes then: it gets every topic of the state in which the
+/// run waits, at once and without a step.
+void LiveRunTest::run_pausedThenJoined_showsTheLastState() {
+  QFETCH(const double, speed);
+  Scene scene;
+  const int port = scene.watch(speed);
+  LiveClient first(port);
+  QVERIFY(first.open());
+  scene.start();
+  QTRY_VERIFY(!first.awaitBinary(2).empty());  // the clock of some states
+  QTest::qWait(static_cast<int>(1000.0 / speed));
+  QVERIFY(client::pause(first, true));
+  LiveClient late(port);
+  QVERIFY(late.open());
+  std::map<std::string, int> channels;
+  QString wanted;
+  for (const QJsonValue& each : late.await("advertise").value(QLatin1String("channels")).toArray()) {
+    const int id = each.toObject().value(QLatin1String("id")).toInt();
+    channels[each.toObject().value(QLatin1String("topic")).toString().toStdString()] = id;
+    wanted += QStringLiteral("%1{\"id\":%2,\"channelId\":%2}")
+                  .arg(wanted.isEmpty() ? QString() : QStringLiteral(","))
+                  .arg(id);
+  }
+  QElapsedTimer timer;
+  timer.start();
+  late.text(
+      QStringLiteral("{\"op\":\"subscribe\",\"subscriptions\":[%1]}").arg(wanted).toStdString());
+  std::set<std::string> missing = {"/clock",        "/tf",           "/tf_static", "/map",
+                                   "/obstacles",    "/markers",      "/scan",      "/human_states",
+                                   "/people",       "/robot_states", "/odom",      "/goal_pose",
+                                   "/hunavsim/metrics/path_length"};
+  std::map<int, std::string> messages;
+  while (!missing.empty()) {
+    const std::string message = late.awaitBinary(1);
+    QVERIFY2(!message.empty(), ("no message of " + *missing.begin()).c_str());
+    const int channel = static_cast<std::uint8_t>(message.at(1));
+    QVERIFY(messages.emplace(channel, message.substr(13)).second);  // each once
+    for (const auto& [topic, id] : channels) {
+      if (id == channel) {
+        missing.erase(topic);
+      }
+    }
+  }
+  QVERIFY2(timer.elapsed() < 1000, QByteArray::number(timer.elapsed()));
+  // It waits in a state, which is the one that was shown.
+  const sim2d::Frame& frame = scene.world().frame();
+  QVERIFY(frame.step > 0 && frame.step < kSteps);
+  using bridge::hunav_msgs::Agents;
+  const auto people = bridge::decode<Agents>(messages.at(channels.at("/human_states")));
+  QVERIFY(static_cast<bool>(people));
+  const double stamp = people->header.stamp.sec + 1e-9 * people->header.stamp.nanosec;
+  QVERIFY(std::fabs(stamp - frame.time) < 1e-6);
+  QCOMPARE(people->agents.size(), frame.humans.size());
+  for (std::size_t k = 0; k < people->agents.size(); ++k) {
+    QCOMPARE(people->agents[k].position.position.x, frame.humans.x[k]);
+    QCOMPARE(people->agents[k].position.position.y, frame.humans.y[k]);
+  }
 }
 
 void LiveRunTest::run_foxglovesOwnClient_readsAll_data() {

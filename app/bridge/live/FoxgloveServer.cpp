@@ -63,6 +63,15 @@ bool FoxgloveServer::isWanted(ChannelId channel) const {
 }
 
 void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& messages) {
+  publish(time, messages, false);
+}
+
+void FoxgloveServer::catchUp(std::uint64_t time, const std::vector<Message>& messages) {
+  publish(time, messages, true);
+}
+
+void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& messages,
+                             bool onlyAwaited) {
   std::string clock(1, TimeOfServer);
   appendLittleEndian(clock, time);
   server_->exclusively([&] {
@@ -74,13 +83,22 @@ void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& mes
       }
     }
     for (auto& [client, table] : tables_) {
-      if (Connection* const connection = server_->find(client)) {
-        connection->sendBinary(clock, nullptr, Outbox::Kind::Message);
+      bool isClockDue = true;
+      const auto tellClock = [&, to = client] {
+        Connection* const connection = server_->find(to);
+        if (connection != nullptr && std::exchange(isClockDue, false)) {
+          connection->sendBinary(clock, nullptr, Outbox::Kind::Message);
+        }
+      };
+      if (!onlyAwaited) {
+        tellClock();
       }
       for (const Message& message : messages) {
         const auto wanted = table.wanted.find(message.channel);
-        if (wanted != table.wanted.end()) {
-          sendMessage(client, wanted->second, time, message.payload, Outbox::Kind::Message);
+        if (wanted != table.wanted.end() && (!onlyAwaited || wanted->second.isAwaited)) {
+          tellClock();
+          sendMessage(client, message.channel, wanted->second, time, message.payload,
+                      Outbox::Kind::Message);
         }
       }
       tellLoss(client, table);
@@ -88,14 +106,22 @@ void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& mes
   });
 }
 
-void FoxgloveServer::sendMessage(Client client, std::uint32_t subscription, std::uint64_t time,
-                                 const SharedBytes& payload, Outbox::Kind kind) {
+void FoxgloveServer::sendMessage(Client client, ChannelId channel, Wanted& wanted,
+                                 std::uint64_t time, const SharedBytes& payload,
+                                 Outbox::Kind kind) {
   if (Connection* const connection = server_->find(client)) {
     std::string head(1, MessageData);
-    appendLittleEndian(head, subscription);
+    appendLittleEndian(head, wanted.subscription);
     appendLittleEndian(head, time);
     connection->sendBinary(head, payload, kind);
+    outlets_.at(channel - 1)->awaited -= std::exchange(wanted.isAwaited, false) ? 1 : 0;
   }
+}
+
+void FoxgloveServer::leave(ChannelId channel, const Wanted& wanted) {
+  Outlet& outlet = *outlets_.at(channel - 1);
+  --outlet.wanted;
+  outlet.awaited -= wanted.isAwaited ? 1 : 0;
 }
 
 /// Once is enough.
@@ -136,6 +162,7 @@ void FoxgloveServer::tellParameters() {
 void FoxgloveServer::opened(Client client) {
   tables_[client];
   clientCount_ = tables_.size();
+  hadClients_ = true;
   tell(client, greeting_);
   tell(client, channels_);
   if (!settings_.services.empty()) {
@@ -152,8 +179,8 @@ void FoxgloveServer::received(Client client, WebSocketMessage&& message) {
 void FoxgloveServer::closed(Client client) {
   const auto found = tables_.find(client);
   if (found != tables_.end()) {
-    for (const auto& [channel, subscription] : found->second.wanted) {
-      --outlets_.at(channel - 1)->wanted;
+    for (const auto& [channel, wanted] : found->second.wanted) {
+      leave(channel, wanted);
     }
     tables_.erase(found);
   }
@@ -196,6 +223,12 @@ void FoxgloveServer::answer(Client client, const request::Subscribe& asked) {
   if (!problems.empty()) {
     complain(client, summaryOf(problems));
   }
+  const auto& wanted = tables_[client].wanted;
+  const bool isAwaiting = std::any_of(wanted.begin(), wanted.end(),
+                                      [](const auto& each) { return each.second.isAwaited; });
+  if (isAwaiting && settings_.subscribed) {
+    settings_.subscribed();
+  }
 }
 
 /// Returns what is wrong.
@@ -205,16 +238,19 @@ std::string FoxgloveServer::subscribe(Client client, const Subscription& wanted)
     return "there is no channel " + std::to_string(wanted.channel);
   }
   if (std::any_of(table.wanted.begin(), table.wanted.end(),
-                  [&](const auto& each) { return each.second == wanted.id; })) {
+                  [&](const auto& each) { return each.second.subscription == wanted.id; })) {
     return "there is a subscription " + std::to_string(wanted.id) + " already";
   }
-  if (!table.wanted.emplace(wanted.channel, wanted.id).second) {
+  const auto [added, isNew] = table.wanted.emplace(wanted.channel, Wanted{wanted.id});
+  if (!isNew) {
     return "channel " + std::to_string(wanted.channel) + " is subscribed to already";
   }
   Outlet& outlet = *outlets_[wanted.channel - 1];
   ++outlet.wanted;
+  ++outlet.awaited;
   if (outlet.newest) {
-    sendMessage(client, wanted.id, outlet.time, outlet.newest, Outbox::Kind::Answer);
+    sendMessage(client, wanted.channel, added->second, outlet.time, outlet.newest,
+                Outbox::Kind::Answer);
   }
   return {};
 }
@@ -227,10 +263,11 @@ void FoxgloveServer::answer(Client client, const request::Unsubscribe& asked) {
 
 /// One that is not there is gone already.
 void FoxgloveServer::unsubscribe(Table& table, std::uint32_t subscription) {
-  const auto found = std::find_if(table.wanted.begin(), table.wanted.end(),
-                                  [&](const auto& each) { return each.second == subscription; });
+  const auto found = std::find_if(table.wanted.begin(), table.wanted.end(), [&](const auto& each) {
+    return each.second.subscription == subscription;
+  });
   if (found != table.wanted.end()) {
-    --outlets_.at(found->first - 1)->wanted;
+    leave(found->first, found->second);
     table.wanted.erase(found);
   }
 }

@@ -23,7 +23,7 @@ using ChannelId = std::uint32_t;
 /// What is published.
 struct Channel {
   std::string topic, schemaName, schema;  // "/scan", "sensor_msgs/msg/LaserScan", text of ros2msg
-  bool isLatched = false;                 // whoever subscribes gets the newest message at once
+  bool isLatched = false;                 // its newest message is kept
 };
 
 /// The text of a type in ros2msg, with its name.
@@ -62,6 +62,7 @@ struct FoxgloveSettings {
   std::vector<Inlet> inlets;          // none: clients publish nothing
   std::vector<Parameter> parameters;  // none: there are none
   std::function<void()> tick;         // called ten times a second or more often; may be null
+  std::function<void()> subscribed;   // somebody waits for a first message (`isAwaited`); idem
   std::function<void(const std::string& origin)> refused;  // a page that may not connect; idem
 };
 
@@ -90,21 +91,30 @@ class FoxgloveServer : private WebSocketServer::Handler {
   };
   /// Messages of one instant [ns of simulated time], which is told as well.
   void publish(std::uint64_t time, const std::vector<Message>& messages);
+  /// Somebody has subscribed to the channel and got no message yet.
+  bool isAwaited(ChannelId channel) const { return outlets_.at(channel - 1)->awaited > 0; }
+  /// Messages of the newest instant for those alone who have got none of the channel yet.
+  void catchUp(std::uint64_t time, const std::vector<Message>& messages);
   /// A parameter was changed by somebody else than a client: whoever watches it is told.
   void noteParameters();
   std::size_t clientCount() const { return clientCount_; }
+  bool hadClients() const { return hadClients_; }  // now or before
 
  private:
   using Client = WebSocketServer::Client;
-  struct Table {                                 // of one client
-    std::map<ChannelId, std::uint32_t> wanted;   // subscription by channel
+  struct Wanted {
+    std::uint32_t subscription = 0;
+    bool isAwaited = true;  // no message came so far
+  };
+  struct Table {  // of one client
+    std::map<ChannelId, Wanted> wanted;
     std::map<std::uint32_t, ClientChannel> own;  // channels that it publishes on
     std::set<std::string> watched;               // parameters
     bool isToldOfLoss = false;
   };
   struct Outlet {  // a channel while it is served
     Channel channel;
-    std::atomic<int> wanted{0};
+    std::atomic<int> wanted{0}, awaited{0};
     std::uint64_t time = 0;  // of the newest message, if it is latched
     SharedBytes newest;
   };
@@ -129,8 +139,10 @@ class FoxgloveServer : private WebSocketServer::Handler {
   std::string subscribe(Client client, const Subscription& wanted);
   void unsubscribe(Table& table, std::uint32_t subscription);
   void tellParameters();
-  void sendMessage(Client client, std::uint32_t subscription, std::uint64_t time,
+  void publish(std::uint64_t time, const std::vector<Message>& messages, bool onlyAwaited);
+  void sendMessage(Client client, ChannelId channel, Wanted& wanted, std::uint64_t time,
                    const SharedBytes& payload, Outbox::Kind kind);
+  void leave(ChannelId channel, const Wanted& wanted);
   void tellLoss(Client client, Table& table);
   const Parameter* parameter(const std::string& name) const;
   void tell(Client client, const std::string& text);
@@ -142,6 +154,7 @@ class FoxgloveServer : private WebSocketServer::Handler {
   std::map<Client, Table> tables_;
   std::map<std::string, ParameterValue> told_;  // as they were told last
   std::atomic<std::size_t> clientCount_{0};
+  std::atomic<bool> hadClients_{false};
   std::unique_ptr<WebSocketServer> server_;  // goes first: its thread uses all else
 };
 

@@ -58,12 +58,14 @@ base::Result<std::unique_ptr<LiveRun>> LiveRun::open(const LiveRunSettings& sett
   }
   run->server_ = *std::move(server);
   world.tellScans(true);
+  session.refreshWith([to = run.get()](const sim2d::Frame& frame) { to->catchUp(frame); });
   run->server_->start();
   return base::Result<std::unique_ptr<LiveRun>>(std::move(run));
 }
 
 LiveRun::~LiveRun() {
   if (server_) {
+    session_.refreshWith({});
     server_->stop("the run is over");
   }
 }
@@ -84,6 +86,7 @@ FoxgloveSettings LiveRun::settingsOf(const LiveRunSettings& given,
       session_.stop();
     }
   };
+  settings.subscribed = [this] { session_.refresh(); };
   settings.refused = [this, warn = given.warn](const std::string& origin) {
     const std::string shown = origin.substr(0, kLongestOrigin);
     if (warn && warned_.size() < kMostWarnings && warned_.insert(shown).second) {
@@ -143,16 +146,17 @@ void LiveRun::meet(const sim2d::Frame& frame) {
   }
 }
 
-bool LiveRun::wantsMetrics() const {
+bool LiveRun::wantsMetrics(const Wants& wants) const {
   for (std::size_t i = 0; i < metrics_.channels().size(); ++i) {
-    if (server_->isWanted(static_cast<ChannelId>(topics_.topics().size() + i + 1))) {
+    if (wants(static_cast<ChannelId>(topics_.topics().size() + i + 1))) {
       return true;
     }
   }
   return false;
 }
 
-void LiveRun::publish(const sim2d::Frame& frame, Clock::time_point now) {
+std::vector<FoxgloveServer::Message> LiveRun::messagesOf(const sim2d::Frame& frame,
+                                                         const Wants& wants, bool withMetrics) {
   std::vector<FoxgloveServer::Message> messages;
   const auto add = [&messages](std::size_t channel, std::string&& bytes) {
     messages.push_back({static_cast<ChannelId>(channel + 1),
@@ -160,15 +164,39 @@ void LiveRun::publish(const sim2d::Frame& frame, Clock::time_point now) {
   };
   topics_.tell(
       frame, [&](std::size_t topic, std::string bytes) { add(topic, std::move(bytes)); },
-      [this](std::size_t topic) { return server_->isWanted(static_cast<ChannelId>(topic + 1)); });
-  if ((!measured_ || now - *measured_ >= kBetweenMetrics) && wantsMetrics()) {
-    measured_ = now;
+      [&](std::size_t topic) { return wants(static_cast<ChannelId>(topic + 1)); });
+  if (withMetrics && wantsMetrics(wants)) {
     metrics_.tell([&](std::size_t channel, std::string&& bytes) {
       add(topics_.topics().size() + channel, std::move(bytes));
     });
   }
+  return messages;
+}
+
+void LiveRun::publish(const sim2d::Frame& frame, Clock::time_point now) {
+  const Wants isWanted = [this](ChannelId channel) { return server_->isWanted(channel); };
+  const bool withMetrics = !measured_ || now - *measured_ >= kBetweenMetrics;
+  const auto messages = messagesOf(frame, isWanted, withMetrics);
+  if (withMetrics && wantsMetrics(isWanted)) {
+    measured_ = now;
+  }
   server_->publish(static_cast<std::uint64_t>(bridge::nanosecondsOf(frame.time)), messages);
   shown_ = now;
+  published_ = frame.step;
+}
+
+void LiveRun::catchUp(const sim2d::Frame& frame) {
+  if (frame.step > newest_) {
+    return;  // it will be shown
+  }
+  if (frame.step > published_) {  // left out as others came faster than a screen shows
+    publish(frame, Clock::now());
+  }
+  topics_.repeatScans();
+  server_->catchUp(
+      static_cast<std::uint64_t>(bridge::nanosecondsOf(frame.time)),
+      messagesOf(
+          frame, [this](ChannelId channel) { return server_->isAwaited(channel); }, true));
 }
 
 }  // namespace live

@@ -45,6 +45,7 @@ class LiveRun {
   LiveRun& operator=(LiveRun&&) = delete;
 
   std::uint16_t port() const { return server_->port(); }
+  bool wasWatched() const { return server_->hadClients(); }  // some client has connected
   /// Each state once, in order. Of those that come faster than a screen shows, some are left out.
   void show(const sim2d::Frame& frame);
   /// The last state, also if it was shown, with the metrics in the end; clients are told why there
@@ -58,8 +59,14 @@ class LiveRun {
   FoxgloveSettings settingsOf(const LiveRunSettings& given, const std::string& scenarioName);
   std::vector<Channel> channels() const;
   void meet(const sim2d::Frame& frame);
+  using Wants = std::function<bool(ChannelId)>;
   void publish(const sim2d::Frame& frame, Clock::time_point now);
-  bool wantsMetrics() const;
+  /// The messages of the frame that are wanted; metrics of those channels too, if told so.
+  std::vector<FoxgloveServer::Message> messagesOf(const sim2d::Frame& frame, const Wants& wants,
+                                                  bool withMetrics);
+  /// Somebody came, or the run begins to wait: the newest state for whoever has not got it.
+  void catchUp(const sim2d::Frame& frame);
+  bool wantsMetrics(const Wants& wants) const;
   bool isFasterThanScreens() const;
 
   app::Session& session_;
@@ -70,6 +77,7 @@ class LiveRun {
   std::vector<int> present_;  // people whose data the topics have
   std::optional<Clock::time_point> shown_, measured_;
   std::int64_t newest_ = -1;                // step
+  std::int64_t published_ = -1;             // step of what clients got last
   std::set<std::string> warned_;            // origins; of the server's thread
   std::unique_ptr<FoxgloveServer> server_;  // goes first: its thread uses all else
 };

@@ -23,6 +23,12 @@ const sim2d::RobotSenses::Scan* RunTopics::scanIn(const sim2d::Frame& frame, std
   return found == frame.scans.rend() ? nullptr : &found->scan;
 }
 
+void RunTopics::repeatScans() {
+  for (Robot& robot : robots_) {
+    robot.scanned.reset();
+  }
+}
+
 void RunTopics::tellNewScan(const Telling& telling, std::size_t robot) {
   const sim2d::Frame& frame = telling.frame;
   const bool hasSenses = frame.senses != nullptr && robot < frame.senses->size();
