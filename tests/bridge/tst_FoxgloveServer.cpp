@@ -114,10 +114,13 @@ class FoxgloveServerTest : public QObject {
   void connect_foreignProtocolAndPage_areRefused();
   void connect_oneTooMany_isRefused();
   void connect_halfOpen_ends();
+  void connect_besideManyHalfOpen_opensAtOnce_data();
+  void connect_besideManyHalfOpen_opensAtOnce();
   void listen_takenPort_isAnError();
   void listen_noAddress_isAnError();
   void subscribe_messagesCome();
   void subscribe_latched_comesAtOnce();
+  void subscribe_messageMadeForIt_comesToNobodyElse();
   void subscribe_wrongOnes_areTold();
   void unsubscribe_nothingComes();
   void twoClients_haveTheirOwnNumbers();
@@ -186,7 +189,7 @@ void FoxgloveServerTest::connect_oneTooMany_isRefused() {
   auto two = std::make_unique<LiveClient>(scene.port());
   QVERIFY(two->open());
   LiveClient three(scene.port());
-  QVERIFY(three.httpAnswer().rfind("HTTP/1.1 503", 0) == 0);
+  QVERIFY(three.request().rfind("HTTP/1.1 503", 0) == 0);
   two.reset();
   QTRY_COMPARE(scene.server->clientCount(), std::size_t{1});
   LiveClient four(scene.port());
@@ -199,6 +202,43 @@ void FoxgloveServerTest::connect_halfOpen_ends() {
   LiveClient client(scene.port());
   client.write("GET / HTTP/1.1\r\n");
   QVERIFY(client.awaitEnd());
+}
+
+void FoxgloveServerTest::connect_besideManyHalfOpen_opensAtOnce_data() {
+  QTest::addColumn<QByteArray>("said");
+  QTest::addColumn<int>("count");
+  for (const int count : {100, 500}) {
+    QTest::addRow("%d say nothing", count) << QByteArray() << count;
+    QTest::addRow("%d half requests", count) << QByteArray("GET / HTTP/1.1\r\nHost: x\r\n") << count;
+    QTest::addRow("%d refused", count) << QByteArray("GET / HTTP/1.1\r\n\r\n") << count;
+  }
+}
+
+/// Whoever sends the whole request is served within a second, and stays.
+void FoxgloveServerTest::connect_besideManyHalfOpen_opensAtOnce() {
+  QFETCH(const QByteArray, said);
+  QFETCH(const int, count);
+  Scene scene;
+  scene.settings.server.rules.handshakeTime = std::chrono::seconds(60);
+  QVERIFY(scene.listen());
+  LiveClient before(scene.port());
+  QVERIFY(before.open());
+  std::vector<std::unique_ptr<LiveClient>> others;
+  for (int k = 0; k < count; ++k) {
+    others.push_back(std::make_unique<LiveClient>(scene.port()));
+    others.back()->write(said.toStdString());
+  }
+  QElapsedTimer timer;
+  timer.start();
+  LiveClient client(scene.port());
+  QVERIFY(client.open());
+  QVERIFY2(timer.elapsed() < 1000, QByteArray::number(timer.elapsed()));
+  for (int k = 0; k < 200; ++k) {  // and after it
+    others.push_back(std::make_unique<LiveClient>(scene.port()));
+  }
+  QVERIFY(!parameters(client).isEmpty());
+  QVERIFY(!parameters(before).isEmpty());
+  QCOMPARE(scene.server->clientCount(), std::size_t{2});
 }
 
 void FoxgloveServerTest::listen_takenPort_isAnError() {
@@ -244,6 +284,37 @@ void FoxgloveServerTest::subscribe_latched_comesAtOnce() {
   QVERIFY(client.open());
   client.text(R"({"op":"subscribe","subscriptions":[{"id":3,"channelId":2}]})");
   QCOMPARE(client.awaitBinary(1), "\x01" + number(3, 4) + number(6, 8) + "the map");
+}
+
+/// Of a channel that is not latched: whoever has got a message of it gets no other one.
+void FoxgloveServerTest::subscribe_messageMadeForIt_comesToNobodyElse() {
+  Scene scene;
+  std::atomic<int> calls{0};
+  scene.settings.subscribed = [&calls] { ++calls; };
+  QVERIFY(scene.listen());
+  LiveClient first(scene.port()), second(scene.port());
+  QVERIFY(first.open() && second.open());
+  first.text(R"({"op":"subscribe","subscriptions":[{"id":1,"channelId":1}]})");
+  QTRY_COMPARE(calls.load(), 1);
+  QVERIFY(scene.server->isAwaited(1));
+  scene.publish(7, 1, "one");
+  QCOMPARE(first.awaitBinary(1), "\x01" + number(1, 4) + number(7, 8) + "one");
+  QVERIFY(!scene.server->isAwaited(1));
+  second.text(R"({"op":"subscribe","subscriptions":[{"id":9,"channelId":1}]})");
+  QTRY_COMPARE(calls.load(), 2);
+  QVERIFY(scene.server->isAwaited(1));
+  scene.server->catchUp(7, {{1, shared("again")}});
+  QCOMPARE(second.awaitBinary(1), "\x01" + number(9, 4) + number(7, 8) + "again");
+  QVERIFY(!scene.server->isAwaited(1));
+  scene.publish(8, 1, "two");
+  QCOMPARE(first.awaitBinary(1), "\x01" + number(1, 4) + number(8, 8) + "two");
+  QCOMPARE(second.awaitBinary(1), "\x01" + number(9, 4) + number(8, 8) + "two");
+  first.text(R"({"op":"unsubscribe","subscriptionIds":[1]})");
+  first.text(R"({"op":"subscribe","subscriptions":[{"id":2,"channelId":1}]})");
+  QTRY_COMPARE(calls.load(), 3);
+  QVERIFY(scene.server->isAwaited(1));
+  first.write(client::frame(0x88, ""));
+  QTRY_VERIFY(!scene.server->isAwaited(1));
 }
 
 void FoxgloveServerTest::subscribe_wrongOnes_areTold() {

@@ -16,6 +16,7 @@
 #include "bt/engine/TreeState.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
+#include "tests/bridge/LiveClient.h"
 #include "tests/support/Mutator.h"
 #include "tests/support/TraceHash.h"
 
@@ -301,6 +302,32 @@ class GrootTest : public QObject {
     alone.session.run(alone.world(), &recordAlone, {});
     QCOMPARE(sim2d::hashOf(record.trace(scene.world().header())),
              sim2d::hashOf(recordAlone.trace(alone.world().header())));
+  }
+
+  /// Whatever others of this machine open and leave: requests are answered within a second.
+  void request_besideManyHalfOpen_isAnsweredAtOnce_data() {
+    QTest::addColumn<QByteArray>("said");
+    QTest::newRow("nothing said") << QByteArray();
+    QTest::newRow("half a greeting") << QByteArray("\xff\0\0\0\0\0\0\0\1\x7f", 10);
+  }
+  void request_besideManyHalfOpen_isAnsweredAtOnce() {
+    QFETCH(const QByteArray, said);
+    WatchedTree tree;
+    auto server = GrootServer::listen(0, WatchedRun(tree, nameOf('a')));
+    QVERIFY(static_cast<bool>(server));
+    QElapsedTimer timer;
+    timer.start();
+    std::vector<std::unique_ptr<client::LiveClient>> others;
+    for (int k = 0; k < 300; ++k) {
+      others.push_back(std::make_unique<client::LiveClient>((*server)->port()));
+      others.back()->write(said.toStdString());
+    }
+    Client client((*server)->port());
+    QCOMPARE(client.ask({headOf('S')}).size(), std::size_t{2});
+    QVERIFY2(timer.elapsed() < 1000, QByteArray::number(timer.elapsed()));
+    // What has not said who it is is closed soon: it takes no file of the run.
+    QVERIFY(others.front()->awaitEnd());
+    QVERIFY2(timer.elapsed() < 3000, QByteArray::number(timer.elapsed()));
   }
 
   void port_thatIsTaken_isToldWithItsReason() {

@@ -15,6 +15,10 @@ constexpr std::int64_t kWatchedFor = 5'000'000'000;  // [ns] after the last requ
 constexpr std::size_t kMostParts = 8;                // of a request
 constexpr std::int64_t kLargestRequest = 1 << 20;    // [B] of a part
 constexpr int kTrials = 20;                          // for two free ports side by side
+constexpr int kHandshakeTime = 1000;                 // [ms]; a client of this machine takes a few
+/// Connections that the system keeps until they are taken; the system allows less where it wants.
+/// With the 100 of ZeroMQ a burst of others makes clients try again after seconds.
+constexpr int kMostWaitingToConnect = 4096;
 
 std::int64_t now() {
   return std::chrono::steady_clock::now().time_since_epoch().count();
@@ -48,6 +52,8 @@ Socket socketOf(void* context, int kind) {
   zmq_setsockopt(socket.get(), ZMQ_RCVTIMEO, &kPatience, sizeof(kPatience));
   zmq_setsockopt(socket.get(), ZMQ_SNDTIMEO, &kPatience, sizeof(kPatience));
   zmq_setsockopt(socket.get(), ZMQ_MAXMSGSIZE, &kLargestRequest, sizeof(kLargestRequest));
+  zmq_setsockopt(socket.get(), ZMQ_HANDSHAKE_IVL, &kHandshakeTime, sizeof(kHandshakeTime));
+  zmq_setsockopt(socket.get(), ZMQ_BACKLOG, &kMostWaitingToConnect, sizeof(kMostWaitingToConnect));
   return socket;
 }
 

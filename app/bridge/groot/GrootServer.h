@@ -32,6 +32,7 @@ class GrootServer {
   }
   /// Somebody has asked within the last seconds.
   bool isWatched() const;
+  bool wasWatched() const { return asked_ != 0; }  // a request came, now or before
 
  private:
   struct Sockets;

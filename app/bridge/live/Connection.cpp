@@ -49,6 +49,10 @@ std::string_view Connection::readRequest(std::string_view bytes, Clock::time_poi
     }
     return {};
   }
+  if (events.isFull && events.isFull()) {
+    refuse(httpRefusal("503 Service Unavailable", "Too many are connected."), now);
+    return {};
+  }
   out_.add(answer.response);
   state_ = State::Open;
   events.opened();

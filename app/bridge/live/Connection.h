@@ -32,6 +32,7 @@ class Connection {
  public:
   /// What is told of it, in this order.
   struct Events {
+    std::function<bool()> isFull;  // asked before it opens: true refuses it; null: never
     std::function<void()> opened;
     std::function<void(WebSocketMessage&&)> received;        // Text or Binary
     std::function<void(const std::string& origin)> refused;  // a page of that origin

@@ -31,7 +31,8 @@ constexpr std::size_t kPiece = std::size_t{64} << 10U;      // [B], of one readi
 constexpr std::size_t kMostAtOnce = std::size_t{1} << 20U;  // [B], to one client in a turn
 constexpr int kSystemBuffer = 256 << 10;                    // [B]: what waits there is not dropped
 constexpr std::size_t kMostParts = 32;                      // of one call to the system
-constexpr int kMostWaitingToConnect = 16;
+constexpr int kMostAccepted = 32;                           // in a turn
+static_assert(kMostAccepted < kMostUnopened, "each is read from before newer ones push it out");
 
 void setOption(int socket, int level, int option, int value) {
   ::setsockopt(socket, level, option, &value, sizeof value);  // a wish: it goes without too
@@ -124,7 +125,7 @@ base::Diagnostics WebSocketServer::open() {
       sim2d::Descriptor(::socket(place.ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   setOption(listener_.number(), SOL_SOCKET, SO_REUSEADDR, 1);  // after a run that has just ended
   if (!listener_.isOpen() || ::bind(listener_.number(), place.ai_addr, place.ai_addrlen) != 0 ||
-      ::listen(listener_.number(), kMostWaitingToConnect) != 0) {
+      ::listen(listener_.number(), SOMAXCONN) != 0) {
     const int why = errno;
     return {why == EADDRINUSE
                 ? base::error("live.port-taken", {port})
@@ -229,28 +230,42 @@ void WebSocketServer::serve() {
 }
 
 void WebSocketServer::acceptAll(Clock::time_point now) {
-  for (int i = 0; i < kMostWaitingToConnect; ++i) {
+  for (int i = 0; i < kMostAccepted; ++i) {
     sim2d::Descriptor socket(
         ::accept4(listener_.number(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
-    if (!socket.isOpen()) {
-      if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR && errno != ECONNABORTED) {
-        acceptAgain_ = now + kNoSocket;
-      }
+    if (socket.isOpen()) {
+      acceptOne(std::move(socket), now);
+    } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
+      return;
+    } else if (errno != EINTR && errno != ECONNABORTED && limitUnopened(0) == 0) {
+      acceptAgain_ = now + kNoSocket;
       return;
     }
-    acceptOne(std::move(socket), now);
   }
 }
 
 void WebSocketServer::acceptOne(sim2d::Descriptor socket, Clock::time_point now) {
   setOption(socket.number(), IPPROTO_TCP, TCP_NODELAY, 1);
   setOption(socket.number(), SOL_SOCKET, SO_SNDBUF, kSystemBuffer);
-  if (peers_.size() >= settings_.mostClients) {
-    const std::string text = httpRefusal("503 Service Unavailable", "Too many are connected.");
-    ::send(socket.number(), text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-    return;
-  }
+  limitUnopened(kMostUnopened - 1);
   peers_.emplace(++last_, Peer{std::move(socket), Connection(settings_.rules, now)});
+}
+
+std::size_t WebSocketServer::limitUnopened(std::size_t most) {
+  const auto isUnopened = [](const auto& each) { return !each.second.wasOpened; };
+  const auto count =
+      static_cast<std::size_t>(std::count_if(peers_.begin(), peers_.end(), isUnopened));
+  const std::size_t tooMany = count > most ? count - most : 0;
+  for (std::size_t closed = 0; closed < tooMany; ++closed) {
+    peers_.erase(std::find_if(peers_.begin(), peers_.end(), isUnopened));  // in order of arrival
+  }
+  return tooMany;
+}
+
+bool WebSocketServer::isFull() const {
+  const auto open = std::count_if(peers_.begin(), peers_.end(),
+                                  [](const auto& each) { return each.second.wasOpened; });
+  return static_cast<std::size_t>(open) >= settings_.mostClients;
 }
 
 void WebSocketServer::serveClients(const std::map<Client, short>& ready, Clock::time_point now) {
@@ -287,6 +302,7 @@ void WebSocketServer::readFrom(Client client, Peer& peer, Clock::time_point now)
   const ssize_t count = ::recv(peer.socket.number(), bytes.data(), bytes.size(), MSG_DONTWAIT);
   if (count > 0) {
     Connection::Events events;
+    events.isFull = [this] { return isFull(); };
     events.opened = [&] {
       peer.wasOpened = true;
       handler_.opened(client);

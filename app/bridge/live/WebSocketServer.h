@@ -16,7 +16,10 @@
 
 namespace live {
 
-constexpr std::size_t kMostClients = 32;  // connections at once, also those that only knock
+constexpr std::size_t kMostClients = 32;  // open connections at once
+/// Connections at once that have not opened: their request has not come or was refused. Beyond
+/// them the oldest is closed, so that requests which never end keep nobody away.
+constexpr std::size_t kMostUnopened = 64;
 
 /// Where a server listens and whom it serves.
 struct ServerSettings {
@@ -78,6 +81,10 @@ class WebSocketServer {
   void serve();
   void acceptAll(Clock::time_point now);
   void acceptOne(sim2d::Descriptor socket, Clock::time_point now);
+  /// Closes the oldest connections that have not opened, until so many are left; returns how many
+  /// were closed.
+  std::size_t limitUnopened(std::size_t most);
+  bool isFull() const;
   void serveClients(const std::map<Client, short>& ready, Clock::time_point now);
   void serveClient(Client client, Peer& peer, short ready, Clock::time_point now);
   void readFrom(Client client, Peer& peer, Clock::time_point now);
