@@ -104,6 +104,18 @@ class DefinitionsTest : public QObject {
     }
   }
 
+  /// The types of visualization_msgs/msg/Marker as the file of Jazzy has them; ARROW_STRIP came
+  /// with it.
+  void definition_marker_hasTheConstantsOfJazzy() {
+    const std::string text = definition<visualization_msgs::Marker>();
+    QCOMPARE(text.find("int32 ARROW=0\nint32 CUBE=1\nint32 SPHERE=2\nint32 CYLINDER=3\n"
+                       "int32 LINE_STRIP=4\nint32 LINE_LIST=5\nint32 CUBE_LIST=6\n"
+                       "int32 SPHERE_LIST=7\nint32 POINTS=8\nint32 TEXT_VIEW_FACING=9\n"
+                       "int32 MESH_RESOURCE=10\nint32 TRIANGLE_LIST=11\nint32 ARROW_STRIP=12\n"
+                       "int32 ADD=0\nint32 MODIFY=0\nint32 DELETE=2\nint32 DELETEALL=3\n"),
+             std::size_t{0});
+  }
+
   void definition_boundsAndArrays_areWritten() {
     const std::string text = definition<rmw_dds_common::NodeEntitiesInfo<16>>();
     QVERIFY(text.find("string<=256 node_namespace\n") == 0);

@@ -1,11 +1,13 @@
 // node decode.js PEERS FILE: decodes what tst_Definitions has written with the reader of Foxglove,
-// by our text of the type and by the type's own, and writes it again.
+// by our text of the type and by the type's own in each distribution, and writes it again. Constants
+// are those of Jazzy, which include those of the earlier distributions.
 // FILE: {"cases": [{"type", "definition", "bytes" (hex), "value"}]}; numbers of values are texts.
 const fs = require("fs");
 const load = require("module").createRequire(process.argv[2] + "/package.json");
 const { parse } = load("@foxglove/rosmsg");
 const { MessageReader, MessageWriter } = load("@foxglove/rosmsg2-serialization");
-const { ros2humble } = load("@foxglove/rosmsg-msgs-common");
+const collections = load("@foxglove/rosmsg-msgs-common");
+const distributions = ["ros2humble", "ros2iron", "ros2jazzy"];
 
 // Foxglove reads stamps as {sec, nsec}.
 const nsec = { nanosec: "nsec" };
@@ -30,13 +32,13 @@ function differs(read, wanted, path) {
   return read === wanted ? "" : `${path}: ${read}, not ${wanted}`;
 }
 
-// All definitions that a type of the collection needs, itself first.
-function ownDefinitions(name, known = new Map()) {
-  const definition = ros2humble[name];
+// All definitions that a type of a collection needs, itself first.
+function ownDefinitions(collection, name, known = new Map()) {
+  const definition = collection[name];
   if (!definition || known.has(name)) return known;
   known.set(name, definition);
   for (const field of definition.definitions) {
-    if (field.isComplex) ownDefinitions(field.type, known);
+    if (field.isComplex) ownDefinitions(collection, field.type, known);
   }
   return known;
 }
@@ -53,7 +55,23 @@ function constantLines(definition) {
   return definition.definitions
     .filter((field) => field.isConstant)
     .map((field) => `${field.type} ${field.name}=${field.value}`)
-    .sort().join("\n");
+    .sort();
+}
+
+// What of our text is not as a distribution has it; reads the message by that, too.
+function differsFrom(distribution, ours, short, data, value) {
+  const theirs = [...ownDefinitions(collections[distribution], short).values()];
+  if (theirs.length === 0) return null;
+  if (fieldLines(ours) !== fieldLines(theirs[0])) {
+    return `fields\n${fieldLines(ours)}\nnot\n${fieldLines(theirs[0])}`;
+  }
+  const [mine, their] = [constantLines(ours), constantLines(theirs[0])];
+  const isLast = distribution === distributions[distributions.length - 1];
+  if (their.some((line) => !mine.includes(line)) || (isLast && mine.length !== their.length)) {
+    return `constants\n${mine.join("\n")}\nnot\n${their.join("\n")}`;
+  }
+  return fieldLines(theirs[0]) === ""
+    ? "" : differs(new MessageReader(theirs).readMessage(data), value, "by its own text ");
 }
 
 let wrong = 0;
@@ -69,19 +87,9 @@ for (const { type, definition, bytes, value } of cases) {
     const written = new MessageWriter(definitions).writeMessage(new MessageReader(definitions).readMessage(data));
     if (Buffer.compare(Buffer.from(written), data) !== 0) say(type, "written again it differs");
     const short = type.replace(/\/(msg|srv|action)\//, "/");
-    const theirs = [...ownDefinitions(short).values()];
-    if (theirs.length === 0) continue;
-    ++own;
-    if (fieldLines(definitions[0]) !== fieldLines(theirs[0])) {
-      say(type, `fields\n${fieldLines(definitions[0])}\nnot\n${fieldLines(theirs[0])}`);
-    }
-    if (constantLines(definitions[0]) !== constantLines(theirs[0])) {
-      say(type, `constants\n${constantLines(definitions[0])}\nnot\n${constantLines(theirs[0])}`);
-    }
-    if (fieldLines(theirs[0]) !== "") {
-      difference = differs(new MessageReader(theirs).readMessage(data), value, "");
-      if (difference) say(type, `by its own text ${difference}`);
-    }
+    const found = distributions.map((each) => [each, differsFrom(each, definitions[0], short, data, value)]);
+    own += found.some(([, what]) => what !== null) ? 1 : 0;
+    found.filter(([, what]) => what).forEach(([each, what]) => say(type, `${each}: ${what}`));
   } catch (problem) {
     say(type, problem.stack);
   }

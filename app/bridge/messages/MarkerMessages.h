@@ -7,7 +7,8 @@
 #include "app/bridge/messages/NavigationMessages.h"
 
 /// Messages of visualization_msgs.
-/// Fields as the .msg and .srv files of ROS 2 Humble have them, in the order of the wire.
+/// Fields as the .msg files of ROS 2 Humble to Jazzy have them, in the order of the wire;
+/// constants, which are not on the wire, as in Jazzy, which only adds to them.
 namespace bridge::visualization_msgs {
 
 struct UVCoordinate {
@@ -51,6 +52,7 @@ struct Marker {
   static constexpr std::int32_t kTextViewFacing = 9;
   static constexpr std::int32_t kMeshResource = 10;
   static constexpr std::int32_t kTriangleList = 11;
+  static constexpr std::int32_t kArrowStrip = 12;  // from Jazzy on
   static constexpr std::int32_t kAdd = 0;
   static constexpr std::int32_t kModify = 0;
   static constexpr std::int32_t kDelete = 2;
@@ -112,6 +114,7 @@ struct Marker {
     constant("TEXT_VIEW_FACING", kTextViewFacing);
     constant("MESH_RESOURCE", kMeshResource);
     constant("TRIANGLE_LIST", kTriangleList);
+    constant("ARROW_STRIP", kArrowStrip);
     constant("ADD", kAdd);
     constant("MODIFY", kModify);
     constant("DELETE", kDelete);
