@@ -30,8 +30,9 @@ using CsvRow = std::vector<CsvField>;
 /// the reader.
 class CsvReader {
  public:
-  explicit CsvReader(std::string_view text, char separator = ',')
-      : text_(text), ends_{separator, '\n'} {}
+  /// `firstLine`: number of the line with which the text begins.
+  explicit CsvReader(std::string_view text, char separator = ',', int firstLine = 1)
+      : text_(text), ends_{separator, '\n'}, line_(firstLine) {}
   /// False at the end of the text. `row` is reused; empty lines are rows with one empty field.
   bool next(CsvRow& row);
   /// The last row was cut: no line end after it, or an open quote.

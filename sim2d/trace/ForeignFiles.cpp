@@ -107,11 +107,34 @@ base::Result<std::map<std::string, std::string>> parseColumns(const std::string&
 
 namespace {
 
+void scaleSurroundings(double length, TrackFile& file) {
+  if (length == 1.0) {
+    return;
+  }
+  for (TraceObstacle& obstacle : file.obstacles) {
+    for (Outline& outline : obstacle.outlines) {
+      for (Vec2& point : outline.points) {
+        point *= length;
+      }
+    }
+  }
+  if (const OccupancyGrid map = file.map; !map.isEmpty()) {
+    const Pose2 origin{length * map.origin().position, map.origin().heading};
+    file.map =
+        OccupancyGrid(map.width(), map.height(), length * map.resolution(), origin, map.cells());
+  }
+  if (file.robotGoal) {
+    file.robotGoal->position *= length;
+    file.robotGoal->radius *= length;
+  }
+}
+
 /// What the user says of the file counts instead of what its format says.
 void applyUnits(const ForeignOptions& options, TrackFile& file) {
   const double length = options.lengthUnit > 0.0 ? options.lengthUnit / file.lengthUnit : 1.0;
   const double time = options.timeUnit > 0.0 ? options.timeUnit / file.timeUnit : 1.0;
   const double angle = options.degrees ? base::kPi / 180.0 : 1.0;
+  scaleSurroundings(length, file);
   for (Track& track : file.tracks) {
     if (track.radius) {
       *track.radius *= length;
@@ -172,7 +195,7 @@ base::Result<TrackFile> readForeign(const std::string& path, const ForeignOption
   const TrackFormat* format =
       options.format.empty() ? formats.formatOf(path, plain) : formats.find(options.format);
   if (format == nullptr) {
-    return base::error("tracks.unknown-format", {}, path);
+    return base::error("tracks.unknown-format", {base::join(formats.names(), ", ")}, path);
   }
   TrackFile file = format->read(input);
   file.file = path;

@@ -25,6 +25,9 @@ struct ForeignOptions {
   double radius = 0.0;                         // [m] of everybody; 0: what the file says
 };
 
+/// The file is an SQLite database with the trajectories of JuPedSim (not a bag of rosbag2).
+bool isTrajectoryDatabase(const std::string& path);
+
 /// "time=t,id=ped"; unknown names of ours and pairs without '=' are errors.
 base::Result<std::map<std::string, std::string>> parseColumns(const std::string& text);
 

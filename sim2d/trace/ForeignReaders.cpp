@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "sim2d/base/Text.h"
@@ -78,6 +79,90 @@ std::optional<long long> WordReader::whole(const Word& word, const char* name) {
   return static_cast<long long>(*value);
 }
 
+std::optional<double> lengthUnitOf(std::string_view word) {
+  static const std::map<std::string_view, double> kUnits = {{"m", 1.0},
+                                                            {"metre", 1.0},
+                                                            {"metres", 1.0},
+                                                            {"meter", 1.0},
+                                                            {"meters", 1.0},
+                                                            {"cm", 1e-2},
+                                                            {"centimetre", 1e-2},
+                                                            {"centimetres", 1e-2},
+                                                            {"centimeter", 1e-2},
+                                                            {"centimeters", 1e-2},
+                                                            {"mm", 1e-3},
+                                                            {"millimetre", 1e-3},
+                                                            {"millimetres", 1e-3},
+                                                            {"millimeter", 1e-3},
+                                                            {"millimeters", 1e-3},
+                                                            {"km", 1e3},
+                                                            {"ft", 0.3048},
+                                                            {"foot", 0.3048},
+                                                            {"feet", 0.3048},
+                                                            {"inch", 0.0254}};
+  const auto found = kUnits.find(word);
+  return found == kUnits.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> timeUnitOf(std::string_view word) {
+  static const std::map<std::string_view, double> kUnits = {
+      {"s", 1.0},       {"sec", 1.0},          {"secs", 1.0},          {"second", 1.0},
+      {"seconds", 1.0}, {"ms", 1e-3},          {"msec", 1e-3},         {"millisecond", 1e-3},
+      {"us", 1e-6},     {"\xC2\xB5s", 1e-6},   {"microseconds", 1e-6}, {"milliseconds", 1e-3},
+      {"ns", 1e-9},     {"nanoseconds", 1e-9}, {"min", 60.0},          {"minutes", 60.0},
+      {"h", 3600.0}};
+  const auto found = kUnits.find(word);
+  return found == kUnits.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> lengthUnitIn(std::string_view text) {
+  const auto isPart = [](char c) { return (c >= 'a' && c <= 'z') || base::isDigit(c); };
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const std::size_t begin = k;
+    while (k < text.size() && isPart(text[k])) {
+      ++k;
+    }
+    if (const auto unit = lengthUnitOf(text.substr(begin, k - begin))) {
+      return unit;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> leadingComments(std::string_view text, char mark) {
+  std::vector<std::string> comments;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = base::trimmed(text.substr(begin, end - begin));
+    if (!line.empty() && line.front() != mark) {
+      break;
+    }
+    comments.push_back(base::lowered(base::trimmed(line.empty() ? line : line.substr(1))));
+    begin = end + 1;
+  }
+  return comments;
+}
+
+double statedRate(const std::vector<std::string>& comments) {
+  constexpr const char* kNames[] = {"framerate", "frame rate",        "frame_rate",   "frame-rate",
+                                    "fps",       "frames per second", "sampling rate"};
+  for (const std::string& line : comments) {
+    const std::size_t begin = line.find_first_of("0123456789.");
+    if (begin == std::string::npos) {
+      continue;
+    }
+    const std::size_t end = std::min(line.find_first_not_of("0123456789.", begin), line.size());
+    const std::string rest = base::trimmed(line.substr(end));
+    const bool isNamed = std::any_of(std::begin(kNames), std::end(kNames), [&](const char* name) {
+      return line.compare(0, std::string_view(name).size(), name) == 0;
+    });
+    if (isNamed || (begin == 0 && rest == "fps")) {
+      return base::parseDouble(line.substr(begin, end - begin)).value_or(0.0);
+    }
+  }
+  return 0.0;
+}
+
 TrackPoint& FrameTracks::add(int id, long long frame, const Vec2& position, int line, int column) {
   Track& track = tracks_[id];
   track.id = id;
@@ -86,6 +171,8 @@ TrackPoint& FrameTracks::add(int id, long long frame, const Vec2& position, int 
   point.position = position;
   point.line = line;
   point.column = column;
+  const std::size_t count = track.points.size();
+  backwards_ += count > 1 && !(track.points[count - 2].time < point.time) ? 1U : 0U;
   return point;
 }
 
@@ -130,6 +217,97 @@ void framesToSeconds(TrackFile& file, double framesPerSecond) {
   }
 }
 
+namespace {
+
+/// How rows read as observations of bodies move.
+class StepLengths {
+ public:
+  void add(double body, double frame, const Vec2& place) {
+    const auto [at, isNew] = last_.try_emplace(body, Last{frame, place});
+    if (!isNew) {
+      isForward_ = isForward_ && frame > at->second.frame;
+      sum_ += (place - at->second.place).norm();
+      ++count_;
+      at->second = {frame, place};
+    }
+  }
+  bool isForward() const { return isForward_; }
+  std::size_t count() const { return count_; }
+  double mean() const { return sum_ / static_cast<double>(count_); }
+
+ private:
+  struct Last {
+    double frame = 0.0;
+    Vec2 place = Vec2::Zero();
+  };
+  std::map<double, Last> last_;
+  double sum_ = 0.0;
+  std::size_t count_ = 0;
+  bool isForward_ = true;
+};
+
+}  // namespace
+
+bool beginWithIds(std::string_view text) {
+  constexpr int kMostRows = 4000;
+  constexpr std::size_t kFewSteps = 3;  // of one body alone
+  StepLengths idsFirst;
+  StepLengths framesFirst;
+  TextRows rows(text);
+  std::vector<Word> row;
+  for (int k = 0; k < kMostRows && rows.next(row); ++k) {
+    double values[4] = {};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto value = i < row.size() ? base::parseDouble(row[i].text) : std::nullopt;
+      if (!value || !std::isfinite(*value) || (i < 2 && *value != std::floor(*value))) {
+        return false;
+      }
+      values[i] = *value;
+    }
+    idsFirst.add(values[0], values[1], {values[2], values[3]});
+    framesFirst.add(values[1], values[0], {values[2], values[3]});
+  }
+  if (!idsFirst.isForward() || idsFirst.count() == 0) {
+    return false;
+  }
+  if (framesFirst.count() == 0) {
+    return idsFirst.count() >= kFewSteps;
+  }
+  return !framesFirst.isForward() || idsFirst.mean() < 0.5 * framesFirst.mean();
+}
+
+std::vector<std::size_t> numberedColumns(const ForeignInput& input,
+                                         const std::vector<const char*>& names, std::size_t most) {
+  const auto problem = [&input](std::string_view code, base::ProblemValues values) {
+    input.problems.push_back(base::error(code, std::move(values), input.path));
+  };
+  std::vector<std::size_t> columns(names.size());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    columns[k] = k;
+  }
+  for (const auto& [name, word] : input.options.columns) {
+    const auto at = std::find(names.begin(), names.end(), name);
+    const std::optional<long long> number = base::parseInt(word);
+    if (at == names.end()) {
+      problem("tracks.not-numbered", {name});
+    } else if (!number || *number < 1 || *number > static_cast<long long>(most)) {
+      problem("tracks.bad-column-number", {name, most, word});
+    } else {
+      columns[static_cast<std::size_t>(at - names.begin())] = static_cast<std::size_t>(*number) - 1;
+    }
+  }
+  return columns;
+}
+
+double rateOf(const ForeignInput& input, double stated) {
+  const double given = input.options.framesPerSecond;
+  const double rate = given > 0.0 ? given : stated;
+  if (!(rate > 0.0)) {
+    input.problems.push_back(base::error("tracks.no-rate", {}, input.path));
+  }
+  return rate;
+}
+
 std::string besideFile(const std::string& path, const std::string& name) {
   return std::filesystem::path(path).replace_filename(name).string();
 }
@@ -156,14 +334,19 @@ void readGroupsBeside(const ForeignInput& input, TrackFile& file) {
   if (!text) {
     return;  // not every set has one
   }
+  std::multimap<long long, Track*> byId;
+  for (Track& track : file.tracks) {
+    byId.emplace(track.id, &track);
+  }
   WordReader words(path, input.problems);
   TextRows rows(*text);
   std::vector<Word> row;
-  for (int group = 1; rows.next(row); ++group) {
+  for (int group = 1; words.isUsable() && rows.next(row); ++group) {
     for (const Word& word : row) {
       const std::optional<long long> id = words.whole(word, "an id of a group");
-      for (Track& track : file.tracks) {
-        track.group = id && track.id == *id ? group : track.group;
+      const auto range = id ? byId.equal_range(*id) : std::pair(byId.end(), byId.end());
+      for (auto at = range.first; at != range.second; ++at) {
+        at->second->group = group;
       }
     }
   }

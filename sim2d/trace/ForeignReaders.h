@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -34,12 +35,14 @@ class TextRows {
   int line_ = 0;
 };
 
-/// Numbers of a foreign file; every problem is noted with file, line and column.
+/// Numbers of a foreign file; every problem is noted with file, line and column, up to a limit.
 class WordReader {
  public:
   WordReader(std::string file, base::Diagnostics& problems)
       : file_(std::move(file)), problems_(problems) {}
 
+  /// False: there were so many problems that the rest of the file need not be read.
+  bool isUsable() const { return problems_.size() < kMostProblems; }
   void error(const Word& at, std::string_view code, base::ProblemValues values = {});
   std::optional<double> finite(const Word& word, const char* name);
   /// Also written with a point or an exponent: "12.0", "7.8e+02".
@@ -47,9 +50,23 @@ class WordReader {
   const std::string& file() const { return file_; }
 
  private:
+  static constexpr std::size_t kMostProblems = 100000;  // 300 bytes each, also of a line of two
+
   std::string file_;
   base::Diagnostics& problems_;
 };
+
+/// [m] of a unit of length in lower case: "m", "cm", "mm", "ft", also spelled out.
+std::optional<double> lengthUnitOf(std::string_view word);
+/// [s] of "s", "ms", "us", "ns", "min", also spelled out.
+std::optional<double> timeUnitOf(std::string_view word);
+/// [m] of the first word in a lower-case text that is a unit of length.
+std::optional<double> lengthUnitIn(std::string_view text);
+
+/// The comments before the first row of a text: in lower case, without their marks.
+std::vector<std::string> leadingComments(std::string_view text, char mark = '#');
+/// Frames per second that a comment states ("framerate: 25 fps", "fps=25"); 0: none does.
+double statedRate(const std::vector<std::string>& comments);
 
 struct ForeignInput {
   const std::string& path;
@@ -110,14 +127,38 @@ class FrameTracks {
   TrackPoint* add(WordReader& words, const Word& frame, const Word& id, const Word& x,
                   const Word& y);
   TrackFile finish(const std::string& path, double framesPerSecond);
+  /// False: the frames of bodies go back so often that the file is refused whatever follows.
+  bool isUsable() const { return backwards_ < kMostBackwards; }
 
  private:
+  static constexpr std::size_t kMostBackwards = 10000;
+
   std::map<int, Track> tracks_;
+  std::size_t backwards_ = 0;  // frames that do not follow the one before
 };
 
 /// Times that count frames become seconds: by the rate, or (0) so that the median step between two
 /// observations is kAnnotationStep.
 void framesToSeconds(TrackFile& file, double framesPerSecond);
+
+/// Rows of numbers that begin with id and frame, not with frame and id: the paths that follow from
+/// the first reading have shorter steps.
+bool beginWithIds(std::string_view text);
+
+/// Positions of the columns of a format without names, from 0: as usual, or by the numbers from 1
+/// that the user gave. Wrong numbers are noted.
+std::vector<std::size_t> numberedColumns(const ForeignInput& input,
+                                         const std::vector<const char*>& names, std::size_t most);
+
+/// The rate that the user gave, else the one that the file states; 0 and an error: neither.
+double rateOf(const ForeignInput& input, double stated);
+
+/// Bytes that a file of a size may unpack to, by its own compression.
+constexpr std::uint64_t mostUnpacked(std::uint64_t fileSize) {
+  constexpr std::size_t kOfAny = std::size_t{16} << 20U;
+  constexpr std::uint64_t kPerByte = 100;
+  return kOfAny + kPerByte * fileSize;
+}
 
 /// The file of this name beside `path`.
 std::string besideFile(const std::string& path, const std::string& name);
@@ -136,7 +177,7 @@ void forEachRow(const ForeignInput& input, std::size_t width, const char* column
   WordReader words(input.path, input.problems);
   TextRows rows(input.text);
   std::vector<Word> row;
-  while (rows.next(row)) {
+  while (words.isUsable() && rows.next(row)) {
     if (row.size() == width) {
       take(words, row);
     } else {

@@ -1,5 +1,6 @@
 #include "sim2d/trace/JsonPlaces.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -52,7 +53,7 @@ class PlaceNotes : public nlohmann::json_sax<nlohmann::json> {
   bool end_array() override { return end(); }
   bool key(string_t& name) override {
     levels_.back().key = name;
-    lines_.emplace(path(), line_);
+    note();
     return true;
   }
   bool parse_error(std::size_t /*byte*/, const std::string& /*token*/,
@@ -67,6 +68,19 @@ class PlaceNotes : public nlohmann::json_sax<nlohmann::json> {
     std::string key;        // of an object
   };
 
+  /// Of paths as our files have them: deep or long ones would take memory by their square.
+  void note() {
+    constexpr std::size_t kMostLevels = 32;
+    constexpr std::size_t kLongest = 256;  // [B] of all keys
+    std::size_t length = 0;
+    for (std::size_t k = 0; k < std::min(levels_.size(), kMostLevels); ++k) {
+      length += levels_[k].key.size();
+    }
+    if (levels_.size() <= kMostLevels && length <= kLongest) {
+      lines_.emplace(path(), line_);
+    }
+  }
+
   std::string path() const {
     std::string text;
     for (const Level& level : levels_) {
@@ -80,7 +94,7 @@ class PlaceNotes : public nlohmann::json_sax<nlohmann::json> {
   }
   bool begin(bool isList) {
     if (!levels_.empty() && levels_.back().isList) {
-      lines_.emplace(path(), line_);
+      note();
     }
     levels_.push_back({isList, 0, {}});
     return true;

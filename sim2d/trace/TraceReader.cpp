@@ -15,7 +15,7 @@ namespace sim2d {
 
 namespace {
 
-constexpr std::int64_t kLongestGap = 10000000;  // instants without anybody
+constexpr std::int64_t kMostEmpty = 1000000;  // instants of a record that have no rows
 
 struct Row {
   std::int64_t step = 0;
@@ -135,8 +135,12 @@ class TrajectoryReader {
     checkRobots(last_);
     if (step > expected && !robotIds_.empty()) {
       table_.error(0, "trace.rows-missing", {expected});
-    } else if ((step - expected) / trace_.header.recordEvery > kLongestGap) {
+    } else {
+      empty_ += (step - expected) / trace_.header.recordEvery;
+    }
+    if (empty_ > kMostEmpty) {
       table_.error(0, "trace.gap");
+      empty_ = 0;
       return false;
     }
     for (std::int64_t k = robotIds_.empty() ? expected : step; k <= step;
@@ -168,6 +172,7 @@ class TrajectoryReader {
   const bool mayBeCut_, meetsPeople_;
   std::set<int> humanIds_, robotIds_;
   CsvField last_;
+  std::int64_t empty_ = 0;  // instants without rows since the last error
 };
 
 void readEvents(CsvTable& table, Trace& trace) {
@@ -207,7 +212,7 @@ void checkEnd(Trace& trace, const std::string& file, base::Diagnostics& problems
   const std::int64_t every = trace.header.recordEvery;
   const std::int64_t end = trace.events.back().first / every * every;
   std::int64_t step = trace.frames.empty() ? 0 : trace.frames.back().step + every;
-  if (step <= end && (!trace.header.robots.empty() || (end - step) / every > kLongestGap)) {
+  if (step <= end && (!trace.header.robots.empty() || (end - step) / every > kMostEmpty)) {
     problems.push_back(base::error("trace.ends-early", {end}, file));
     return;
   }

@@ -17,9 +17,13 @@ namespace {
 constexpr double kOnGrid = 1e-6;   // of a step
 constexpr double kOffGrid = 0.01;  // of a step: worth telling
 constexpr double kMostInstants = 2e6;
-constexpr double kMostSteps = 1e15;    // of the times told: whole numbers beyond are not exact
-constexpr double kUsualRadius = 0.35;  // [m]
-constexpr char kMapName[] = "map";
+constexpr double kFewInstants = 1e5;    // allowed however few observations there are
+constexpr double kFewStates = 2e6;      // idem
+constexpr double kPerPoint = 100.0;     // instants, and states of bodies, for one observation
+constexpr double kPerOwnStep = 1000.0;  // idem where the user chose the step
+constexpr double kMostSteps = 1e15;     // of the times told: whole numbers beyond are not exact
+constexpr double kUsualRadius = 0.35;   // [m]
+constexpr double kGoalRadius = 0.2;     // [m] of a goal that the user gives
 
 void appendState(BodyColumns& columns, int id, const TrackState& state) {
   columns.add(id, {state.position, state.heading}, state.velocity, state.omega, kNoGoal);
@@ -27,7 +31,11 @@ void appendState(BodyColumns& columns, int id, const TrackState& state) {
 
 class TraceMaker {
  public:
-  TraceMaker(const TrackFile& file, const TrackOptions& options) : file_(file), options_(options) {}
+  TraceMaker(const TrackFile& file, const TrackOptions& options) : file_(file), options_(options) {
+    for (const Track& track : file.tracks) {
+      observations_ += track.points.size();
+    }
+  }
 
   base::Result<Trace> make() {
     robot_ = checkTracks(file_, options_, problems_);
@@ -38,6 +46,10 @@ class TraceMaker {
     tellOfGrid();
     trace_.header.scenario = std::filesystem::path(file_.file).filename().string();
     trace_.header.dt = step_;
+    trace_.header.obstacles = file_.obstacles;
+    if (!file_.map.isEmpty()) {
+      setMap(trace_, file_.map);
+    }
     std::vector<const Track*> tracks;
     for (const Track& track : file_.tracks) {
       if (&track != robot_ && !track.points.empty()) {
@@ -48,6 +60,11 @@ class TraceMaker {
               [](const Track* a, const Track* b) { return a->id < b->id; });
     for (const Track* track : tracks) {
       addPerson(*track);
+      if (static_cast<double>(states_) > mostFor(kFewStates)) {
+        problems_.push_back(base::error("tracks.too-many-states",
+                                        {static_cast<long long>(mostFor(kFewStates))}, file_.file));
+        return problems_;
+      }
     }
     if (robot_ != nullptr) {
       addRobot();
@@ -56,10 +73,15 @@ class TraceMaker {
   }
 
  private:
-  bool refuseLength() {
-    problems_.push_back(
-        base::error("tracks.too-long", {static_cast<int>(kMostInstants)}, file_.file));
+  bool refuseLength(double most) {
+    problems_.push_back(base::error("tracks.too-long", {static_cast<int>(most)}, file_.file));
     return false;
+  }
+
+  /// A short file must not demand a long record: so many for its observations, or `few`.
+  double mostFor(double few) const {
+    const double perPoint = options_.step > 0.0 ? kPerOwnStep : kPerPoint;
+    return std::max(few, perPoint * static_cast<double>(observations_));
   }
 
   /// Step, start and number of instants.
@@ -76,7 +98,7 @@ class TraceMaker {
     const double median = told > 0.0 ? told : medianInterval(file_.tracks);
     step_ = median > 0.0 ? median : 1.0;  // single positions: the step says nothing
     if (!((end - begin) / step_ <= kMostSteps)) {
-      return refuseLength();
+      return refuseLength(kMostInstants);
     }
     start_ = begin + commonPhase(begin);
     first_ = 0;
@@ -86,8 +108,9 @@ class TraceMaker {
       last = std::floor((robot_->points.back().time - start_) / step_ + kOnGrid);
       last = std::max(last, static_cast<double>(first_));  // seen between two instants only
     }
-    if (!(last <= kMostInstants)) {
-      return refuseLength();
+    const double most = std::min(kMostInstants, mostFor(kFewInstants));
+    if (!(last <= kMostInstants) || !(last - static_cast<double>(first_) <= most)) {
+      return refuseLength(most);
     }
     const auto count = static_cast<std::size_t>(last) - first_ + 1;
     trace_.frames.resize(count);
@@ -176,7 +199,11 @@ class TraceMaker {
 
   void addPerson(const Track& track) {
     bool isThere = false;
+    const double most = mostFor(kFewStates);
     for (const TrackStay& stay : staysOf(track, rates_->longestGap(track))) {
+      if (static_cast<double>(states_) > most) {
+        break;
+      }
       forEachInstant(stay, [&](Frame& frame, const TrackState& state) {
         HumanColumns& humans = frame.humans;
         if (!humans.id.empty() && humans.id.back() == track.id) {
@@ -186,6 +213,7 @@ class TraceMaker {
         humans.group.push_back(track.group);
         humans.state.push_back(0);
         isThere = true;
+        ++states_;
       });
     }
     if (isThere) {
@@ -232,8 +260,9 @@ class TraceMaker {
     robot.planner = "recorded";
     robot.radius = robot_->radius.value_or(kUsualRadius);
     robot.maxVel = fastest > 0.0 ? fastest : robot.maxVel;
-    if (options_.robotGoal) {
-      robot.goals.push_back({0, *options_.robotGoal, 0.2});
+    if (options_.robotGoal || file_.robotGoal) {
+      robot.goals.push_back(options_.robotGoal ? TraceGoal{0, *options_.robotGoal, kGoalRadius}
+                                               : *file_.robotGoal);
       noteArrival(robot.goals.back());
     }
     trace_.header.robots.push_back(std::move(robot));
@@ -264,6 +293,8 @@ class TraceMaker {
   const Track* robot_ = nullptr;
   double step_ = 1.0, start_ = 0.0;
   std::size_t first_ = 0;
+  std::size_t observations_ = 0;
+  std::size_t states_ = 0;  // of people, so far
   std::optional<TrackRates> rates_;
   Trace trace_;
 };
@@ -277,10 +308,10 @@ base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& opt
 void setMap(Trace& trace, OccupancyGrid map) {
   std::vector<TraceObstacle>& obstacles = trace.header.obstacles;
   obstacles.erase(std::remove_if(obstacles.begin(), obstacles.end(),
-                                 [](const TraceObstacle& o) { return o.name == kMapName; }),
+                                 [](const TraceObstacle& o) { return o.name == kRecordedMap; }),
                   obstacles.end());
   TraceObstacle walls;
-  walls.name = kMapName;
+  walls.name = kRecordedMap;
   walls.outlines = traceOutlines(map);
   obstacles.insert(obstacles.begin(), std::move(walls));
   trace.header.map = std::move(map);

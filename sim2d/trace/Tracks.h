@@ -36,14 +36,19 @@ struct TrackFile {
   double lengthUnit = 1.0, timeUnit = 1.0;  // of the source [m], [s]; the points are in m and s
   bool isByFrames = false;                  // the source counts frames: no unit of time
   bool isSparse = false;  // points are corners of ways: a long time between two is no absence
+  std::vector<TraceObstacle> obstacles;  // [m]
+  OccupancyGrid map;
+  std::optional<TraceGoal> robotGoal;
 };
 
 struct TrackOptions {
-  std::optional<int> robotId;  // this person becomes the robot
-  std::string robotName;       // the same by its Track::name; robotId counts where nobody has it
-  std::optional<Vec2> robotGoal;
-  double step = 0.0;  // [s], 0 = the file's
+  std::optional<int> robotId;     // this person becomes the robot
+  std::string robotName;          // the same by its Track::name; robotId counts where nobody has it
+  std::optional<Vec2> robotGoal;  // instead of the file's
+  double step = 0.0;              // [s], 0 = the file's
 };
+
+constexpr char kRecordedMap[] = "map";  // name of the outlines that setMap() replaces
 
 /// Median time between two observations of a body, the lower of two; 0 when there are no two.
 double medianInterval(const std::vector<Track>& tracks);

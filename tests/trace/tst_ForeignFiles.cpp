@@ -197,7 +197,7 @@ void badFilesOfOthers() {
          "a.traj:2:5: error: the line has 3 fields");
   badRow("vadere columns", "a.traj", "pedestrianId x y\n1 7 0\n", "a.traj:1:1: error: no line of");
   badRow("jrdb cut", "a.json", R"({"labels": {"0.pcd": [{"label_id": "pedestrian:1", )",
-         "a.json: error: no frames of people");
+         "a.json:1:52: error: not valid JSON");
   badRow("jrdb frame", "a.json", R"({"labels": {"first": [{"label_id": "pedestrian:1"}]}})",
          "no number in the frame 'first'");
   badRow("jrdb label", "a.json", R"({"labels": {"0.pcd": [{"label_id": "pedestrian:4294967297",
@@ -211,7 +211,7 @@ void badFilesOfOthers() {
   badRow("atc word", "atc.csv", "1351651345,1,0,0,0,0,0,0\n1351651346,1,b,0,0,0,0,0\n",
          "atc.csv:2:14: error: x is not a finite");
   badRow("sdd scale", "annotations.txt", "4 0 0 9 9 0 0 0 0 \"Pedestrian\"\n",
-         "annotations.txt: error: pixels become metres by their size");
+         "annotations.txt: error: positions are in pixels (give the size of a pixel with --unit");
   badRow("hdf5 cut", "a.h5", "\x89HDF\r\n\x1a\n", "a.h5: error: no table 'trajectory'");
   badRow("obsmat width", "obsmat.txt", "1 1 0 0 0 0 0 0\n2 1 0 0\n",
          "obsmat.txt:2:7: error: the line has 4 numbers instead of 8");

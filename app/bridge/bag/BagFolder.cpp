@@ -11,6 +11,7 @@
 #include "app/bridge/bag/McapFormat.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
+#include "sim2d/trace/ForeignFiles.h"
 
 namespace bridge {
 namespace {
@@ -38,7 +39,8 @@ Kind kindOf(const std::string& path) {
   if (begin.substr(0, kMcapMagic.size()) == kMcapMagic) {
     return Kind::Mcap;
   }
-  return begin == kDatabaseMagic ? Kind::Database : Kind::None;
+  return begin == kDatabaseMagic && !sim2d::isTrajectoryDatabase(path) ? Kind::Database
+                                                                       : Kind::None;
 }
 
 std::string textOf(const base::YamlNode* map, const char* key) {

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -7,6 +8,7 @@
 #include <sqlite3.h>
 
 #include "app/bridge/bag/Bag.h"
+#include "sim2d/trace/SqliteLimits.h"
 
 namespace bridge {
 namespace {
@@ -41,6 +43,9 @@ class Database final : public Bag {
       : path_(std::move(path)), connection_(std::move(connection)) {}
 
   base::Diagnostics readTopics() {
+    std::error_code unknown;  // of what was opened just now: 0 limits it most
+    const std::uintmax_t size = std::filesystem::file_size(path_, unknown);
+    sim2d::limitQueries(connection_.get(), unknown ? 0 : size, budget_);
     const Statement topics =
         prepared(connection_.get(), "SELECT id, name, type, serialization_format FROM topics");
     if (!topics) {
@@ -80,6 +85,7 @@ class Database final : public Bag {
   }
 
   std::string path_;
+  std::int64_t budget_ = 0;  // outlives the connection
   Connection connection_;
   std::vector<BagChannel> channels_;
   std::map<sqlite3_int64, std::size_t> places_;  // of topic ids in channels_
@@ -95,9 +101,6 @@ base::Result<std::unique_ptr<Bag>> openDatabase(const std::string& path) {
   if (code != SQLITE_OK) {
     return base::error("bag.bad-database", {sqlite3_errstr(code)}, path);
   }
-  // Tables alone are read: a view can be a query that never ends.
-  sqlite3_db_config(connection.get(), SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
-  sqlite3_db_config(connection.get(), SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   auto database = std::make_unique<Database>(path, std::move(connection));
   base::Diagnostics problems = database->readTopics();
   if (!problems.empty()) {

@@ -21,12 +21,17 @@ int evaluateCommand(const EvaluateOptions& options, const Invocation& given) {
 }
 
 void addForeignOptions(CLI::App& command, EvaluateOptions& options) {
-  command.add_option("--format", options.format, "Of a file of another program (by its name)")
+  command
+      .add_option("--format", options.format,
+                  "Format of a trajectory file (default: recognised by its content)")
       ->check(oneOf(sim2d::trackFormatNames()));
-  command.add_option("--columns", options.columns, "Names of its columns: time=t,id=ped,x=px");
-  command.add_option("--fps", options.framesPerSecond, "Frames per second of its frame numbers");
-  command.add_option("--unit", options.unit, "Of its lengths: mm, cm, m, or metres per pixel");
-  command.add_option("--time-unit", options.timeUnit, "Of its times: s, ms, us, ns")
+  command.add_option("--columns", options.columns,
+                     "Names of its columns: time=t,id=ped,x=px; their numbers from 1 where "
+                     "the format has no names (petrack, trajnet, socnavbench)");
+  command.add_option("--fps", options.framesPerSecond,
+                     "Frames per second of its frame numbers, if the file states none");
+  command.add_option("--unit", options.unit, "Unit of its lengths: mm, cm, m, or metres per pixel");
+  command.add_option("--time-unit", options.timeUnit, "Unit of its times: s, ms, us, ns")
       ->check(oneOf({"s", "ms", "us", "ns"}));
   command.add_flag("--degrees", options.degrees, "Its headings are in degrees (csv)");
   command.add_option("--radius", options.radius, "Of everybody in it [m]");
@@ -65,8 +70,8 @@ void addEvaluate(CommandRegistry& commands) {
       commands.add("evaluate", "Metrics of a recorded run, of a file or of a bag", evaluateCommand);
   CLI::Option* const source =
       command.add_option("source", options.source,
-                         "Folder of a run, a trajectory file (-: standard input), or a bag: an "
-                         "MCAP file, a .db3, a folder of rosbag2");
+                         "Folder of a run, a trajectory file of another program (-: standard "
+                         "input), or a bag: an MCAP file, a .db3, a folder of rosbag2");
   addOutputFolder(command, options.output, "Folder for the results").required();
   command.add_option("--map", options.map, "Map instead of the recorded; none = open plane");
   addMetricsOptions(command, options.metrics);

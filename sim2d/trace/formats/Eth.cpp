@@ -16,7 +16,9 @@ TrackFile readObsmat(const ForeignInput& input) {
                  point->velocity = Vec2(*vx, *vy);
                }
              });
-  TrackFile file = tracks.finish(input.path, input.options.framesPerSecond);
+  const double given = input.options.framesPerSecond;
+  TrackFile file =
+      tracks.finish(input.path, given > 0.0 ? given : statedRate(leadingComments(input.text)));
   readGroupsBeside(input, file);
   return file;
 }

@@ -1,10 +1,15 @@
+#include <algorithm>
 #include <hdf5.h>
 #include <limits>
 
+#include "sim2d/base/Text.h"
 #include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/WalkableArea.h"
 
 /// HDF5 files of PeTrack and of the Pedestrian Dynamics Data Archive: a table "trajectory" with id,
-/// frame, x, y [m]; the rate is the attribute "fps" of the file.
+/// frame, x, y [m]. The attribute "fps" of the file or of the table has the rate, the attributes of
+/// the table named as its columns may have their unit, "wkt_geometry" of the file the walkable
+/// area.
 namespace sim2d {
 
 namespace {
@@ -36,7 +41,7 @@ struct Row {
   double x = 0.0, y = 0.0;
 };
 
-constexpr hsize_t kMostRows = 20000000;  // 640 MB of them, before they are tracks
+constexpr hsize_t kBlock = 65536;  // rows that are read together
 
 /// Nothing: it is no column of rows.
 std::optional<hsize_t> countRows(hid_t table) {
@@ -47,74 +52,208 @@ std::optional<hsize_t> countRows(hid_t table) {
   return isColumn ? std::optional(count) : std::nullopt;
 }
 
-/// The library finds the members by name and converts their numbers. A table may claim rows that
-/// are nowhere in the file: the count has a fixed limit.
-bool readRows(hid_t file, const ForeignInput& input, std::vector<Row>& rows) {
-  const Handle table(H5Dopen2(file, "trajectory", H5P_DEFAULT), H5Dclose);
-  const std::optional<hsize_t> count = table.isGood() ? countRows(table) : std::nullopt;
-  if (!count) {
-    return false;
-  }
-  if (*count > kMostRows) {
-    input.problems.push_back(base::error("tracks.too-many-rows", {*count, kMostRows}, input.path));
-    return false;
-  }
-  const Handle type(H5Dget_type(table), H5Tclose);
-  for (const char* name : {"id", "frame", "x", "y"}) {
-    if (H5Tget_class(type) != H5T_COMPOUND || H5Tget_member_index(type, name) < 0) {
-      return false;
-    }
-  }
-  const Handle row(H5Tcreate(H5T_COMPOUND, sizeof(Row)), H5Tclose);
-  H5Tinsert(row, "id", HOFFSET(Row, id), H5T_NATIVE_LLONG);
-  H5Tinsert(row, "frame", HOFFSET(Row, frame), H5T_NATIVE_LLONG);
-  H5Tinsert(row, "x", HOFFSET(Row, x), H5T_NATIVE_DOUBLE);
-  H5Tinsert(row, "y", HOFFSET(Row, y), H5T_NATIVE_DOUBLE);
-  rows.resize(*count);
-  return H5Dread(table, row, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows.data()) >= 0;
+/// Rows in a piece that is packed as one; 1: they are stored as they are.
+hsize_t rowsOfChunk(hid_t table) {
+  const Handle creation(H5Dget_create_plist(table), H5Pclose);
+  hsize_t rows = 1;
+  const bool isChunked = creation.isGood() && H5Pget_layout(creation) == H5D_CHUNKED &&
+                         H5Pget_chunk(creation, 1, &rows) == 1;
+  return isChunked ? rows : 1;
 }
 
-/// 0: it is not told.
-double toldRate(hid_t file) {
-  const Handle attribute(H5Aexists(file, "fps") > 0 ? H5Aopen(file, "fps", H5P_DEFAULT) : -1,
-                         H5Aclose);
-  double rate = 0.0;
-  const Handle space(attribute.isGood() ? H5Aget_space(attribute) : -1, H5Sclose);
-  const bool isOne = space.isGood() && H5Sget_simple_extent_npoints(space) == 1;
-  const bool isRead = isOne && H5Aread(attribute, H5T_NATIVE_DOUBLE, &rate) >= 0;
-  return isRead ? rate : 0.0;
+/// Its rows are in this file, not in others that it names.
+bool isInFile(hid_t table) {
+  const Handle creation(H5Dget_create_plist(table), H5Pclose);
+  return creation.isGood() && H5Pget_external_count(creation) == 0 &&
+         H5Pget_layout(creation) != H5D_VIRTUAL;
 }
+
+/// A table may declare rows that are nowhere in the file.
+void checkDeclaredSize(hid_t table, hid_t type, hsize_t count, const ForeignInput& input) {
+  const auto most = static_cast<hsize_t>(mostUnpacked(input.text.size()));
+  const hsize_t mostRows = most / std::max<hsize_t>(H5Tget_size(type), 1);
+  const hsize_t declared = std::max(count, rowsOfChunk(table));
+  if (declared > mostRows) {
+    input.problems.push_back(base::error("tracks.too-many-rows", {declared, mostRows}, input.path));
+  }
+}
+
+/// The member of that name, in any case; empty: there is none.
+std::string memberNamed(hid_t type, const std::string& name) {
+  const int count = H5Tget_class(type) == H5T_COMPOUND ? H5Tget_nmembers(type) : 0;
+  for (int k = 0; k < count; ++k) {
+    char* const text = H5Tget_member_name(type, static_cast<unsigned>(k));
+    const std::string found = text == nullptr ? std::string() : text;
+    H5free_memory(text);
+    if (base::lowered(found) == name) {
+      return found;
+    }
+  }
+  return {};
+}
+
+/// Of the rows as they are wanted in memory: the library finds the members by name and converts
+/// their numbers. Not good: one is missing.
+hid_t rowType(hid_t type) {
+  const Handle wanted(H5Tcreate(H5T_COMPOUND, sizeof(Row)), H5Tclose);
+  const std::pair<const char*, std::pair<std::size_t, hid_t>> members[] = {
+      {"id", {HOFFSET(Row, id), H5T_NATIVE_LLONG}},
+      {"frame", {HOFFSET(Row, frame), H5T_NATIVE_LLONG}},
+      {"x", {HOFFSET(Row, x), H5T_NATIVE_DOUBLE}},
+      {"y", {HOFFSET(Row, y), H5T_NATIVE_DOUBLE}}};
+  for (const auto& [name, member] : members) {
+    const std::string theirs = memberNamed(type, name);
+    if (theirs.empty() || H5Tinsert(wanted, theirs.c_str(), member.first, member.second) < 0) {
+      return H5I_INVALID_HID;
+    }
+  }
+  return H5Tcopy(wanted);
+}
+
+/// Text of an attribute; empty: it is absent or no text.
+std::string attributeText(hid_t of, const char* name) {
+  const Handle attribute(H5Aexists(of, name) > 0 ? H5Aopen(of, name, H5P_DEFAULT) : -1, H5Aclose);
+  const Handle type(attribute.isGood() ? H5Aget_type(attribute) : -1, H5Tclose);
+  const Handle space(attribute.isGood() ? H5Aget_space(attribute) : -1, H5Sclose);
+  if (!type.isGood() || H5Tget_class(type) != H5T_STRING ||
+      H5Sget_simple_extent_npoints(space) != 1) {
+    return {};
+  }
+  if (H5Tis_variable_str(type) <= 0) {
+    std::string text(H5Tget_size(type), '\0');
+    return H5Aread(attribute, type, text.data()) < 0 ? std::string()
+                                                     : text.substr(0, text.find('\0'));
+  }
+  char* text = nullptr;
+  const bool isRead = H5Aread(attribute, type, &text) >= 0 && text != nullptr;
+  std::string copy = isRead ? text : "";
+  H5free_memory(text);
+  return copy;
+}
+
+/// A number, or a text of one: "25 fps". 0: there is none.
+double attributeNumber(hid_t of, const char* name) {
+  const Handle attribute(H5Aexists(of, name) > 0 ? H5Aopen(of, name, H5P_DEFAULT) : -1, H5Aclose);
+  const Handle space(attribute.isGood() ? H5Aget_space(attribute) : -1, H5Sclose);
+  if (!space.isGood() || H5Sget_simple_extent_npoints(space) != 1) {
+    return 0.0;
+  }
+  const std::string text = base::trimmed(attributeText(of, name));
+  double value = 0.0;
+  if (!text.empty()) {
+    return base::parseDouble(text.substr(0, text.find_first_of(" \tfF"))).value_or(0.0);
+  }
+  return H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0 ? value : 0.0;
+}
+
+/// Of the file or of its table; 0: neither states it. Two that differ need the user's.
+double statedRate(hid_t file, hid_t table, const ForeignInput& input) {
+  double rate = 0.0;
+  for (const hid_t of : {file, table}) {
+    for (const char* name : {"fps", "framerate", "frame_rate", "frameRate"}) {
+      const double found = attributeNumber(of, name);
+      if (rate > 0.0 && found > 0.0 && found != rate && !(input.options.framesPerSecond > 0.0)) {
+        input.problems.push_back(base::error("tracks.two-rates", {rate, found}, input.path));
+      }
+      rate = rate > 0.0 ? rate : found;
+    }
+  }
+  return rate;
+}
+
+/// [m] of places: metres unless an attribute of the column says otherwise.
+double statedUnit(hid_t table) {
+  for (const char* name : {"x", "y", "unit", "units"}) {
+    const std::string text = base::lowered(attributeText(table, name));
+    if (const std::optional<double> unit = lengthUnitIn(text)) {
+      return *unit;
+    }
+  }
+  return 1.0;
+}
+
+class TableReader {
+ public:
+  TableReader(const ForeignInput& input, hid_t table, double unit)
+      : input_(input), table_(table), unit_(unit) {}
+
+  /// Notes what is wrong with the columns and the number of rows.
+  void check(hsize_t count) {
+    const Handle type(H5Dget_type(table_), H5Tclose);
+    const Handle row(rowType(type), H5Tclose);
+    if (!row.isGood()) {
+      input_.problems.push_back(base::error("tracks.no-dataset", {}, input_.path));
+    } else {
+      checkDeclaredSize(table_, type, count, input_);
+    }
+  }
+
+  /// False: a problem was noted.
+  bool read(hsize_t count) {
+    const Handle type(H5Dget_type(table_), H5Tclose);
+    const Handle row(rowType(type), H5Tclose);
+    const Handle space(H5Dget_space(table_), H5Sclose);
+    std::vector<Row> rows;
+    for (hsize_t from = 0; from < count && tracks_.isUsable(); from += kBlock) {
+      const hsize_t block = std::min(kBlock, count - from);
+      rows.resize(block);
+      const Handle memory(H5Screate_simple(1, &block, nullptr), H5Sclose);
+      H5Sselect_hyperslab(space, H5S_SELECT_SET, &from, nullptr, &block, nullptr);
+      if (H5Dread(table_, row, memory, space, H5P_DEFAULT, rows.data()) < 0) {
+        input_.problems.push_back(base::error("tracks.no-dataset", {}, input_.path));
+        return false;
+      }
+      if (!take(rows)) {
+        return false;
+      }
+    }
+    return true;
+  }
+  TrackFile finish(double rate) { return tracks_.finish(input_.path, rate); }
+
+ private:
+  bool take(const std::vector<Row>& rows) {
+    for (const Row& row : rows) {
+      const Vec2 place(row.x, row.y);
+      if (!place.allFinite() || row.id < 0 || row.id > std::numeric_limits<int>::max()) {
+        input_.problems.push_back(base::error("tracks.out-of-range", {}, input_.path));
+        return false;
+      }
+      tracks_.add(static_cast<int>(row.id), row.frame, unit_ * place, 0, 0);
+    }
+    return true;
+  }
+
+  const ForeignInput& input_;
+  hid_t table_;
+  double unit_;
+  FrameTracks tracks_;
+};
 
 TrackFile readHdf5(const ForeignInput& input) {
   if (input.path == "-") {
-    input.problems.push_back(base::error("tracks.needs-file", {}, input.path));
+    input.problems.push_back(base::error("tracks.needs-file", {"HDF5"}, input.path));
     return {};
   }
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what fails is told here
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are reported here
   const Handle file(H5Fopen(input.path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  std::vector<Row> rows;
-  if (!file.isGood() || !readRows(file, input, rows)) {
-    if (!base::hasErrors(input.problems)) {
-      input.problems.push_back(base::error("tracks.no-dataset", {}, input.path));
-    }
+  const Handle table(file.isGood() ? H5Dopen2(file, "trajectory", H5P_DEFAULT) : -1, H5Dclose);
+  const auto count = table.isGood() && isInFile(table) ? countRows(table) : std::nullopt;
+  if (!count) {
+    input.problems.push_back(base::error("tracks.no-dataset", {}, input.path));
     return {};
   }
-  const double given = input.options.framesPerSecond;
-  const double rate = given > 0.0 ? given : toldRate(file);
-  if (!(rate > 0.0)) {
-    input.problems.push_back(base::error("tracks.no-rate", {}, input.path));
+  const double unit = statedUnit(table);
+  const double rate = rateOf(input, statedRate(file, table, input));
+  TableReader reader(input, table, unit);
+  reader.check(*count);
+  if (base::hasErrors(input.problems) || !reader.read(*count)) {
     return {};
   }
-  FrameTracks tracks;
-  for (const Row& row : rows) {
-    const Vec2 place(row.x, row.y);
-    if (!place.allFinite() || row.id < 0 || row.id > std::numeric_limits<int>::max()) {
-      input.problems.push_back(base::error("tracks.out-of-range", {}, input.path));
-      return {};
-    }
-    tracks.add(static_cast<int>(row.id), row.frame, place, 0, 0);
-  }
-  return tracks.finish(input.path, rate);
+  TrackFile tracks = reader.finish(rate);
+  tracks.lengthUnit = unit;
+  addWalkableArea(attributeText(file, "wkt_geometry"), unit, input, tracks);
+  return tracks;
 }
 
 Claim claim(const FirstLook& look) {

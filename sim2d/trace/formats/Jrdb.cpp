@@ -1,10 +1,8 @@
 #include <limits>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
 #include "sim2d/base/Text.h"
-#include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/JsonInput.h"
 
 /// Boxes of JRDB (labels_3d): people around a robot that stays at the origin, 15 frames per second.
 namespace sim2d {
@@ -31,8 +29,12 @@ class JrdbReader {
   explicit JrdbReader(const ForeignInput& input) : input_(input) {}
 
   TrackFile read() {
+    const std::optional<Json> parsed = parseJsonInput(input_);
+    if (!parsed) {
+      return {};
+    }
     try {
-      const Json root = Json::parse(input_.text);
+      const Json& root = *parsed;
       std::multimap<long long, const Json*> frames;  // "10" comes after "9"
       for (const auto& [name, boxes] : root.at("labels").items()) {
         if (const std::optional<long long> frame = numberIn(name)) {
@@ -47,7 +49,7 @@ class JrdbReader {
         }
       }
     } catch (const Json::exception& problem) {
-      input_.problems.push_back(base::error("tracks.bad-json", {problem.what()}, input_.path));
+      input_.problems.push_back(base::error("tracks.bad-json", {jsonReason(problem)}, input_.path));
       return {};
     }
     tell();

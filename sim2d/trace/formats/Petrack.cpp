@@ -4,43 +4,13 @@
 #include "sim2d/trace/ForeignReaders.h"
 
 /// Text of PeTrack, of JuPedSim and of the Pedestrian Dynamics Data Archive: id, frame, x, y and
-/// perhaps more. The rate stands in a comment "framerate: 25", the unit in that of the columns.
+/// perhaps more; a comment that names the columns may state another order. The rate is in a
+/// comment "framerate: 25", the unit in that of the columns.
 namespace sim2d {
 
 namespace {
 
-/// The lines before the first row: lowered, without the mark of comments.
-std::vector<std::string> commentsOf(std::string_view text) {
-  std::vector<std::string> comments;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string line = base::trimmed(text.substr(begin, end - begin));
-    if (!line.empty() && line.front() != '#') {
-      break;
-    }
-    comments.push_back(base::lowered(base::trimmed(line.empty() ? line : line.substr(1))));
-    begin = end + 1;
-  }
-  return comments;
-}
-
-bool beginsWith(const std::string& text, std::string_view word) {
-  return text.compare(0, word.size(), word) == 0;
-}
-
-/// The number of the line "framerate: 25 fps"; 0: there is none.
-double toldRate(const std::vector<std::string>& comments) {
-  for (const std::string& line : comments) {
-    const bool isRate =
-        beginsWith(line, "framerate") || beginsWith(line, "frame rate") || beginsWith(line, "fps");
-    const std::size_t begin = line.find_first_of("0123456789.");
-    if (isRate && begin != std::string::npos) {
-      const std::size_t end = std::min(line.find_first_not_of("0123456789.", begin), line.size());
-      return base::parseDouble(line.substr(begin, end - begin)).value_or(0.0);
-    }
-  }
-  return 0.0;
-}
+const std::vector<const char*> kNames = {"id", "frame", "x", "y"};
 
 /// Of letters and digits.
 std::vector<std::string> wordsOf(std::string line) {
@@ -56,67 +26,122 @@ std::vector<std::string> wordsOf(std::string line) {
   return words;
 }
 
-/// [m] of the first unit in the line.
-std::optional<double> unitIn(const std::string& line) {
-  for (const std::string& word : wordsOf(line)) {
-    if (word == "m" || word == "cm" || word == "mm") {
-      return word == "m" ? 1.0 : word == "cm" ? 0.01 : 0.001;
+/// What a word in the comment of the columns stands for, as an index of kNames.
+std::optional<std::size_t> quantityOf(const std::string& word) {
+  static const std::vector<std::vector<std::string>> kWords = {
+      {"id", "persid", "personid", "pedid", "agentid", "trackid", "number"},
+      {"frame", "frames", "fr", "framenumber"},
+      {"x"},
+      {"y"}};
+  for (std::size_t k = 0; k < kWords.size(); ++k) {
+    if (std::find(kWords[k].begin(), kWords[k].end(), word) != kWords[k].end()) {
+      return k;
     }
   }
   return std::nullopt;
 }
 
-/// [m] as the last line that names the columns says, else a line "unit: cm" or "in cm".
-double toldUnit(const std::vector<std::string>& comments) {
-  double unit = 1.0;
-  std::string columns;
+/// Positions of id, frame, x and y in the comment of the columns; none unless it has each once.
+std::optional<std::vector<std::size_t>> orderIn(const std::string& line) {
+  std::vector<std::size_t> order(kNames.size());
+  std::vector<bool> isFound(kNames.size(), false);
+  std::size_t position = 0;
+  for (const std::string& word : wordsOf(line)) {
+    if (word == "in" || lengthUnitOf(word)) {
+      continue;  // of the column before
+    }
+    if (const std::optional<std::size_t> quantity = quantityOf(word)) {
+      if (isFound[*quantity]) {
+        return std::nullopt;
+      }
+      isFound[*quantity] = true;
+      order[*quantity] = position;
+    }
+    ++position;
+  }
+  const bool isWhole = std::find(isFound.begin(), isFound.end(), false) == isFound.end();
+  return isWhole ? std::optional(order) : std::nullopt;
+}
+
+/// [m] as the last line that names the columns with a unit says, else a line "unit: cm" or "in cm".
+std::optional<double> statedUnit(const std::vector<std::string>& comments) {
+  std::optional<double> ofColumns;
+  std::optional<double> ofLine;
   for (const std::string& line : comments) {
     const std::vector<std::string> words = wordsOf(line);
     const auto holds = [&words](const char* word) {
       return std::find(words.begin(), words.end(), word) != words.end();
     };
-    columns = holds("x") && holds("y") ? line : columns;
-    const bool isUnit = beginsWith(line, "unit") || (!words.empty() && words.front() == "in");
-    unit = isUnit ? unitIn(line).value_or(unit) : unit;
+    const std::optional<double> unit = lengthUnitIn(line);
+    ofColumns = holds("x") && holds("y") && unit ? unit : ofColumns;
+    const bool isUnit =
+        line.compare(0, 4, "unit") == 0 || (!words.empty() && words.front() == "in");
+    ofLine = isUnit && unit ? unit : ofLine;
   }
-  return unitIn(columns).value_or(unit);
+  return ofColumns ? ofColumns : ofLine;
+}
+
+std::vector<std::size_t> orderOf(const ForeignInput& input,
+                                 const std::vector<std::string>& comments) {
+  constexpr std::size_t kMostColumns = 100;
+  std::vector<std::size_t> order = numberedColumns(input, kNames, kMostColumns);
+  for (const std::string& line : comments) {
+    const auto stated = input.options.columns.empty() ? orderIn(line) : std::nullopt;
+    order = stated ? *stated : order;
+  }
+  return order;
 }
 
 TrackFile readPetrack(const ForeignInput& input) {
-  const std::vector<std::string> comments = commentsOf(input.text);
-  const double given = input.options.framesPerSecond;
-  const double rate = given > 0.0 ? given : toldRate(comments);
-  if (!(rate > 0.0)) {
-    input.problems.push_back(base::error("tracks.no-rate", {}, input.path));
+  const std::vector<std::string> comments = leadingComments(input.text);
+  const std::optional<double> unit = statedUnit(comments);
+  const bool isUnknown = !unit && !(input.options.lengthUnit > 0.0);
+  const double stated = statedRate(comments);
+  if (isUnknown && !(stated > 0.0) && !(input.options.framesPerSecond > 0.0)) {
+    input.problems.push_back(base::error("tracks.no-rate-or-unit", {}, input.path));
     return {};
   }
-  const double unit = toldUnit(comments);
+  const double rate = rateOf(input, stated);
+  const std::vector<std::size_t> order = orderOf(input, comments);
+  if (base::hasErrors(input.problems)) {
+    return {};
+  }
+  if (isUnknown) {
+    input.problems.push_back(base::warning("tracks.no-unit", {}, input.path));
+  }
+  const std::size_t width = *std::max_element(order.begin(), order.end()) + 1;
   FrameTracks tracks;
   WordReader words(input.path, input.problems);
   TextRows rows(input.text);
   std::vector<Word> row;
-  while (rows.next(row)) {
-    if (row.size() < 4) {
-      words.error(row.back(), "tracks.number-count", {row.size(), 4, "id frame x y"});
-    } else if (TrackPoint* point = tracks.add(words, row[1], row[0], row[2], row[3])) {
-      point->position *= unit;
+  while (words.isUsable() && tracks.isUsable() && rows.next(row)) {
+    if (row.size() < width) {
+      words.error(row.back(), "tracks.number-count", {row.size(), width, "id frame x y"});
+    } else if (TrackPoint* point =
+                   tracks.add(words, row[order[1]], row[order[0]], row[order[2]], row[order[3]])) {
+      point->position *= unit.value_or(1.0);
     }
   }
   TrackFile file = tracks.finish(input.path, rate);
-  file.lengthUnit = unit;
+  file.lengthUnit = unit.value_or(1.0);
   return file;
 }
 
 Claim claim(const FirstLook& look) {
-  const bool isTold = look.mentions("PeTrack") || look.mentions("jpscore") ||
-                      look.mentions("JuPedSim") || toldRate(commentsOf(look.text)) > 0.0;
-  return isTold && look.isNumbers && look.row.size() >= 4 ? Claim::ByContent : Claim::None;
+  constexpr std::size_t kMost = 7;  // columns of rows without a comment
+  if (!look.isNumbers || look.row.size() < kNames.size()) {
+    return Claim::None;
+  }
+  const bool isStated = look.mentions("PeTrack") || look.mentions("jpscore") ||
+                        look.mentions("JuPedSim") || statedRate(leadingComments(look.text)) > 0.0;
+  const bool isBare = look.row.size() <= kMost && !look.endsWith(".csv") && beginWithIds(look.text);
+  return isStated || isBare ? Claim::ByContent : Claim::None;
 }
 
 }  // namespace
 
 void addPetrack(TrackFormats& to) {
-  to.add({"petrack", 5, claim, readPetrack});
+  to.add({"petrack", 5, claim, readPetrack, false, true});
 }
 
 }  // namespace sim2d

@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <cctype>
+#include <map>
+#include <set>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/Csv.h"
@@ -46,7 +47,7 @@ class ThorReader {
           "tracks.no-table", {"Frame, Time, NAME Centroid_X, NAME Centroid_Y …"}, input_.path));
       return {};
     }
-    while (rows_.next(row_)) {
+    while (words_.isUsable() && rows_.next(row_)) {
       const bool isEmpty = row_.size() == 1 && base::trimmed(row_.front().text).empty();
       if (!isEmpty && row_.size() != width_) {
         words_.error(wordOf(row_.size() - 1), "trace.field-count", {row_.size(), width_});
@@ -66,46 +67,65 @@ class ThorReader {
         file.tracks.push_back(std::move(track));
       }
     }
+    if (!hasTimes_) {
+      framesToSeconds(file, rateOf(input_, rate_));
+    }
     return file;
   }
 
  private:
+  /// The lines before it may state the rate, which counts where the table has no times.
   bool findTable() {
     while (rows_.next(row_)) {
       std::vector<std::string> names;
       for (const CsvField& field : row_) {
         names.push_back(base::trimmed(field.text));
       }
-      const auto time = std::find(names.begin(), names.end(), "Time");
-      if (time == names.end() || names.front() != "Frame") {
+      if (names.front() != "Frame") {
+        noteRate(names);
         continue;
       }
-      time_ = static_cast<std::size_t>(time - names.begin());
+      const auto time = std::find(names.begin(), names.end(), "Time");
+      hasTimes_ = time != names.end();
+      time_ = hasTimes_ ? static_cast<std::size_t>(time - names.begin()) : 0;
       width_ = names.size();
+      std::map<std::string, std::size_t> columns;
       for (std::size_t k = 0; k < names.size(); ++k) {
-        addBody(names, k);
+        columns.emplace(names[k], k);
+      }
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        addBody(names[k], k, columns);
       }
       return !bodies_.empty() || !others_.empty();
     }
     return false;
   }
 
-  void addBody(const std::vector<std::string>& names, std::size_t x) {
-    const std::string& name = names[x];
+  void noteRate(const std::vector<std::string>& fields) {
+    const std::string name = base::lowered(fields.front());
+    const bool isRate = name == "frequency" || name == "frame_rate" || name == "framerate" ||
+                        name == "camera_frequency" || name == "fps";
+    if (isRate && fields.size() > 1) {
+      rate_ = base::parseDouble(fields[1]).value_or(0.0);
+    }
+  }
+
+  void addBody(const std::string& name, std::size_t x,
+               const std::map<std::string, std::size_t>& columns) {
     if (name.size() <= kEnd.size() ||
         name.compare(name.size() - kEnd.size(), kEnd.size(), kEnd) != 0) {
       return;
     }
     const std::string body = name.substr(0, name.size() - kEnd.size());
-    const auto y = std::find(names.begin(), names.end(), body + " Centroid_Y");
-    if (y == names.end()) {
+    const auto y = columns.find(body + " Centroid_Y");
+    if (y == columns.end()) {
       return;
     }
     if (body.rfind("Helmet_", 0) != 0 && !isRobotName(body)) {
       others_.push_back(body);
       return;
     }
-    bodies_.push_back({body, x, static_cast<std::size_t>(y - names.begin())});
+    bodies_.push_back({body, x, y->second});
     Track track;
     track.name = body;
     track.isRobot = isRobotName(body);
@@ -115,31 +135,31 @@ class ThorReader {
 
   /// Robots, and helmets without a number, get one that no helmet has. Those are told.
   void numberTheRest() {
+    std::set<int> taken;
+    for (const Track& track : tracks_) {
+      taken.insert(track.id);
+    }
     int next = kFirstOwnId;
     std::vector<const Track*> numbered;
     for (Track& track : tracks_) {
-      while (track.id == kNoId && isTaken(next)) {
+      while (track.id == kNoId && taken.count(next) > 0) {
         ++next;
       }
       if (track.id == kNoId) {
-        track.id = next;
+        track.id = next++;
         numbered.push_back(&track);
       }
     }
     tellNumbers(input_, numbered);
   }
-  bool isTaken(int id) const {
-    return std::any_of(tracks_.begin(), tracks_.end(),
-                       [id](const Track& track) { return track.id == id; });
-  }
-
   Word wordOf(std::size_t column) const {
     const CsvField& field = row_[column];
     return {field.text, field.line, field.column};
   }
 
   void readRow() {
-    const std::optional<double> time = words_.finite(wordOf(time_), "the time");
+    const std::optional<double> time =
+        words_.finite(wordOf(time_), hasTimes_ ? "the time" : "the frame");
     for (std::size_t k = 0; time && k < bodies_.size(); ++k) {
       if (base::trimmed(row_[bodies_[k].x].text).empty()) {
         continue;  // not seen
@@ -161,7 +181,9 @@ class ThorReader {
   WordReader words_;
   CsvReader rows_;
   CsvRow row_;
-  std::size_t time_ = 0, width_ = 0;
+  std::size_t time_ = 0, width_ = 0;  // of times, else of frames; of the table
+  bool hasTimes_ = true;
+  double rate_ = 0.0;  // frames per second that the file states
   std::vector<BodyPlace> bodies_;
   std::vector<Track> tracks_;        // beside bodies_
   std::vector<std::string> others_;  // bodies that are no people

@@ -18,7 +18,8 @@ class TrajnetReader {
 
   TrackFile read() {
     std::size_t begin = 0;
-    for (int line = 1; begin < input_.text.size(); ++line) {
+    const WordReader words(input_.path, input_.problems);
+    for (int line = 1; words.isUsable() && begin < input_.text.size(); ++line) {
       const std::size_t end = std::min(input_.text.find('\n', begin), input_.text.size());
       readLine(input_.text.substr(begin, end - begin), line);
       begin = end + 1;
@@ -109,16 +110,24 @@ class TrajnetReader {
 };
 
 TrackFile readTrajnetRows(const ForeignInput& input) {
+  constexpr std::size_t kWidth = 4;
+  const std::vector<std::size_t> order = numberedColumns(input, {"frame", "id", "x", "y"}, kWidth);
   FrameTracks tracks;
-  forEachRow(input, 4, "frame id x y", [&](WordReader& words, const std::vector<Word>& row) {
-    tracks.add(words, row[0], row[1], row[2], row[3]);
+  forEachRow(input, kWidth, "frame id x y", [&](WordReader& words, const std::vector<Word>& row) {
+    tracks.add(words, row[order[0]], row[order[1]], row[order[2]], row[order[3]]);
   });
-  return tracks.finish(input.path, input.options.framesPerSecond);
+  const double given = input.options.framesPerSecond;
+  return tracks.finish(input.path, given > 0.0 ? given : statedRate(leadingComments(input.text)));
 }
 
 TrackFile readTrajnet(const ForeignInput& input) {
   const std::size_t first = input.text.find_first_not_of(" \t\r\n");
   const bool isJson = first != std::string::npos && input.text[first] == '{';
+  if (isJson && !input.options.columns.empty()) {
+    input.problems.push_back(
+        base::error("tracks.fixed-columns", {"trajnet (JSON lines)"}, input.path));
+    return {};
+  }
   return isJson ? TrajnetReader(input).read() : readTrajnetRows(input);
 }
 
@@ -126,7 +135,8 @@ Claim claim(const FirstLook& look) {
   if (look.endsWith(".ndjson")) {
     return Claim::ByName;
   }
-  const bool isJson = !look.row.empty() && look.row.front().text.front() == '{';
+  const bool isJson = !look.row.empty() && look.row.front().text.front() == '{' &&
+                      (look.mentions("\"scene\"") || look.mentions("\"track\""));
   return (isJson || (look.isNumbers && look.row.size() == 4)) && !look.endsWith(".csv")
              ? Claim::ByContent
              : Claim::None;
@@ -135,7 +145,7 @@ Claim claim(const FirstLook& look) {
 }  // namespace
 
 void addTrajnet(TrackFormats& to) {
-  to.add({"trajnet", 3, claim, readTrajnet});
+  to.add({"trajnet", 3, claim, readTrajnet, false, true});
 }
 
 }  // namespace sim2d

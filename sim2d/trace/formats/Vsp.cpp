@@ -13,9 +13,15 @@ constexpr double kHalfWidth = 360.0, kHalfHeight = 288.0;  // [pixel] of the fil
 
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 
-std::optional<Matrix3> readHomography(const ForeignInput& input) {
+/// Of H.txt beside the file; without one pixels are as large as the user says.
+std::optional<Matrix3> readHomography(const ForeignInput& input, bool& isOfPixels) {
   const std::string path = besideFile(input.path, "H.txt");
   const base::Result<std::string> text = base::readTextFile(path, base::kMostRecord);
+  if (const double unit = input.options.lengthUnit; !text && unit > 0.0) {
+    isOfPixels = true;
+    return Matrix3{
+        {{0.0, unit, -kHalfWidth * unit}, {-unit, 0.0, kHalfHeight * unit}, {0.0, 0.0, 1.0}}};
+  }
   if (!text) {
     base::append(input.problems, text.diagnostics());
     input.problems.push_back(base::error("tracks.no-matrix", {}, input.path));
@@ -147,8 +153,11 @@ class VspReader {
 };
 
 TrackFile readVsp(const ForeignInput& input) {
-  const std::optional<Matrix3> matrix = readHomography(input);
-  return matrix ? VspReader(input, *matrix).read() : TrackFile();
+  bool isOfPixels = false;
+  const std::optional<Matrix3> matrix = readHomography(input, isOfPixels);
+  TrackFile file = matrix ? VspReader(input, *matrix).read() : TrackFile();
+  file.lengthUnit = isOfPixels ? input.options.lengthUnit : 1.0;
+  return file;
 }
 
 Claim claim(const FirstLook& look) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "sim2d/trace/ForeignReaders.h"
+
+/// JSON of other programs; private to the folder.
+namespace sim2d {
+
+/// None: it is no JSON, which is noted with line and column.
+std::optional<nlohmann::json> parseJsonInput(const ForeignInput& input);
+
+/// What a library's exception says, without the name of its class.
+std::string jsonReason(const nlohmann::json::exception& problem);
+
+}  // namespace sim2d

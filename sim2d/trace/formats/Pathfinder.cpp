@@ -1,0 +1,58 @@
+#include <algorithm>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/TableColumns.h"
+
+/// Occupants of Pathfinder as CSV: a line of column names (t, id or name, x, y …), a line of their
+/// units (s, m …), then a row per occupant and time. Rows of occupants that are not active (column
+/// `active` is 0) are left out.
+namespace sim2d {
+
+namespace {
+
+TableLayout layoutOf(std::string_view text) {
+  TableLayout layout;
+  layout.names = {{"time", {"t", "time"}},
+                  {"id", {"id", "occupant id", "occupant", "name"}},
+                  {"x", {"x"}},
+                  {"y", {"y"}},
+                  {"active", {"active"}}};
+  layout.text = text;
+  layout.separator = separatorIn(text.substr(0, text.find('\n')));
+  return layout;
+}
+
+TrackFile readPathfinder(const ForeignInput& input) {
+  return readTrackTable(input, layoutOf(input.text));
+}
+
+Claim claim(const FirstLook& look) {
+  constexpr std::size_t kTwoLines = 65536;  // [B] at most
+  const std::string_view beginning = look.text.substr(0, kTwoLines);
+  const TableLayout layout = layoutOf(beginning);
+  CsvReader reader(beginning, layout.separator);
+  CsvRow names;
+  CsvRow units;
+  if (!reader.next(names) || !reader.next(units) || names.size() != units.size()) {
+    return Claim::None;
+  }
+  const auto isUnit = [&](const char* name, auto unitOf) {
+    const auto at = std::find_if(names.begin(), names.end(), [name](const CsvField& field) {
+      return base::lowered(withoutBlanks(field.text)) == name;
+    });
+    const auto place = static_cast<std::size_t>(at - names.begin());
+    const std::string word = at == names.end() ? "" : base::lowered(units[place].text);
+    return unitOf(base::trimmed(word)).has_value();
+  };
+  const bool isTable = (isUnit("t", timeUnitOf) || isUnit("time", timeUnitOf)) &&
+                       isUnit("x", lengthUnitOf) && isUnit("y", lengthUnitOf);
+  return isTable ? Claim::ByContent : Claim::None;
+}
+
+}  // namespace
+
+void addPathfinder(TrackFormats& to) {
+  to.add({"pathfinder", 13, claim, readPathfinder, false, true});
+}
+
+}  // namespace sim2d
