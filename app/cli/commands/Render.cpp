@@ -26,6 +26,7 @@
 #include "editor/look/Images.h"
 #include "sim2d/base/Files.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/trace/RecordExport.h"
 #include "sim2d/trace/Scans.h"
 #include "sim2d/trace/Trace.h"
 
@@ -55,7 +56,7 @@ struct RenderOptions {
   std::string plot;                 // keys of metrics
 };
 
-enum class Kind { Picture, Vectors, Film, Page, Bag };
+enum class Kind { Picture, Vectors, Film, Page, Bag, Trajnet, Socnav3 };
 
 constexpr double kPixelsPerMm = 96.0 / 25.4;
 constexpr double kVectorWidth = 170.0;     // [mm] of two columns
@@ -77,6 +78,12 @@ std::optional<Kind> pictureKindOf(const std::string& ending) {
   if (ending == ".mcap") {
     return Kind::Bag;
   }
+  if (ending == ".ndjson") {
+    return Kind::Trajnet;
+  }
+  if (ending == ".json") {
+    return Kind::Socnav3;
+  }
   return Movie::isName(ending) ? std::optional(Kind::Film) : std::nullopt;
 }
 
@@ -96,7 +103,8 @@ base::Diagnostics wrongOptions(const RenderOptions& options, Kind kind) {
   tell(options.at.has_value(), isPicture, "--at");
   const bool isDrawn = isPicture || kind == Kind::Film;
   tell(options.width.has_value(), isDrawn, "--width");
-  tell(options.fps.has_value(), kind == Kind::Film, "--fps");
+  const bool isSampled = kind == Kind::Film || kind == Kind::Trajnet || kind == Kind::Socnav3;
+  tell(options.fps.has_value(), isSampled, "--fps");
   tell(options.speed.has_value(), kind == Kind::Film, "--speed");
   const bool isPlot = !options.plot.empty();
   tell(!options.overlays.empty(), isDrawn && !isPlot, "--overlay");
@@ -274,6 +282,16 @@ base::Diagnostics writeBag(const std::string& path, const std::string& run) {
   return scans ? bridge::writeRunBag(path, *recorded->recording, *scans) : scans.diagnostics();
 }
 
+/// As a file of another program.
+void writeTracks(const RenderOptions& options, Kind kind, const sim2d::Trace& trace, bool quiet) {
+  const double rate = options.fps.value_or(0.0);
+  const base::Result<std::string> text =
+      kind == Kind::Trajnet ? sim2d::trajnetText(trace, rate) : sim2d::socnav3Text(trace, rate);
+  requireFine(text.diagnostics(), ExitBadInput,
+              quiet ? base::Severity::Warning : base::Severity::Info);
+  requireFine(base::writeFileAtomically(options.output, *text));
+}
+
 std::string pageOf(const sim2d::Trace& trace) {
   MetricsSetup setup;
   requireFine(readMetricsSetup(trace.header, setup));
@@ -297,7 +315,9 @@ int renderCommand(const RenderOptions& options, const Invocation& given) {
   }
   const base::Result<sim2d::Trace> trace = readRun(options.run);
   requireFine(trace.diagnostics());
-  if (*kind == Kind::Page) {
+  if (*kind == Kind::Trajnet || *kind == Kind::Socnav3) {
+    writeTracks(options, *kind, *trace, given.quiet);
+  } else if (*kind == Kind::Page) {
     requireFine(base::writeFileAtomically(options.output, pageOf(*trace)));
   } else {
     const PictureLayout layout = layoutOf(options, *kind);
@@ -328,7 +348,8 @@ void addRender(CommandRegistry& commands) {
   command
       .add_option("-o,--output", options.output,
                   "Picture (.png, .svg, .pdf), film (.gif; .mp4, .webm and .webp with ffmpeg), a "
-                  "page that plays the run (.html), or a bag for ROS 2 and Foxglove (.mcap)")
+                  "page that plays the run (.html), a bag for ROS 2 and Foxglove (.mcap), or "
+                  "trajectories for TrajNet++ (.ndjson) or SocNav3 (.json)")
       ->required();
   command.add_option("--at", options.at, "The run up to this time alone [s]");
   command
@@ -348,7 +369,10 @@ void addRender(CommandRegistry& commands) {
                      "Instants side by side: how many, or their times with commas [s]");
   command.add_option("--plot", options.plot,
                      "Instead of the map: metrics over time, their keys with commas");
-  command.add_option("--fps", options.fps, "Frames per second of a film (20)")
+  command
+      .add_option("--fps", options.fps,
+                  "Frames per second of a film (20), samples per second of .ndjson (2.5) and .json "
+                  "(all states)")
       ->check(CLI::Range(1.0, 60.0));
   command.add_option("--speed", options.speed, "Of a film, times as fast as the run was (1)")
       ->check(CLI::Range(0.05, 100.0));

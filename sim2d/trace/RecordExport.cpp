@@ -1,0 +1,255 @@
+#include "sim2d/trace/RecordExport.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "sim2d/base/JsonText.h"
+#include "sim2d/trace/RecordSamples.h"
+
+namespace sim2d {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Ids of robots where all bodies are pedestrians: those after the people's, in order.
+std::map<int, int> pedestrianIds(const TraceHeader& header) {
+  int next = 0;
+  for (const TraceHuman& human : header.humans) {
+    next = std::max(next, human.id);
+  }
+  std::map<int, int> ids;
+  for (const TraceRobot& robot : header.robots) {
+    ids[robot.id] = ++next;
+  }
+  return ids;
+}
+
+base::Diagnostics robotsAsPeople(const TraceHeader& header, const std::map<int, int>& ids,
+                                 std::size_t from) {
+  base::Diagnostics told;
+  for (std::size_t k = from; k < header.robots.size(); ++k) {
+    const TraceRobot& robot = header.robots[k];
+    told.push_back(base::problem(base::Severity::Info, "export.robot-as-person",
+                                 {robot.name, ids.at(robot.id)}));
+  }
+  return told;
+}
+
+/// "{"scene": …}" on a line.
+std::string lineOf(const char* name, Json content) {
+  Json line;
+  line[name] = std::move(content);
+  return base::jsonText(line, -1) + "\n";
+}
+
+constexpr std::size_t kSceneSamples = 21;  // 9 observed and 12 to be predicted, as in its data sets
+
+/// Scenes of one body after the other: the spans of samples in which it is present.
+class SceneWriter {
+ public:
+  explicit SceneWriter(double rate) : rate_(rate) {}
+
+  /// At the next sample, which has the number `sample`.
+  void see(int pedestrian, std::size_t sample) {
+    Span& span = spans_[pedestrian];
+    if (span.count == 0 || span.first + span.count != sample) {
+      span = {sample, 0};
+    }
+    if (++span.count == kSceneSamples) {
+      scenes_.push_back({span.first, pedestrian});
+      span = {};
+    }
+  }
+  std::string text() {
+    std::sort(scenes_.begin(), scenes_.end());
+    std::string text;
+    for (std::size_t k = 0; k < scenes_.size(); ++k) {
+      const auto& [first, pedestrian] = scenes_[k];
+      text += lineOf("scene", {{"id", k},
+                               {"p", pedestrian},
+                               {"s", first},
+                               {"e", first + kSceneSamples - 1},
+                               {"fps", rate_}});
+    }
+    return text;
+  }
+
+ private:
+  struct Span {
+    std::size_t first = 0, count = 0;
+  };
+  double rate_;
+  std::map<int, Span> spans_;
+  std::vector<std::pair<std::size_t, int>> scenes_;  // first sample, pedestrian
+};
+
+/// Closed edges of the obstacles that are drawn, of doors that begin closed.
+Json wallsOf(const TraceHeader& header) {
+  Json walls = Json::array();
+  for (const TraceObstacle& obstacle : header.obstacles) {
+    const bool isOfGrid = !header.map.isEmpty() && obstacle.name == "map";
+    if (isOfGrid || (obstacle.isDoor && obstacle.open)) {
+      continue;
+    }
+    for (const Outline& outline : obstacle.outlines) {
+      for (std::size_t k = 0; k < outline.points.size(); ++k) {
+        const Vec2& a = outline.points[k];
+        const Vec2& b = outline.points[(k + 1) % outline.points.size()];
+        walls.push_back({a.x(), a.y(), b.x(), b.y()});
+      }
+    }
+  }
+  return walls;
+}
+
+/// Rows from below: 1 occupied, 0 free, -1 unknown.
+Json gridOf(const OccupancyGrid& map) {
+  Json rows = Json::array();
+  for (int row = 0; row < map.height(); ++row) {
+    Json cells = Json::array();
+    for (int column = 0; column < map.width(); ++column) {
+      const Cell cell{column, row};
+      cells.push_back(map.isUnknown(cell) ? -1 : map.isWall(cell) ? 1 : 0);
+    }
+    rows.push_back(std::move(cells));
+  }
+  return {{"width", map.width()},
+          {"height", map.height()},
+          {"cell_size", map.resolution()},
+          {"x_orig", map.origin().position.x()},
+          {"y_orig", map.origin().position.y()},
+          {"angle_orig", map.origin().heading},
+          {"data", std::move(rows)}};
+}
+
+/// The one that the robot heads for, else its last.
+Json goalOf(const TraceRobot& robot, int goal) {
+  const auto found = std::find_if(robot.goals.begin(), robot.goals.end(),
+                                  [goal](const TraceGoal& each) { return each.id == goal; });
+  const TraceGoal& meant = found == robot.goals.end() ? robot.goals.back() : *found;
+  return {{"type", "go-to"},
+          {"human", nullptr},
+          {"x", meant.position.x()},
+          {"y", meant.position.y()},
+          {"angle", 0.0},
+          {"pos_threshold", meant.radius},
+          {"angle_threshold", base::kPi}};
+}
+
+Json shapeOf(double radius) {
+  return {{"type", "circle"}, {"width", 2.0 * radius}, {"length", 2.0 * radius}};
+}
+
+Json robotOf(const TraceRobot& robot, const BodySample& body) {
+  const Vec2 forward = base::directionOf(body.pose.heading);
+  const Vec2 left(-forward.y(), forward.x());
+  return {{"x", body.pose.position.x()},        {"y", body.pose.position.y()},
+          {"angle", body.pose.heading},         {"speed_x", body.velocity.dot(forward)},
+          {"speed_y", body.velocity.dot(left)}, {"speed_a", body.omega},
+          {"shape", shapeOf(robot.radius)}};
+}
+
+Json personOf(int id, const BodySample& body, double radius) {
+  return {{"id", id},
+          {"x", body.pose.position.x()},
+          {"y", body.pose.position.y()},
+          {"angle", body.pose.heading},
+          {"shape", shapeOf(radius)}};
+}
+
+/// An instant of the run; null: the robot is not there.
+Json instantOf(const TraceHeader& header, const RecordSample& sample,
+               const std::map<int, int>& ids) {
+  const TraceRobot& robot = header.robots.front();
+  const auto body = sample.robots.find(robot.id);
+  if (body == sample.robots.end()) {
+    return nullptr;
+  }
+  Json people = Json::array();
+  for (const auto& [id, person] : sample.people) {
+    const TraceHuman* const human = header.human(id);
+    people.push_back(personOf(id, person, human == nullptr ? TraceHuman().radius : human->radius));
+  }
+  for (const TraceRobot& other : header.robots) {
+    const auto place = sample.robots.find(other.id);
+    if (other.id != robot.id && place != sample.robots.end()) {
+      people.push_back(personOf(ids.at(other.id), place->second, other.radius));
+    }
+  }
+  Json instant = {{"timestamp", sample.time},
+                  {"robot", robotOf(robot, body->second)},
+                  {"goal", nullptr},
+                  {"people", std::move(people)},
+                  {"objects", Json::array()}};
+  if (!robot.goals.empty()) {
+    instant["goal"] = goalOf(robot, body->second.goal);
+  }
+  return instant;
+}
+
+}  // namespace
+
+base::Result<std::string> trajnetText(const Trace& trace, double rate) {
+  constexpr double kUsualRate = 2.5;  // [1/s]
+  const double used = rate > 0.0 ? rate : kUsualRate;
+  const RecordSamples samples(trace, used);
+  if (samples.size() == 0) {
+    return base::error("export.no-states");
+  }
+  const std::map<int, int> ids = pedestrianIds(trace.header);
+  SceneWriter scenes(used);
+  std::string tracks;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const auto add = [&](int id, const BodySample& body) {
+      scenes.see(id, k);
+      tracks += lineOf(
+          "track",
+          {{"f", k}, {"p", id}, {"x", body.pose.position.x()}, {"y", body.pose.position.y()}});
+    };
+    const RecordSample sample = samples.at(k);
+    for (const auto& [id, body] : sample.people) {
+      add(id, body);
+    }
+    for (const auto& [id, body] : sample.robots) {
+      add(ids.at(id), body);
+    }
+  }
+  base::Diagnostics told = robotsAsPeople(trace.header, ids, 0);
+  std::string text = scenes.text();
+  if (text.empty()) {
+    told.push_back(base::warning("export.no-scene", {kSceneSamples}));
+  }
+  return {text + tracks, std::move(told)};
+}
+
+base::Result<std::string> socnav3Text(const Trace& trace, double rate) {
+  const TraceHeader& header = trace.header;
+  if (header.robots.empty()) {
+    return base::error("export.no-robot");
+  }
+  const RecordSamples samples(trace, rate);
+  const std::map<int, int> ids = pedestrianIds(header);
+  std::string instants;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const Json instant = instantOf(header, samples.at(k), ids);
+    if (!instant.is_null()) {
+      instants += (instants.empty() ? "\n  " : ",\n  ") + base::jsonText(instant, -1);
+    }
+  }
+  if (instants.empty()) {
+    return base::error("export.no-states");
+  }
+  std::string text = "{\n";
+  if (!header.map.isEmpty()) {
+    text += " \"grid\": " + base::jsonText(gridOf(header.map), -1) + ",\n";
+  }
+  text += " \"walls\": " + base::jsonText(wallsOf(header), -1) + ",\n";
+  text += " \"sequence\": [" + instants + "\n ]\n}\n";
+  return {std::move(text), robotsAsPeople(header, ids, 1)};
+}
+
+}  // namespace sim2d
