@@ -1,7 +1,9 @@
 #include "editor/document/QtImageLoader.h"
 
 #include <algorithm>
+#include <iterator>
 
+#include <QFile>
 #include <QImage>
 #include <QImageReader>
 
@@ -42,6 +44,40 @@ sim2d::MapImage toMapImage(const QImage& image) {
   return result;
 }
 
+struct Format {
+  const char* name;
+  int place;  // of the bytes [B]
+  const char* bytes;
+};
+
+/// By their content; those that Qt reads only with plugins, or not at all.
+constexpr Format kOthers[] = {
+    {"TIFF", 0, "II*"},      {"TIFF", 0, "MM"},       {"WebP", 8, "WEBP"},
+    {"AVIF", 4, "ftypavif"}, {"HEIF", 4, "ftyphei"},  {"JPEG 2000", 4, "jP  "},
+    {"GIF", 0, "GIF8"},      {"JPEG", 0, "\xFF\xD8"}, {"XCF (GIMP)", 0, "gimp xcf"},
+    {"PDF", 0, "%PDF"},      {"SVG", 0, "<svg"},      {"Photoshop", 0, "8BPS"}};
+
+/// "TIFF"; null: of no format that is known.
+const char* formatOf(const QString& path) {
+  QFile file(path);
+  const QByteArray begin = file.open(QIODevice::ReadOnly) ? file.read(16) : QByteArray();
+  const auto* const found =
+      std::find_if(std::begin(kOthers), std::end(kOthers), [&](const Format& format) {
+        return begin.mid(format.place, static_cast<int>(qstrlen(format.bytes))) == format.bytes;
+      });
+  return found == std::end(kOthers) ? nullptr : found->name;
+}
+
+/// "PGM, PNG, JPEG, BMP": of the usual formats those that work here.
+std::string knownFormats() {
+  const QList<QByteArray> supported = QImageReader::supportedImageFormats();
+  std::string names = "PGM";
+  for (const char* const name : {"PNG", "JPEG", "BMP", "GIF", "PPM"}) {
+    names += supported.contains(QByteArray(name).toLower()) ? std::string(", ") + name : "";
+  }
+  return names;
+}
+
 }  // namespace
 
 base::Result<sim2d::MapImage> loadMapImage(const std::string& path) {
@@ -53,6 +89,10 @@ base::Result<sim2d::MapImage> loadMapImage(const std::string& path) {
                        path);
   }
   const QImage image = reader.read();
+  const char* const format = image.isNull() ? formatOf(reader.fileName()) : nullptr;
+  if (format != nullptr && reader.error() == QImageReader::UnsupportedFormatError) {
+    return base::error("image.format", {format, knownFormats()}, path);
+  }
   if (image.isNull()) {
     return base::error("image.cannot-read", {reader.errorString().toStdString()}, path);
   }

@@ -94,7 +94,7 @@ constexpr ProblemText kTexts[] = {
     {"map.key-twice", "key '{key}' is given twice"},
     {"map.unknown-key", "unknown key '{key}'{nearest}"},
     {"map.key-missing", "key '{key}' is missing"},
-    {"map.not-a-number", "{key} must be a finite number, not '{found}'"},
+    {"map.not-a-number", "{key} must be a finite number, not '{found}'{instead? (write %)}"},
     {"map.no-image-name", "image must name a file"},
     {"map.resolution-not-positive", "resolution must be above 0 m per pixel, not {found}"},
     {"map.resolution-out-of-range", "resolution must be 0.001 to 10 m per pixel, not {found}"},
@@ -353,6 +353,7 @@ constexpr ProblemText kTexts[] = {
     {"file.cannot-write", "cannot write the file: {reason}"},
     {"file.cannot-read", "cannot read the file: {reason}"},
     {"file.not-hashed", "cannot be read again: the manifest has no checksum of it"},
+    {"file.lfs-pointer", "a Git LFS pointer: fetch the file with git lfs pull"},
     {"file.no-file", "this is a pipe or a device, no file (-: standard input)"},
     {"file.too-large", "the file is too large: {megabytes} MB at most"},
     {"file.cannot-make-folder", "cannot make the folder{reason?: %}"},
@@ -383,6 +384,7 @@ constexpr ProblemText kTexts[] = {
     {"image.file-empty", "the file is empty"},
     {"image.empty", "the image is empty"},
     {"image.not-readable", "the image cannot be read"},
+    {"image.format", "{format} images cannot be read: save it as one of {known}"},
     {"image.cannot-read", "cannot read the image: {reason}"},
     {"image.cut",
      "the image ends too early: {width} x {height} pixels need {needed} bytes, there are {found}"},
@@ -413,6 +415,7 @@ constexpr ProblemText kTexts[] = {
     {"trace.field-count", "the line has {found} fields instead of {wanted}"},
     {"trace.not-whole", "{key} is not a whole number: '{found}'"},
     {"trace.not-finite", "{key} is not a finite number: '{found}'"},
+    {"trace.bad-points", "points must be finite numbers: x y x y …"},
     {"trace.bad-kind", "kind must be human or robot, not '{found}'"},
     {"trace.backwards", "step and time run backwards"},
     {"trace.off-step", "step is not a multiple of record_every"},
@@ -630,10 +633,18 @@ constexpr ProblemText kTexts[] = {
     {"groot.too-many", "the tree has {count} nodes, Groot2 tells {most} apart"},
 
     // Bags: MCAP files and folders of rosbag2.
-    {"bag.no-bag", "is no bag: neither an MCAP file nor a folder of rosbag2 with metadata.yaml"},
+    {"bag.no-bag", "is no bag: neither an MCAP file, a database of rosbag2 nor a folder of either"},
+    {"bag.no-metadata",
+     "has no metadata.yaml (`ros2 bag reindex` makes one): read are the {count} bag files in it, "
+     "in "
+     "the order of their names"},
+    {"bag.absent-file", "names {found}, which is not in the folder{there? (bag files there: %)}"},
     {"bag.bad-metadata", "tells no files of a bag"},
     {"bag.storage", "bags of '{found}' cannot be read (mcap and sqlite3 can)"},
-    {"bag.compressed-file", "its files are compressed as a whole by '{found}' (decompress them)"},
+    {"bag.compressed-file",
+     "is compressed as a whole by '{found}': decompress it first (zstd -d, lz4 -d, gunzip …)"},
+    {"bag.compressed-messages",
+     "its messages are compressed one by one by '{found}' (`ros2 bag convert` writes them plain)"},
     {"bag.compression", "a chunk is compressed by '{found}', which is unknown (zstd is known)"},
     {"bag.cut", "ends at byte {position} in the midst of a record: what is whole before it counts"},
     {"bag.damaged", "a {part} at byte {position} is damaged and left out"},
@@ -646,6 +657,38 @@ constexpr ProblemText kTexts[] = {
     {"bag.topic-use", "--topics takes people=NAME, robot=NAME, map=NAME, not '{found}'"},
     {"bag.bad-messages",
      "{count} messages of topic {topic} could not be read and are left out, the first: {reason}"},
+    {"bag.bad-samples",
+     "{count} samples of topic {topic} are left out: {field} is not finite or beyond any size (the "
+     "first: {found})"},
+    {"bag.bad-values",
+     "{count} values of topic {topic} are not used: {field} is not finite or beyond any size (the "
+     "first: {found})"},
+    {"bag.not-as-written",
+     "is not the whole bag that a run wrote ({reason}): read as a recording of another program"},
+    {"bag.other-robots",
+     "holds {count} more robots ({topics}): measured is that of {topic} (--topics robot=NAME "
+     "chooses "
+     "another)"},
+    {"bag.no-obstacles-of-people",
+     "holds no obstacle points of people (closest_obs), no map and no /obstacles (--map FILE gives "
+     "a "
+     "map): undefined, in profile hunav2 0, are {metrics}"},
+    {"bag.no-obstacles-of-robot",
+     "holds no obstacle points of the robot (closest_obs), no map and no /obstacles (--map FILE "
+     "gives "
+     "a map): undefined, or as without obstacles, are {metrics}"},
+    {"bag.points-of-walls",
+     "holds no obstacle points (closest_obs): the nearest points of walls and obstacles make "
+     "{metrics}"},
+    {"bag.no-map",
+     "holds no map (--map FILE gives one): as without walls, in profile hunav2 undefined, are "
+     "{metrics}"},
+    {"bag.no-goal",
+     "holds no goal of the robot (goals, /goal_pose; --robot-goal gives one): undefined, or as "
+     "without a goal, are {metrics}"},
+    {"bag.no-factors",
+     "holds no social_force_factor of anybody: that of the evaluator makes {metrics}"},
+    {"bag.no-replans", "holds no new plans of the robot: 0 is {metrics}"},
     {"bag.no-messages", "topic {topic} has no message that can be read"},
     {"bag.same-stamp",
      "{count} places have the stamp of one before them and are left out (are stamps filled in?)"},
@@ -787,7 +830,7 @@ constexpr ProblemText kTexts[] = {
     {"option.plot-series", "the metric '{key}' has no value over time"},
     {"option.picture-format",
      "cannot write '{found}' files (use a name that ends in .png, .svg, .pdf, .gif, .mp4, .webm, "
-     ".webp, .html, .mcap, .ndjson or .json)"},
+     ".webp, .html, .mcap, .db3, .ndjson or .json)"},
     {"option.not-of-this-file", "{option} does nothing for such a file"},
     {"option.gif-rate", "a .gif is shown with 50 frames per second at most: take --fps 50"},
     {"movie.not-made", "the film cannot be made: {reason}"},

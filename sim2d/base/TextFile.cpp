@@ -1,11 +1,14 @@
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fcntl.h>
 #include <optional>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
+#include "sim2d/base/LfsPointer.h"
 #include "sim2d/base/Text.h"
 
 namespace base {
@@ -66,9 +69,15 @@ Result<std::string> readAll(int descriptor, const std::string& path, std::size_t
   }
 }
 
+/// As it is, unless it stands for another file.
+Result<std::string> withoutPointer(Result<std::string> text, const std::string& path) {
+  return text && isLfsPointer(*text) ? error("file.lfs-pointer", {}, path) : std::move(text);
+}
+
 /// Read once: the files of a run are looked at more than once.
 const Result<std::string>& standardInput() {
-  static const Result<std::string> kText = readAll(STDIN_FILENO, "-", 0, kMostRecord);
+  static const Result<std::string> kText =
+      withoutPointer(readAll(STDIN_FILENO, "-", 0, kMostRecord), "-");
   return kText;
 }
 
@@ -91,7 +100,16 @@ Result<std::string> readTextFile(const std::string& path, std::size_t most) {
   }
   const auto size = static_cast<std::size_t>(std::max<off_t>(about.st_size, 0));
   return size > most ? Result<std::string>(tooLarge(path, most))
-                     : readAll(file.descriptor(), path, size, most);
+                     : withoutPointer(readAll(file.descriptor(), path, size, most), path);
+}
+
+Diagnostics lfsPointerProblem(const std::string& path) {
+  const OpenFile file(path);
+  std::array<char, 64> begin{};
+  const ssize_t count =
+      file.descriptor() < 0 ? 0 : ::read(file.descriptor(), begin.data(), begin.size());
+  const std::string_view text(begin.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  return isLfsPointer(text) ? Diagnostics{error("file.lfs-pointer", {}, path)} : Diagnostics();
 }
 
 }  // namespace base

@@ -6,12 +6,15 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "sim2d/base/LfsPointer.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlMap.h"
 
@@ -23,6 +26,20 @@ constexpr double kFinest = 0.001, kCoarsest = 10.0;  // [m/pixel]
 
 namespace fs = std::filesystem;
 using base::YamlNode;
+
+/// Words of programs for what is no finite number: nan, -.nan, -nan(ind), +inf, 1.#QNAN, 1e999.
+bool isNotFinite(const std::string& text) {
+  std::string word = base::lowered(text);
+  word.erase(0, word.find_first_not_of("+-"));
+  word.erase(0, word.find_first_not_of('.'));
+  const auto begins = [&word](std::string_view with) {
+    return std::string_view(word).substr(0, with.size()) == with;
+  };
+  const bool isTooLarge = !word.empty() && base::isDigit(word.front()) &&
+                          word.find_first_not_of("0123456789.e+-") == std::string::npos &&
+                          word.find('e') != std::string::npos;
+  return begins("nan") || begins("inf") || begins("1.#") || isTooLarge;
+}
 
 const std::vector<std::string>& mapKeys() {
   static const std::vector<std::string> keys = {
@@ -114,12 +131,16 @@ class DescriptionReader {
     }
   }
 
-  std::optional<double> number(const YamlNode& node, const char* key) {
+  /// `instead`: what to write in the place of a number that is not finite.
+  std::optional<double> number(const YamlNode& node, const char* key, const char* instead) {
     const std::optional<double> value =
         node.isScalar() ? base::parseDouble(node.text) : std::nullopt;
+    if (!node.isScalar()) {
+      error("map.no-number", {key}, node);
+      return std::nullopt;
+    }
     if (!value || !std::isfinite(*value)) {
-      error(node.isScalar() ? "map.not-a-number" : "map.no-number",
-            node.isScalar() ? base::ProblemValues{key, node.text} : base::ProblemValues{key}, node);
+      error("map.not-a-number", {key, node.text, isNotFinite(node.text) ? instead : ""}, node);
       return std::nullopt;
     }
     return value;
@@ -135,7 +156,8 @@ class DescriptionReader {
   }
 
   void readResolution(const YamlNode& node) {
-    const std::optional<double> value = number(node, "resolution");
+    const std::optional<double> value =
+        number(node, "resolution", "the metres per pixel, 0.05 mostly");
     if (value && *value <= 0.0) {
       error("map.resolution-not-positive", {node.text}, node);
     } else if (value && !(*value >= kFinest && *value <= kCoarsest)) {
@@ -151,12 +173,14 @@ class DescriptionReader {
       return;
     }
     std::array<double, 3> values{};
+    bool areFine = true;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      const std::optional<double> value = number(node.items[i], "origin");
-      if (!value) {
-        return;
-      }
-      values[i] = *value;
+      const std::optional<double> value = number(node.items[i], "origin", "0");
+      areFine = areFine && value.has_value();
+      values[i] = value.value_or(0.0);
+    }
+    if (!areFine) {
+      return;
     }
     if (std::fabs(values[0]) > base::kFarthest || std::fabs(values[1]) > base::kFarthest) {
       error("map.origin-too-far", {}, node);
@@ -181,11 +205,13 @@ class DescriptionReader {
     }
   }
 
-  void readOccupiedThreshold(const YamlNode& node) { high_ = number(node, "occupied_thresh"); }
+  void readOccupiedThreshold(const YamlNode& node) {
+    high_ = number(node, "occupied_thresh", "0.65");
+  }
 
   /// The later one: both together.
   void readFreeThreshold(const YamlNode& node) {
-    const std::optional<double> low = number(node, "free_thresh");
+    const std::optional<double> low = number(node, "free_thresh", "0.196");
     if (!high_ || !low) {
       return;
     }
@@ -223,6 +249,19 @@ bool isPgm(const fs::path& path) {
   return input && magic[0] == 'P' && (magic[1] == '2' || magic[1] == '5');
 }
 
+/// What begins like an image of another format is one, whatever it is called.
+bool isOtherImage(const fs::path& path) {
+  static constexpr std::string_view kBegins[] = {
+      {"\x89PNG", 4}, {"\xFF\xD8\xFF", 3}, {"GIF8", 4}, {"BM", 2}, {"RIFF", 4}, {"II*\0", 4},
+      {"MM\0*", 4},   {"P1", 2},           {"P3", 2},   {"P4", 2}, {"P6", 2}};
+  std::ifstream input(path, std::ios::binary);
+  std::array<char, 4> begin{};
+  input.read(begin.data(), begin.size());
+  const std::string_view text(begin.data(), static_cast<std::size_t>(input.gcount()));
+  return std::any_of(std::begin(kBegins), std::end(kBegins),
+                     [text](std::string_view each) { return text.substr(0, each.size()) == each; });
+}
+
 base::Result<MapImage> loadImage(const fs::path& path, const ImageLoader& loader) {
   if (!loader) {
     return base::error("image.only-pgm");
@@ -255,7 +294,11 @@ base::Result<OccupancyGrid> readCells(const fs::path& path, const ImageLoader& l
   if (fs::file_size(path, code) == 0 && !code) {
     return base::error("image.file-empty");
   }
-  const bool isGrey = isPgm(path) || base::lowered(path.extension().string()) == ".pgm";
+  if (const base::Diagnostics pointer = base::lfsPointerProblem(path.string()); !pointer.empty()) {
+    return pointer;
+  }
+  const bool isGrey =
+      isPgm(path) || (base::lowered(path.extension().string()) == ".pgm" && !isOtherImage(path));
   const base::Result<MapImage> image = isGrey ? readPgm(path.string()) : loadImage(path, loader);
   return image ? base::Result<OccupancyGrid>(gridFromImage(*image, description, rule),
                                              image.diagnostics())

@@ -1,4 +1,5 @@
 #include <QImage>
+#include <QImageReader>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -14,15 +15,19 @@ const char* const kYaml =
     "image: map.png\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\nnegate: 0\n"
     "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
 
-int valueOf(const QImage& image, const char* rule, const char* format = "png") {
+/// `ending`: of the file's name, where it is another than the format.
+int valueOf(const QImage& image, const char* rule, const char* format = "png",
+            const char* ending = nullptr) {
   QTemporaryDir folder;
   QString yaml = QString::fromLatin1(kYaml);
-  yaml.replace(QStringLiteral("map.png"), QStringLiteral("map.") + QString::fromLatin1(format));
+  const QString name =
+      QStringLiteral("map.") + QString::fromLatin1(ending == nullptr ? format : ending);
+  yaml.replace(QStringLiteral("map.png"), name);
   QFile file(folder.filePath(QStringLiteral("map.yaml")));
   file.open(QIODevice::WriteOnly);
   file.write(yaml.toUtf8());
   file.close();
-  image.save(folder.filePath(QStringLiteral("map.") + QString::fromLatin1(format)), format);
+  image.save(folder.filePath(name), format);
   const auto map = app::readMapFile(file.fileName().toStdString(), rule, editor::loadMapImage);
   return map ? map->grid.valueAt({0, 0}) : -100;
 }
@@ -69,6 +74,52 @@ class MapImagesTest : public QObject {
     palette.setColorTable({qRgb(254, 254, 254), qRgb(0, 0, 0)});
     palette.fill(1);
     QCOMPARE(valueOf(palette, "humble"), 100);
+  }
+
+  /// Robots have them: the content decides, not the name.
+  void otherName_isReadByItsContent() {
+    QImage grey(2, 2, QImage::Format_Grayscale8);
+    grey.fill(0);
+    for (const char* const format : {"png", "jpg", "bmp", "ppm", "pbm"}) {
+      for (const char* const ending : {"pgm", "PGM", "png", "jpeg", "map"}) {
+        QVERIFY2(valueOf(grey, "humble", format, ending) == 100, format);
+      }
+    }
+    QCOMPARE(valueOf(grey, "humble", "pgm", "png"), 100);
+  }
+
+  /// Qt does not read them here: the formats that work are named.
+  void tiffAndWebp_nameWhatWorks_data() {
+    QTest::addColumn<QByteArray>("content");
+    QTest::addColumn<QString>("format");
+    QTest::newRow("tiff little") << QByteArray("II*\0\x08\0\0\0", 8) << QStringLiteral("TIFF");
+    QTest::newRow("tiff big") << QByteArray("MM\0*\0\0\0\x08", 8) << QStringLiteral("TIFF");
+    QTest::newRow("webp") << QByteArray("RIFF\x1A\0\0\0WEBPVP8L", 16) << QStringLiteral("WebP");
+  }
+  void tiffAndWebp_nameWhatWorks() {
+    QFETCH(QByteArray, content);
+    QFETCH(QString, format);
+    if (QImageReader::supportedImageFormats().contains(format.toLower().toLatin1())) {
+      QSKIP("Qt reads them here");
+    }
+    QTemporaryDir folder;
+    for (const char* const name : {"map.pgm", "map.png", "map.tif"}) {
+      QString yaml = QString::fromLatin1(kYaml);
+      yaml.replace(QStringLiteral("map.png"), QString::fromLatin1(name));
+      const auto write = [&](const QString& file, const QByteArray& bytes) {
+        QFile to(folder.filePath(file));
+        return to.open(QIODevice::WriteOnly) && to.write(bytes) == bytes.size();
+      };
+      QVERIFY(write(QStringLiteral("map.yaml"), yaml.toUtf8()));
+      QVERIFY(write(QString::fromLatin1(name), content));
+      const auto map = app::readMapFile(folder.filePath(QStringLiteral("map.yaml")).toStdString(),
+                                        "humble", editor::loadMapImage);
+      QVERIFY(!map);
+      const std::string text = map.diagnostics().front().text();
+      const std::string wanted =
+          format.toStdString() + " images cannot be read: save it as one of PGM, PNG";
+      QVERIFY2(text.find(wanted) != std::string::npos, text.c_str());
+    }
   }
 
   /// A colour image takes four values per pixel, a grey one a quarter of that; rows stay in order.

@@ -192,6 +192,18 @@ void MapReaderTest::parseMapDescription_bad_tellsPlace_data() {
   row("resolution nan", "0.05", ".nan", "m.yaml:2:13: error: resolution must be a finite number");
   row("resolution junk", "0.05", "0.05m", "resolution must be a finite number, not '0.05m'");
   row("resolution comma", "0.05", "0,05", "resolution must be a finite number, not '0,05'");
+  for (const char* const word : {"-nan", ".nan", "nan", "-.nan", "-.NaN", "-nan(ind)", "NaN",
+                                 "1.#QNAN", "-1.#IND", "+inf"}) {
+    const std::string message = "m.yaml:3:19: error: origin must be a finite number, not '" +
+                                std::string(word) + "' (write 0)";
+    QTest::newRow((std::string("yaw ") + word).c_str())
+        << QByteArray("2, 0]") << "2, " + QByteArray(word) + "]" << QByteArray(message.c_str());
+  }
+  row("all of the origin", "-1.5, 2, 0", "nan, 2, -nan", "m.yaml:3:18: error: origin must be");
+  row("resolution -inf", "0.05", "-inf", "not '-inf' (write the metres per pixel");
+  row("resolution 1e999", "0.05", "1e999", "not '1e999' (write the metres per pixel");
+  row("occupied nan", "0.65", "-nan", "occupied_thresh must be a finite number, not '-nan' (write");
+  row("free nan", "0.196", "nan", "m.yaml:6:14: error: free_thresh must be a finite number");
   row("thresholds swapped", "0.196", "0.7", "m.yaml:6:14: error: thresholds must be");
   row("thresholds equal", "0.196", "0.65", "not 0.65 and 0.65");
   row("threshold below", "0.196", "-0.1", "thresholds must be");
@@ -266,6 +278,10 @@ void MapReaderTest::readMap_imageTroubles_nameTheKey_data() {
   QTest::newRow("folder") << QByteArray(".") << QByteArray("not a file");
   QTest::newRow("empty") << QByteArray("empty.png") << QByteArray("is empty");
   QTest::newRow("no loader") << QByteArray("a.png") << QByteArray("only PGM");
+  for (const char* const name : {"pointer.pgm", "pointer.png", "pointer.tiff"}) {
+    QTest::newRow(name) << QByteArray(name)
+                        << QByteArray("a Git LFS pointer: fetch the file with git lfs pull");
+  }
   QTest::newRow("truncated") << QByteArray("short.pgm") << QByteArray("ends too early");
 }
 
@@ -274,6 +290,9 @@ void MapReaderTest::readMap_imageTroubles_nameTheKey() {
   QFETCH(const QByteArray, message);
   write("empty.png", "");
   write("a.png", "\x89PNG");
+  for (const char* const name : {"pointer.pgm", "pointer.png", "pointer.tiff"}) {
+    write(name, "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 4096\n");
+  }
   write("short.pgm", "P5 9 9 255\nA");
   const std::string yaml = replaced(kGoodYaml, "map.pgm", image.toStdString());
   const auto map = readMap(write("m.yaml", QByteArray::fromStdString(yaml)), nullptr);
