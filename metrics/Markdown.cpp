@@ -90,6 +90,13 @@ there. Cells know 16 directions: another side of some obstacle may be shorter by
 about a cell at each corner, hence `path_efficiency`, `spl` and `stl` too high by so much, at most. A
 passage less than a cell wider than the robot may count as closed.
 
+Obstacle points of O are worked out from the walls, obstacles and closed doors of a run. A recording of
+another program that carries points (`closest_obs` of hunav_msgs) is measured with those: for people
+where anybody has some, for the robot where it has some; then its clearance is the smaller one of the
+distances to the points and to the walls of the map. Without points, map and obstacles O is undefined,
+in `hunav2` 0. The factor of F on a person is that of the recording (`social_force_factor`), else
+`social_factor`.
+
 The sums 25-34 grow with the recording rate; each is given a second time divided by N, with `_mean`
 at its key. Column rate: largest change when a record of smooth motion is sampled twice
 as often, from 20 Hz on, as a share of the larger value, which counts as at least 0.1.

@@ -36,6 +36,7 @@ std::vector<std::string> namesOfResults(const EvaluateOptions& options,
   }
   if (!isRunFolder(options.source)) {
     names.insert(names.end(), std::begin(kWay), std::end(kWay));
+    names.emplace_back(sim2d::kPointsFile);
   }
   return names;
 }
@@ -55,6 +56,10 @@ std::vector<std::string> inputsOf(const EvaluateOptions& options) {
     if (isRunFolder(read)) {
       for (const char* name : kWay) {
         inputs.push_back((fs::path(read) / name).string());
+      }
+      const fs::path points = fs::path(read) / sim2d::kPointsFile;
+      if (std::error_code none; fs::exists(points, none)) {
+        inputs.push_back(points.string());
       }
     } else if (bridge::isBag(read)) {
       const std::vector<std::string> files = bridge::filesOfBag(read);
@@ -134,9 +139,10 @@ std::string manifestOf(const EvaluateOptions& options, const Invocation& given,
   return base::jsonText(json);
 }
 
-base::Diagnostics writeEvaluation(const EvaluateOptions& options, const sim2d::Trace& trace,
+base::Diagnostics writeEvaluation(const EvaluateOptions& options, const Measured& measured,
                                   const metrics::Evaluation& evaluation, OutputFolder& output,
                                   const Invocation& given) {
+  const sim2d::Trace& trace = measured.trace;
   base::Diagnostics problems;
   const auto write = [&](const std::string& name, const std::string& content) {
     base::append(problems, output.write(name, content));
@@ -155,6 +161,9 @@ base::Diagnostics writeEvaluation(const EvaluateOptions& options, const sim2d::T
     write("trajectory.csv", sim2d::trajectoryCsv(trace));
     write("events.csv", sim2d::eventsCsv(trace));
     write("trace.json", sim2d::traceJson(trace.header));
+    if (!measured.points.isEmpty()) {
+      write(sim2d::kPointsFile, measured.points.csv());
+    }
   }
   if (base::hasErrors(problems)) {
     return problems;

@@ -7,6 +7,7 @@
 #include "app/cli/EvaluateWords.h"
 #include "app/run/OutputFolder.h"
 #include "metrics/Report.h"
+#include "sim2d/trace/RecordedPoints.h"
 #include "sim2d/trace/Trace.h"
 
 namespace app {
@@ -20,8 +21,14 @@ std::unique_ptr<OutputFolder> openEvaluation(const EvaluateOptions& options,
 std::string manifestOf(const EvaluateOptions& options, const Invocation& given,
                        base::Diagnostics& warnings);
 
+/// What was measured.
+struct Measured {
+  const sim2d::Trace& trace;
+  const sim2d::RecordedPoints& points;  // that the source gives
+};
+
 /// All files of the results.
-base::Diagnostics writeEvaluation(const EvaluateOptions& options, const sim2d::Trace& trace,
+base::Diagnostics writeEvaluation(const EvaluateOptions& options, const Measured& measured,
                                   const metrics::Evaluation& evaluation, OutputFolder& output,
                                   const Invocation& given);
 

@@ -4,9 +4,11 @@
 #include "app/cli/Console.h"
 #include "app/cli/EvaluateResults.h"
 #include "app/cli/MapImages.h"
+#include "app/cli/MissingInputs.h"
 #include "app/run/Bundle.h"
 #include "app/run/MetricsSetup.h"
 #include "app/run/RunFolder.h"
+#include "metrics/RecordedObstacles.h"
 #include "metrics/ReportFiles.h"
 #include "metrics/RobotPlaces.h"
 #include "sim2d/base/Text.h"
@@ -14,15 +16,27 @@
 namespace app {
 namespace {
 
+base::Result<sim2d::Trace> readRunWithPoints(const std::string& folder,
+                                             sim2d::RecordedPoints& points) {
+  base::Result<sim2d::RecordedPoints> read = sim2d::readRecordedPoints(folder);
+  if (!read) {
+    return read.diagnostics();
+  }
+  points = *std::move(read);
+  return readRun(folder);
+}
+
+/// `points`: takes the obstacle points that the source gives.
 base::Result<sim2d::Trace> readSource(const std::string& source,
                                       const sim2d::ForeignOptions& reading,
                                       const sim2d::TrackOptions& tracks,
-                                      const bridge::BagUse& use = {}) {
+                                      const bridge::BagUse& use = {},
+                                      sim2d::RecordedPoints* points = nullptr) {
   if (isRunFolder(source)) {
-    return readRun(source);
+    return points == nullptr ? readRun(source) : readRunWithPoints(source, *points);
   }
   if (bridge::isBag(source)) {
-    return bridge::readBagTrace(source, use, tracks);
+    return bridge::readBagTrace(source, use, tracks, points);
   }
   const base::Result<sim2d::TrackFile> file = sim2d::readForeign(source, reading);
   if (!file) {
@@ -112,7 +126,8 @@ base::Result<metrics::TimedWay> readReference(const std::string& source,
 
 /// All that is measured, and how.
 struct Prepared {
-  base::Result<sim2d::Trace> trace;
+  base::Result<sim2d::Trace> trace = base::error("bag.no-bag");  // until it is read
+  sim2d::RecordedPoints points;                                  // that the source gives
   MetricsSetup setup;
   base::Diagnostics problems;
 };
@@ -121,7 +136,8 @@ Prepared prepare(const EvaluateOptions& options) {
   EvaluateWords words;
   base::Diagnostics wrong = readWords(options, words);
   requireFine(wrong, ExitWrongCommandLine);
-  Prepared made{readSource(options.source, words.reading, words.tracks, words.use), {}, {}};
+  Prepared made;
+  made.trace = readSource(options.source, words.reading, words.tracks, words.use, &made.points);
   made.problems = made.trace.diagnostics();
   if (made.trace) {
     base::append(made.problems, replaceMap(options, *made.trace));
@@ -130,6 +146,10 @@ Prepared prepare(const EvaluateOptions& options) {
   }
   base::append(made.problems, chooseMetrics(options.metrics, made.setup, wrong));
   requireFine(wrong, ExitWrongCommandLine);
+  if (made.trace && isBagSource(options)) {
+    base::append(made.problems,
+                 missingInputs(*made.trace, made.points, made.setup, options.source));
+  }
   if (!options.reference.empty()) {
     const auto reference =
         readReference(options.reference, words.reading, words.tracks, made.setup);
@@ -145,10 +165,11 @@ Prepared prepare(const EvaluateOptions& options) {
 
 void measure(const EvaluateOptions& options, const Prepared& prepared, OutputFolder& output,
              const Invocation& given) {
-  const base::Result<metrics::Evaluation> evaluation =
-      metrics::evaluate(*prepared.trace, prepared.setup.selection, prepared.setup.parameters);
+  const base::Result<metrics::Evaluation> evaluation = metrics::evaluate(
+      *prepared.trace, prepared.points, prepared.setup.selection, prepared.setup.parameters);
   requireFine(evaluation.diagnostics());
-  requireFine(writeEvaluation(options, *prepared.trace, *evaluation, output, given));
+  requireFine(
+      writeEvaluation(options, {*prepared.trace, prepared.points}, *evaluation, output, given));
   if (given.json) {
     print(metrics::toJson(*evaluation));
   } else if (!given.quiet) {

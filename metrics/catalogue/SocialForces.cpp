@@ -34,8 +34,9 @@ Vec2 obstacleForce(const Body& body, const MetricParameters& parameters) {
   return sum;
 }
 
-bool lacksObstacles(const Instant& last) {
-  return !last.context.hasObstacles && !last.isOriginal();
+/// `hadPoints`: bodies came with points of their own.
+bool lacksObstacles(const Instant& last, bool hadPoints) {
+  return !last.context.hasObstacles && !hadPoints && !last.isOriginal();
 }
 
 // Places of the sums.
@@ -61,18 +62,20 @@ class RobotForces : public Accumulator {
       }
     }
     const double obstacles = lengthOf(obstacleForce(now.robot, at.parameters));
+    hadPoints_ = hadPoints_ || !now.robot.obstacles.empty();
     sums_[kOnPeople].add(at, onPeople);
     sums_[kOnRobot].add(at, onRobot);
     sums_[kWork].add(at, lengthOf(total) + obstacles + onPeople);
     sums_[kObstaclesOnRobot].add(at, obstacles);
   }
   MetricValue value(std::size_t sum, const Instant& last) const {
-    const bool isUnknown = sum == kObstaclesOnRobot && lacksObstacles(last);
+    const bool isUnknown = sum == kObstaclesOnRobot && lacksObstacles(last, hadPoints_);
     return isUnknown ? undefinedValue(kNoObstacles) : withTerms(sums_[sum]);
   }
 
  private:
   std::array<SeriesSum, kForceSums> sums_;
+  bool hadPoints_ = false;  // the robot
 };
 
 /// The original divides by the number of people of every sample.
@@ -83,12 +86,13 @@ class PeopleObstacles : public Accumulator {
     double sum = 0.0;
     for (const Person& person : people) {
       sum += lengthOf(obstacleForce(person, at.parameters));
+      hadPoints_ = hadPoints_ || !person.obstacles.empty();
     }
     sum_.add(at, people.empty() ? 0.0 : sum / static_cast<double>(people.size()));
     empty_ = empty_ || people.empty();
   }
   MetricValue value(const Instant& last) const {
-    if (lacksObstacles(last)) {
+    if (lacksObstacles(last, hadPoints_)) {
       return undefinedValue(kNoObstacles);
     }
     return last.isOriginal() && empty_
@@ -99,6 +103,7 @@ class PeopleObstacles : public Accumulator {
  private:
   SeriesSum sum_;
   bool empty_ = false;
+  bool hadPoints_ = false;  // somebody
 };
 
 constexpr char kSocialForcesMetrics[] = R"(

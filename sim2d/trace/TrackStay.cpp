@@ -18,7 +18,7 @@ Vec2 estimatedVelocity(const TrackPoint* begin, const TrackPoint* end, const Tra
 
 }  // namespace
 
-TrackStay::TrackStay(const TrackPoint* begin, const TrackPoint* end) {
+TrackStay::TrackStay(const TrackPoint* begin, const TrackPoint* end) : points_(begin) {
   for (const TrackPoint* point = begin; point != end; ++point) {
     times_.push_back(point->time);
     TrackState state;
@@ -48,6 +48,14 @@ TrackState TrackStay::at(double time, double slack) const {
   state.heading = base::wrapToPi(a.heading + share * base::angleDiff(b.heading, a.heading));
   state.omega = a.omega + share * (b.omega - a.omega);
   return state;
+}
+
+const TrackPoint& TrackStay::nearest(double time) const {
+  const auto next = static_cast<std::size_t>(std::lower_bound(times_.begin(), times_.end(), time) -
+                                             times_.begin());
+  const bool isBefore =
+      next == times_.size() || (next > 0 && time - times_[next - 1] <= times_[next] - time);
+  return points_[isBefore ? next - 1 : next];
 }
 
 /// Told headings, else the direction of walking; who stands keeps the last, or takes the next.

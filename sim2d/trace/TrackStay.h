@@ -14,7 +14,8 @@ struct TrackState {
   double heading = 0.0, omega = 0.0;
 };
 
-/// A part of a track without absence, at least one observation; estimates what is not told.
+/// A part of a track without absence, at least one observation; estimates what is not told. The
+/// observations must outlive it.
 class TrackStay {
  public:
   TrackStay(const TrackPoint* begin, const TrackPoint* end);
@@ -22,11 +23,14 @@ class TrackStay {
   double end() const { return times_.back(); }
   /// Within `slack` of an observation: that one, unchanged. Outside: the nearest.
   TrackState at(double time, double slack) const;
+  /// The observation nearest in time, of two the earlier.
+  const TrackPoint& nearest(double time) const;
 
  private:
   void fillHeadings(const TrackPoint* points);
   void fillTurning(const TrackPoint* points);
 
+  const TrackPoint* points_;
   std::vector<double> times_;
   std::vector<TrackState> states_;
 };

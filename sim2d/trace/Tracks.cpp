@@ -24,6 +24,7 @@ constexpr double kPerOwnStep = 1000.0;  // idem where the user chose the step
 constexpr double kMostSteps = 1e15;     // of the times told: whole numbers beyond are not exact
 constexpr double kUsualRadius = 0.35;   // [m]
 constexpr double kGoalRadius = 0.2;     // [m] of a goal that the user gives
+constexpr int kRobotId = -1;
 
 void appendState(BodyColumns& columns, int id, const TrackState& state) {
   columns.add(id, {state.position, state.heading}, state.velocity, state.omega, kNoGoal);
@@ -31,7 +32,8 @@ void appendState(BodyColumns& columns, int id, const TrackState& state) {
 
 class TraceMaker {
  public:
-  TraceMaker(const TrackFile& file, const TrackOptions& options) : file_(file), options_(options) {
+  TraceMaker(const TrackFile& file, const TrackOptions& options, TrackLinks* links)
+      : file_(file), options_(options), links_(links) {
     for (const Track& track : file.tracks) {
       observations_ += track.points.size();
     }
@@ -68,6 +70,9 @@ class TraceMaker {
     }
     if (robot_ != nullptr) {
       addRobot();
+    }
+    if (links_ != nullptr) {
+      links_->begin = timeOf(first_);
     }
     return {std::move(trace_), std::move(problems_)};
   }
@@ -151,8 +156,8 @@ class TraceMaker {
   }
   double timeOf(std::size_t index) const { return start_ + static_cast<double>(index) * step_; }
 
-  /// Calls `take(frame, state)` for the instants of the record within the stay; one that lies
-  /// between two instants is taken at the nearest.
+  /// Calls `take(frame, state, nearest observation)` for the instants of the record within the
+  /// stay; one that lies between two instants is taken at the nearest.
   template <class Take>
   void forEachInstant(const TrackStay& stay, Take take) {
     std::size_t from = indexFrom(stay.begin());
@@ -170,7 +175,8 @@ class TraceMaker {
   template <class Take>
   void takeAt(std::size_t index, const TrackStay& stay, Take take) {
     if (index >= first_ && index - first_ < trace_.frames.size()) {
-      take(trace_.frames[index - first_], stay.at(timeOf(index), kOnGrid * step_));
+      take(trace_.frames[index - first_], stay.at(timeOf(index), kOnGrid * step_),
+           stay.nearest(timeOf(index)));
     }
   }
 
@@ -204,14 +210,15 @@ class TraceMaker {
       if (static_cast<double>(states_) > most) {
         break;
       }
-      forEachInstant(stay, [&](Frame& frame, const TrackState& state) {
+      forEachInstant(stay, [&](Frame& frame, const TrackState& state, const TrackPoint& nearest) {
         HumanColumns& humans = frame.humans;
         if (!humans.id.empty() && humans.id.back() == track.id) {
           return;  // two short stays at one instant
         }
         appendState(humans, track.id, state);
-        humans.group.push_back(track.group);
-        humans.state.push_back(0);
+        humans.group.push_back(nearest.group.value_or(track.group));
+        humans.state.push_back(nearest.state);
+        link(frame, track, nearest);
         isThere = true;
         ++states_;
       });
@@ -225,6 +232,15 @@ class TraceMaker {
       human.radius = track.radius.value_or(kUsualRadius);
       human.group = track.group;
       trace_.header.humans.push_back(std::move(human));
+    }
+  }
+
+  void link(const Frame& frame, const Track& track, const TrackPoint& nearest) const {
+    if (links_ != nullptr) {
+      const bool isRobot = &track == robot_;
+      links_->links.push_back({frame.step, isRobot ? kRobotId : track.id, isRobot,
+                               static_cast<std::size_t>(&track - file_.tracks.data()),
+                               static_cast<std::size_t>(&nearest - track.points.data())});
     }
   }
 
@@ -250,8 +266,10 @@ class TraceMaker {
     const TrackStay stay(robot_->points.data(), robot_->points.data() + robot_->points.size());
     double fastest = 0.0;
     for (std::size_t k = 0; k < trace_.frames.size(); ++k) {
-      const TrackState state = stay.at(timeOf(first_ + k), kOnGrid * step_);
-      appendState(trace_.frames[k].robots, -1, state);
+      const double time = timeOf(first_ + k);
+      const TrackState state = stay.at(time, kOnGrid * step_);
+      appendState(trace_.frames[k].robots, kRobotId, state);
+      link(trace_.frames[k], *robot_, stay.nearest(time));
       fastest = std::max(fastest, state.velocity.norm());
     }
     TraceRobot robot;
@@ -263,32 +281,14 @@ class TraceMaker {
     if (options_.robotGoal || file_.robotGoal) {
       robot.goals.push_back(options_.robotGoal ? TraceGoal{0, *options_.robotGoal, kGoalRadius}
                                                : *file_.robotGoal);
-      noteArrival(robot.goals.back());
+      noteArrival(trace_, robot.goals.back());
     }
     trace_.header.robots.push_back(std::move(robot));
   }
 
-  /// At the first instant of the stay inside the goal, as the world has it, that lasts to the end.
-  void noteArrival(const TraceGoal& goal) {
-    std::size_t first = trace_.frames.size();
-    for (std::size_t k = trace_.frames.size(); k-- > 0;) {
-      const RobotColumns& robots = trace_.frames[k].robots;
-      const Vec2 place(robots.x.back(), robots.y.back());
-      if ((place - goal.position).norm() > goal.radius) {
-        break;
-      }
-      first = k;
-    }
-    if (first < trace_.frames.size()) {
-      Event event;
-      event.kind = EventKind::Arrived;
-      event.id = -1;
-      trace_.events.emplace_back(trace_.frames[first].step, event);
-    }
-  }
-
   const TrackFile& file_;
   const TrackOptions& options_;
+  TrackLinks* links_;
   base::Diagnostics problems_;
   const Track* robot_ = nullptr;
   double step_ = 1.0, start_ = 0.0;
@@ -301,8 +301,27 @@ class TraceMaker {
 
 }  // namespace
 
-base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options) {
-  return TraceMaker(file, options).make();
+base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options,
+                                  TrackLinks* links) {
+  return TraceMaker(file, options, links).make();
+}
+
+void noteArrival(Trace& trace, const TraceGoal& goal) {
+  std::size_t first = trace.frames.size();
+  for (std::size_t k = trace.frames.size(); k-- > 0;) {
+    const RobotColumns& robots = trace.frames[k].robots;
+    const Vec2 place(robots.x.back(), robots.y.back());
+    if ((place - goal.position).norm() > goal.radius) {
+      break;
+    }
+    first = k;
+  }
+  if (first < trace.frames.size()) {
+    Event event;
+    event.kind = EventKind::Arrived;
+    event.id = kRobotId;
+    trace.events.emplace_back(trace.frames[first].step, event);
+  }
 }
 
 void setMap(Trace& trace, OccupancyGrid map) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +17,8 @@ struct TrackPoint {
   std::optional<Vec2> velocity;        // [m/s]
   std::optional<double> heading;       // [rad]
   std::optional<double> angularSpeed;  // [rad/s]
+  std::optional<int> group;            // of a person; none: that of the track
+  std::uint8_t state = 0;              // 1 while a reaction or social action runs
   int line = 0, column = 0;            // where it stands in the source
 };
 
@@ -50,6 +54,19 @@ struct TrackOptions {
 
 constexpr char kRecordedMap[] = "map";  // name of the outlines that setMap() replaces
 
+/// Which observations a record was made of.
+struct TrackLinks {
+  /// Of a body at an instant.
+  struct Link {
+    std::int64_t step = 0;
+    int id = 0;
+    bool isRobot = false;
+    std::size_t track = 0, point = 0;  // places of the observation that is nearest in time
+  };
+  double begin = 0.0;  // time of the first instant in the source [s]
+  std::vector<Link> links;
+};
+
 /// Median time between two observations of a body, the lower of two; 0 when there are no two.
 double medianInterval(const std::vector<Track>& tracks);
 
@@ -63,7 +80,13 @@ double medianInterval(const std::vector<Track>& tracks);
 /// presence. Problems: no observation, time that does not advance, a step that makes too many
 /// instants, an unknown robot, two people of one id; told are observations between the instants and
 /// gaps in the robot's way, which are straight lines too.
-base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options);
+/// `links`: filled in where it is not null.
+base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options,
+                                  TrackLinks* links = nullptr);
+
+/// Adds the arrival of the robot at the goal: the first instant of a stay inside it, as the world
+/// has it, that lasts to the end. Nothing when the record ends outside.
+void noteArrival(Trace& trace, const TraceGoal& goal);
 
 /// Replaces the map of a record: cells and outlines.
 void setMap(Trace& trace, OccupancyGrid map);

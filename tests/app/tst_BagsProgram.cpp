@@ -1,10 +1,13 @@
 #include <cmath>
+#include <limits>
 
 #include <QDir>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include "tests/app/RunFiles.h"
+#include "tests/bridge/WrapperBag.h"
 
 using outside::bytesOf;
 using outside::Finished;
@@ -91,7 +94,10 @@ class BagsProgramTest : public QObject {
     const Finished drawn =
         runProgram({text("render"), path("run"), text("-o"), path("drawn.mcap"), text("-q")});
     QVERIFY2(drawn.exitCode == 0, qPrintable(drawn.err));
-    for (const char* source : {"run/bag", "run/bag/bag_0.mcap", "drawn.mcap"}) {
+    const Finished database =
+        runProgram({text("render"), path("run"), text("-o"), path("drawn.db3"), text("-q")});
+    QVERIFY2(database.exitCode == 0, qPrintable(database.err));
+    for (const char* source : {"run/bag", "run/bag/bag_0.mcap", "drawn.mcap", "drawn.db3"}) {
       const Finished bag =
           runProgram({text("evaluate"), path(source), text("-o"), path("of_bag"), text("-q")});
       QVERIFY2(bag.exitCode == 0 && bag.err.isEmpty(), qPrintable(bag.err));
@@ -100,6 +106,143 @@ class BagsProgramTest : public QObject {
       const QString keys = different(wanted, metricsOf(path("of_bag")));
       QVERIFY2(keys.isEmpty(), qPrintable(keys));
     }
+  }
+
+  void render_unknownEnding_namesThoseOfBags() {
+    const Finished drawn = runProgram({text("render"), path("run"), text("-o"), path("drawn.bag")});
+    QCOMPARE(drawn.exitCode, 64);
+    QVERIFY2(drawn.err.contains(text(".mcap or .db3")), qPrintable(drawn.err));
+  }
+
+  /// Without metadata.yaml the files are read; one that it names and that is not there is an error.
+  void evaluate_folders_areReadAsFarAsTheyGo() {
+    const QString bag = path("folder");
+    QVERIFY(QDir().mkpath(bag));
+    QVERIFY(QFile::copy(path("run/bag/bag_0.mcap"), bag + text("/bag_0.mcap")));
+    const Finished plain =
+        runProgram({text("evaluate"), bag, text("-o"), path("of_folder"), text("-q")});
+    QVERIFY2(plain.exitCode == 0, qPrintable(plain.err));
+    QVERIFY2(plain.err.contains(text("has no metadata.yaml")), qPrintable(plain.err));
+    QVERIFY(different(metricsOf(path("of_run")), metricsOf(path("of_folder"))).isEmpty());
+    QVERIFY(QFile::copy(path("run/bag/metadata.yaml"), bag + text("/metadata.yaml")));
+    QVERIFY(QFile::rename(bag + text("/bag_0.mcap"), bag + text("/other.mcap")));
+    const Finished absent = runProgram({text("evaluate"), bag, text("-o"), path("no"), text("-q")});
+    QCOMPARE(absent.exitCode, 2);
+    QVERIFY2(absent.err.contains(text("names bag_0.mcap, which is not in the folder (bag files "
+                                      "there: other.mcap)")),
+             qPrintable(absent.err));
+    QVERIFY2(absent.err.contains(text("metadata.yaml:")), qPrintable(absent.err));
+  }
+
+  /// What we write of it is what we read: the folder is measured again.
+  void evaluate_badNumbers_areLeftOutAndTheResultIsRead() {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    QVERIFY(wrapper::writeWrapper(path("bad.mcap").toStdString(),
+                                  [nan](int k, auto& people, auto& robot) {
+                                    people.agents[0].position.position.x = k == 3 ? nan : 2.0;
+                                    robot.velocity.linear.x = k == 7 ? 1e300 : 0.0;
+                                  }));
+    const Finished first =
+        runProgram({text("evaluate"), path("bad.mcap"), text("-o"), path("of_bad"), text("-q")});
+    QVERIFY2(first.exitCode == 0, qPrintable(first.err));
+    QCOMPARE(first.err.count(text("are left out:")), 2);
+    const Finished second =
+        runProgram({text("evaluate"), path("of_bad"), text("-o"), path("of_bad2"), text("-q")});
+    QVERIFY2(second.exitCode == 0 && second.err.isEmpty(), qPrintable(second.err));
+    const QString keys = different(metricsOf(path("of_bad")), metricsOf(path("of_bad2")));
+    QVERIFY2(keys.isEmpty(), qPrintable(keys));
+    const double force =
+        outside::valueOf(metricsOf(path("of_bad2")), text("obstacle_force_on_agents"));
+    QVERIFY2(std::fabs(force - 20 * 3.6787944117) < 1e-6, qPrintable(QString::number(force)));
+  }
+
+  /// Each once, with the keys of the metrics that lack it.
+  void evaluate_missingInputs_areNamedOnce_data() {
+    QTest::addColumn<bool>("hasMap");
+    QTest::addColumn<QStringList>("named");
+    QTest::newRow("no map") << false
+                            << QStringList{text("no obstacle points of people"),
+                                           text("no obstacle points of the robot"),
+                                           text("holds no map"),
+                                           text("no goal of the robot"),
+                                           text("no social_force_factor"),
+                                           text("no new plans")};
+    QTest::newRow("map") << true
+                         << QStringList{text("the nearest points of walls and obstacles make "
+                                             "obstacle_force_on_agents"),
+                                        text("the nearest points of walls and obstacles make "
+                                             "social_work, obstacle_force_on_robot")};
+  }
+  void evaluate_missingInputs_areNamedOnce() {
+    QFETCH(bool, hasMap);
+    QFETCH(QStringList, named);
+    QVERIFY(wrapper::writeWrapper(path("poor.mcap").toStdString(),
+                                  [](int /*k*/, auto& people, auto& robot) {
+                                    robot.closestObs.clear();
+                                    for (auto& agent : people.agents) {
+                                      agent.closestObs.clear();
+                                    }
+                                  }));
+    QStringList words = {text("evaluate"), path("poor.mcap"), text("-o"), path("of_poor"),
+                         text("-q")};
+    if (hasMap) {
+      words << text("--map") << text(SOURCE_DIR "/maps/corner_cafe/corner_cafe.yaml");
+    }
+    const Finished made = runProgram(words);
+    QVERIFY2(made.exitCode == 0, qPrintable(made.err));
+    for (const QString& each : named) {
+      QVERIFY2(made.err.count(each) == 1, qPrintable(made.err + each));
+    }
+  }
+
+  void evaluate_compressedFile_saysSo() {
+    for (const char* const name : {"whole.mcap.zstd", "whole.db3.zstd"}) {
+      QFile file(path(name));
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(QByteArray("\x28\xB5\x2F\xFD\x24\x10", 6));
+      file.close();
+      const Finished made =
+          runProgram({text("evaluate"), path(name), text("-o"), path("no"), text("-q")});
+      QCOMPARE(made.exitCode, 2);
+      QVERIFY2(made.err.contains(text("is compressed as a whole by 'zstd'")), qPrintable(made.err));
+    }
+  }
+
+  /// Whatever is read, and whatever it is called.
+  void lfsPointer_anyReader_saysSo_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QStringList>("words");
+    const auto row = [](const char* name, const QStringList& words) {
+      QTest::newRow(name) << text(name) << words;
+    };
+    for (const char* const name :
+         {"a.mcap", "a.db3", "a.csv", "a.h5", "a.sqlite", "a.xml", "a.txt"}) {
+      row(name, {text("evaluate"), text("FILE"), text("-o"), text("no")});
+    }
+    row("scenario.yaml", {text("check"), text("FILE")});
+    row("tree.xml", {text("check"), text("FILE")});
+    row("params.yaml", {text("run"), demo(), text("--planner"), text("nav2"), text("--nav2-params"),
+                        text("FILE"), text("--duration"), text("1"), text("-o"), text("no")});
+    row("metrics.yaml",
+        {text("evaluate"), path("run"), text("--metrics"), text("FILE"), text("-o"), text("no")});
+    row("map.yaml",
+        {text("evaluate"), path("run"), text("--map"), text("FILE"), text("-o"), text("no")});
+  }
+  void lfsPointer_anyReader_saysSo() {
+    QFETCH(QString, name);
+    QFETCH(QStringList, words);
+    const QString file = folder_.filePath(name);
+    QFile pointer(file);
+    QVERIFY(pointer.open(QIODevice::WriteOnly));
+    pointer.write("version https://git-lfs.github.com/spec/v1\noid sha256:0000\nsize 1613\n");
+    pointer.close();
+    words.replaceInStrings(QRegularExpression(text("^FILE$")), file);
+    words.replaceInStrings(QRegularExpression(text("^no$")), path("no"));
+    const Finished made = runProgram(words);
+    QCOMPARE(made.exitCode, 2);
+    QVERIFY2(made.err.contains(text("a Git LFS pointer: fetch the file with git lfs pull")),
+             qPrintable(made.err));
+    QFile::remove(file);
   }
 
   void evaluate_topics_areChosen() {

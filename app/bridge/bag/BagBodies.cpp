@@ -1,11 +1,9 @@
 #include "app/bridge/bag/BagBodies.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
-#include "app/bridge/messages/Codec.h"
 #include "app/bridge/topics/RunMessages.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
@@ -13,22 +11,10 @@
 namespace bridge {
 namespace {
 
-constexpr double kSameHeading = 1e-6;         // [rad]: what a float leaves of it
 constexpr int kRobot = -1;                    // id of a robot that has none
 constexpr std::uint32_t kWidest = 1U << 16U;  // [cells] of a map
 // [ns]: of any two times and stamps the difference is a number as well.
 constexpr std::int64_t kLatest = std::int64_t{1} << 62U;
-
-std::int64_t nanosecondsOf(const builtin_interfaces::Time& stamp) {
-  return std::int64_t{stamp.sec} * 1000000000 + stamp.nanosec;
-}
-
-/// The quaternion when the two agree: it is a double. Some never fill it.
-double turnedBy(const hunav_msgs::Agent& agent) {
-  const double turned = headingOf(agent.position.orientation);
-  const double yaw = static_cast<double>(agent.yaw);
-  return std::fabs(base::angleDiff(turned, yaw)) < kSameHeading ? turned : base::wrapToPi(yaw);
-}
 
 /// The value of a tag of HuNavSim.
 std::optional<int> tagOf(const people_msgs::Person& person, const char* name) {
@@ -44,28 +30,14 @@ std::optional<int> tagOf(const people_msgs::Person& person, const char* name) {
 
 }  // namespace
 
-double asWritten(float value) {
-  char text[32];
-  const std::to_chars_result end = std::to_chars(text, text + sizeof(text), value);
-  return base::parseDouble({text, static_cast<std::size_t>(end.ptr - text)}).value_or(value);
+const BagObstacles::Part* BagObstacles::find(const std::string& name) const {
+  const auto found = std::find_if(parts.begin(), parts.end(),
+                                  [&name](const Part& part) { return part.name == name; });
+  return found == parts.end() ? nullptr : &*found;
 }
 
 BagBodies::BagBodies(Bag& bag, BagChoice choice, std::string path)
     : bag_(bag), choice_(std::move(choice)), path_(std::move(path)) {}
-
-template <class M>
-std::optional<M> BagBodies::decoded(std::size_t channel, std::string_view bytes) {
-  Losses& losses = losses_[channel];
-  base::Result<M> message = decode<M>(bytes);
-  if (!message) {
-    if (losses.lost++ == 0) {
-      losses.first = message.diagnostics().front().text();
-    }
-    return std::nullopt;
-  }
-  ++losses.read;
-  return *std::move(message);
-}
 
 base::Diagnostics BagBodies::read() {
   std::vector<bool> wanted(bag_.channels().size(), false);
@@ -82,6 +54,11 @@ base::Diagnostics BagBodies::read() {
   }
   for (const std::size_t channel : choice_.transforms) {
     wanted[channel] = true;
+  }
+  for (const std::optional<std::size_t>& channel : {choice_.goals, choice_.obstacles}) {
+    if (channel) {
+      wanted[*channel] = true;
+    }
   }
   base::Diagnostics problems =
       bag_.read(wanted, [this](std::size_t channel, std::int64_t time, std::string_view bytes) {
@@ -101,6 +78,10 @@ void BagBodies::take(std::size_t channel, std::int64_t recorded, std::string_vie
     takePeople(channel, bytes);
   } else if (choice_.map == channel) {
     takeMap(channel, bytes);
+  } else if (choice_.goals == channel) {
+    takeGoal(channel, bytes);
+  } else if (choice_.obstacles == channel) {
+    takeObstacles(channel, bytes);
   } else if (type == tf2_msgs::TFMessage::kType) {
     takeTransforms(channel, bytes);
   } else {
@@ -120,39 +101,13 @@ base::Pose2 BagBodies::toMap(const std::string& frame) {
   return pose.value_or(base::Pose2());
 }
 
-void BagBodies::takeAgent(const hunav_msgs::Agent& agent, std::int64_t time,
-                          std::map<int, BagBody>& to) {
-  BagBody& body = to[agent.id];
-  if (!body.told) {
-    body.id = agent.id;
-    body.name = agent.name;
-    body.told = agent;
-  }
-  BagSample sample;
-  sample.time = time;
-  sample.pose.position = {agent.position.position.x, agent.position.position.y};
-  sample.pose.heading = turnedBy(agent);
-  sample.heading = sample.pose.heading;
-  sample.velocity = base::Vec2(agent.velocity.linear.x, agent.velocity.linear.y);
-  sample.omega = agent.velocity.angular.z;
-  sample.group = agent.groupId;  // NOLINT(bugprone-signed-char-misuse): -1 is nobody's
-  sample.state = agent.behavior.state;
-  if (!agent.goals.empty()) {
-    sample.goal = base::Vec2(agent.goals.front().position.x, agent.goals.front().position.y);
-  }
-  body.samples.push_back(sample);
-}
-
-void BagBodies::takeAgents(std::size_t channel, std::string_view bytes, std::int64_t time) {
-  const std::optional<hunav_msgs::Agents> all = decoded<hunav_msgs::Agents>(channel, bytes);
-  if (!all) {
-    return;
-  }
-  const std::int64_t stamp = nanosecondsOf(all->header.stamp);
-  stamps_.emplace_back(time, stamp);
-  for (const hunav_msgs::Agent& agent : all->agents) {
-    takeAgent(agent, stamp, people_);
-  }
+bool BagBodies::isFine(std::size_t channel, const people_msgs::Person& person, bool hasTurning) {
+  const geometry_msgs::Point& place = person.position;
+  const geometry_msgs::Point& velocity = person.velocity;
+  return bad_.areFine(channel, "position", {place.x, place.y, hasTurning ? place.z : 0.0},
+                      kMostMetres) &&
+         bad_.areFine(channel, "velocity", {velocity.x, velocity.y, hasTurning ? velocity.z : 0.0},
+                      kMostSpeed);
 }
 
 /// Of HuNavSim, which tags its people: position.z is the heading, the velocity ends with the
@@ -165,6 +120,9 @@ void BagBodies::takePeople(std::size_t channel, std::string_view bytes) {
   const base::Pose2 frame = toMap(all->header.frameId);
   for (const people_msgs::Person& person : all->people) {
     const std::optional<int> id = tagOf(person, "id");
+    if (!isFine(channel, person, id.has_value())) {
+      continue;
+    }
     const int known =
         id ? *id : named_.emplace(person.name, static_cast<int>(named_.size()) + 1).first->second;
     BagBody& body = people_[known];
@@ -191,49 +149,71 @@ BagBody& BagBodies::robot() {
   return body;
 }
 
-void BagBodies::takeOdometry(const nav_msgs::Odometry& odometry) {
-  takePose(odometry.header, odometry.pose.pose);
-  BagSample& sample = robot().samples.back();
+void BagBodies::takeOdometry(std::size_t channel, const nav_msgs::Odometry& odometry) {
   const geometry_msgs::Twist& twist = odometry.twist.twist;
+  const bool isFine =
+      bad_.areFine(channel, "twist.linear", {twist.linear.x, twist.linear.y}, kMostSpeed) &&
+      bad_.areFine(channel, "twist.angular", {twist.angular.z}, kMostSpeed);
+  if (!isFine || !takePose(channel, odometry.header, odometry.pose.pose)) {
+    return;
+  }
+  BagSample& sample = robot().samples.back();
   sample.velocity = base::Pose2{base::Vec2::Zero(), sample.pose.heading}.toWorld(
       {twist.linear.x, twist.linear.y});
   sample.omega = twist.angular.z;
 }
 
-void BagBodies::takePose(const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
-  const base::Pose2 frame = toMap(header.frameId);
+/// False: its numbers are none, and nothing is added.
+bool BagBodies::takePose(std::size_t channel, const std_msgs::Header& header,
+                         const geometry_msgs::Pose& pose) {
   const base::Pose2 inFrame = planarPose(pose);
+  if (!bad_.areFine(channel, "pose.position", {pose.position.x, pose.position.y}, kMostMetres) ||
+      !bad_.areFine(channel, "pose.orientation", {inFrame.heading}, kMostSpeed)) {
+    return false;
+  }
+  const base::Pose2 frame = toMap(header.frameId);
   BagSample sample;
   sample.time = nanosecondsOf(header.stamp);
   sample.pose = {frame.toWorld(inFrame.position), base::wrapToPi(frame.heading + inFrame.heading)};
   sample.heading = sample.pose.heading;
   robot().samples.push_back(sample);
+  return true;
 }
 
 void BagBodies::takeRobot(std::size_t channel, std::int64_t time, std::string_view bytes) {
   const std::string& type = bag_.channels()[channel].type;
   if (type == hunav_msgs::Agent::kType) {
     if (const auto agent = decoded<hunav_msgs::Agent>(channel, bytes)) {
-      takeAgent(*agent, time, robots_);
+      takeAgent(channel, *agent, time, robots_);
     }
   } else if (type == nav_msgs::Odometry::kType) {
     if (const auto odometry = decoded<nav_msgs::Odometry>(channel, bytes)) {
-      takeOdometry(*odometry);
+      takeOdometry(channel, *odometry);
     }
   } else if (type == geometry_msgs::PoseStamped::kType) {
     if (const auto pose = decoded<geometry_msgs::PoseStamped>(channel, bytes)) {
-      takePose(pose->header, pose->pose);
+      takePose(channel, pose->header, pose->pose);
     }
   } else if (const auto pose = decoded<geometry_msgs::PoseWithCovarianceStamped>(channel, bytes)) {
-    takePose(pose->header, pose->pose.pose);
+    takePose(channel, pose->header, pose->pose.pose);
   }
 }
 
 void BagBodies::takeTransforms(std::size_t channel, std::string_view bytes) {
-  const auto message = decoded<tf2_msgs::TFMessage>(channel, bytes);
+  auto message = decoded<tf2_msgs::TFMessage>(channel, bytes);
   if (!message) {
     return;
   }
+  std::vector<geometry_msgs::TransformStamped>& all = message->transforms;
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [&](const geometry_msgs::TransformStamped& each) {
+                             const geometry_msgs::Transform& t = each.transform;
+                             const double turn = headingOf(t.rotation);
+                             return !bad_.areFine(channel, "transforms",
+                                                  {t.translation.x, t.translation.y, turn},
+                                                  kMostMetres);
+                           }),
+            all.end());
   frames_.add(*message);
   if (!choice_.isRobotByTf) {
     return;
@@ -279,24 +259,53 @@ void BagBodies::takeMap(std::size_t channel, std::string_view bytes) {
                               asWritten(map->info.resolution), origin, std::move(values));
 }
 
-/// robot_states has no stamp: it gets that of the people recorded nearest to it.
-void BagBodies::pairRobots() {
-  std::sort(stamps_.begin(), stamps_.end());
-  for (auto& [id, body] : robots_) {
-    if (!body.told || stamps_.empty()) {
+void BagBodies::takeGoal(std::size_t channel, std::string_view bytes) {
+  const auto pose = decoded<geometry_msgs::PoseStamped>(channel, bytes);
+  if (!pose ||
+      !bad_.areFine(channel, "pose.position", {pose->pose.position.x, pose->pose.position.y},
+                    kMostMetres, BadNumbers::Loss::Value)) {
+    return;
+  }
+  const base::Vec2 goal =
+      toMap(pose->header.frameId).toWorld({pose->pose.position.x, pose->pose.position.y});
+  firstGoal_ = firstGoal_.value_or(nanosecondsOf(pose->header.stamp));
+  const auto isSame = [&](const base::Vec2& other) { return (goal - other).norm() < kSamePlace; };
+  if (std::none_of(goals_.begin(), goals_.end(), isSame)) {
+    goals_.push_back(goal);
+  }
+}
+
+/// As a run of ours publishes them: what was there goes, then one closed line for each outline.
+void BagBodies::takeObstacles(std::size_t channel, std::string_view bytes) {
+  using visualization_msgs::Marker;
+  const auto all = decoded<visualization_msgs::MarkerArray>(channel, bytes);
+  if (!all || all->markers.empty() || all->markers.front().action != Marker::kDeleteall) {
+    return;
+  }
+  BagObstacles now;
+  now.time = nanosecondsOf(all->markers.front().header.stamp);
+  for (const Marker& marker : all->markers) {
+    if (marker.type != Marker::kLineStrip || marker.action != Marker::kAdd) {
       continue;
     }
-    for (BagSample& sample : body.samples) {
-      auto next = std::lower_bound(stamps_.begin(), stamps_.end(),
-                                   std::make_pair(sample.time, std::int64_t{0}));
-      const bool isLast = next == stamps_.end();
-      if (isLast || (next != stamps_.begin() &&
-                     sample.time - std::prev(next)->first < next->first - sample.time)) {
-        --next;
+    const base::Pose2 frame = toMap(marker.header.frameId);
+    const base::Pose2 inFrame = planarPose(marker.pose);
+    sim2d::Outline outline;
+    for (std::size_t k = 0; k + 1 < marker.points.size(); ++k) {  // the last is the first again
+      const geometry_msgs::Point& point = marker.points[k];
+      if (bad_.areFine(channel, "points", {point.x, point.y}, kMostMetres,
+                       BadNumbers::Loss::Value)) {
+        outline.points.push_back(frame.toWorld(inFrame.toWorld({point.x, point.y})));
       }
-      sample.time = next->second;
+    }
+    if (outline.points.size() >= 3) {
+      if (now.parts.empty() || now.parts.back().name != marker.ns) {
+        now.parts.push_back({marker.ns, {}});
+      }
+      now.parts.back().outlines.push_back(std::move(outline));
     }
   }
+  obstacles_.push_back(std::move(now));
 }
 
 base::Diagnostics BagBodies::losses() const {
@@ -311,6 +320,7 @@ base::Diagnostics BagBodies::losses() const {
       problems.push_back(base::warning("bag.no-messages", {topic}, path_));
     }
   }
+  base::append(problems, bad_.warnings(bag_.channels(), path_));
   for (const auto& [frame, count] : strange_) {
     problems.push_back(base::warning("bag.moved-frame", {count, frame}, path_));
   }

@@ -6,6 +6,7 @@
 
 #include "app/bridge/messages/GeometryMessages.h"
 #include "app/bridge/messages/HunavMessages.h"
+#include "app/bridge/messages/MarkerMessages.h"
 #include "app/bridge/messages/NavigationMessages.h"
 #include "sim2d/base/Text.h"
 
@@ -24,6 +25,9 @@ const Names kMapTypes = {nav_msgs::OccupancyGrid::kType};
 const Names kNotChosen = {"/goal_pose", "/initialpose", "/goal", "/global_costmap/costmap",
                           "/local_costmap/costmap"};
 
+constexpr const char* kGoalPose = "/goal_pose";
+constexpr const char* kObstacles = "/obstacles";
+
 bool isAmong(const std::string& word, const Names& words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
@@ -31,6 +35,24 @@ bool isAmong(const std::string& word, const Names& words) {
 /// `name`: as the user wrote it, with or without its first slash.
 bool isNamed(const std::string& topic, const std::string& name) {
   return !name.empty() && (topic == name || topic == "/" + name);
+}
+
+/// "/robot2" of "/robot2/odom", "" of "/odom".
+std::string spaceOf(const std::string& topic) {
+  const std::size_t slash = topic.rfind('/');
+  return slash == std::string::npos ? std::string() : topic.substr(0, slash);
+}
+
+bool endsWith(const std::string& topic, const std::string& name) {
+  return topic.size() >= name.size() &&
+         topic.compare(topic.size() - name.size(), name.size(), name) == 0;
+}
+
+/// Goals of a robot, outlines of obstacles.
+bool isBeside(const BagChannel& channel) {
+  return (channel.type == geometry_msgs::PoseStamped::kType &&
+          endsWith(channel.topic, kGoalPose)) ||
+         (channel.type == visualization_msgs::MarkerArray::kType && channel.topic == kObstacles);
 }
 
 class Chooser {
@@ -42,6 +64,41 @@ class Chooser {
   /// The topic of that name, of one of these types; without a name the first of the best type.
   std::optional<std::size_t> choose(const std::string& name, const Names& types) {
     return name.empty() ? firstOf(types) : named(name, types);
+  }
+
+  /// The topic of exactly that name and type.
+  std::optional<std::size_t> find(const std::string& topic, const char* type) const {
+    for (std::size_t k = 0; k < channels_.size(); ++k) {
+      if (channels_[k].topic == topic && channels_[k].type == type) {
+        return k;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Beside the topic of the robot; else the one of no namespace, unless another robot has its
+  /// topic there.
+  std::optional<std::size_t> goalsOf(std::size_t robot) const {
+    const char* const type = geometry_msgs::PoseStamped::kType;
+    const std::string& topic = channels_[robot].topic;
+    const std::optional<std::size_t> beside = find(spaceOf(topic) + kGoalPose, type);
+    const std::string name = topic.substr(spaceOf(topic).size());
+    return beside || find(name, channels_[robot].type.c_str()) ? beside : find(kGoalPose, type);
+  }
+
+  /// Robots that are recorded as the chosen one is and are not measured.
+  void tellOfOthers(std::size_t robot) {
+    Names others;
+    for (std::size_t k = 0; k < channels_.size(); ++k) {
+      if (k != robot && channels_[k].type == channels_[robot].type) {
+        others.push_back(channels_[k].topic);
+      }
+    }
+    if (!others.empty()) {
+      problems_.push_back(
+          base::warning("bag.other-robots",
+                        {others.size(), base::join(others, ", "), channels_[robot].topic}, path_));
+    }
   }
 
   std::vector<std::size_t> allOf(const char* type) const {
@@ -132,7 +189,7 @@ bool isOfUse(const BagChannel& channel, const BagUse& use) {
   const std::string& topic = channel.topic;
   const bool isAsked =
       isNamed(topic, use.people) || isNamed(topic, use.robot) || isNamed(topic, use.map);
-  return tells && (isAsked || !isAmong(topic, kNotChosen));
+  return (tells && (isAsked || !isAmong(topic, kNotChosen))) || isBeside(channel);
 }
 
 BagChoice chooseTopics(const std::vector<BagChannel>& channels, const BagUse& use,
@@ -147,6 +204,11 @@ BagChoice chooseTopics(const std::vector<BagChannel>& channels, const BagUse& us
   if (robot && !choice.isRobotByTf) {
     choice.robots = {*robot};
   }
+  if (robot && use.robot.empty() && channels[*robot].type == hunav_msgs::Agent::kType) {
+    chooser.tellOfOthers(*robot);
+  }
+  choice.goals = robot ? chooser.goalsOf(*robot) : std::nullopt;
+  choice.obstacles = chooser.find(kObstacles, visualization_msgs::MarkerArray::kType);
   if (!choice.people && !robot && !base::hasErrors(problems)) {
     Names known = kPeopleTypes;
     known.insert(known.end(), kRobotTypes.begin(), kRobotTypes.end());

@@ -9,6 +9,7 @@
 
 #include "app/bridge/bag/Bag.h"
 #include "app/bridge/bag/McapFormat.h"
+#include "sim2d/base/LfsPointer.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/trace/ForeignFiles.h"
@@ -19,28 +20,119 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kDatabaseMagic = "SQLite format 3";
+constexpr std::size_t kLongestMagic = 64;  // [B]
 constexpr const char* kMetadataFile = "metadata.yaml";
 
-enum class Kind { None, Mcap, Database, Folder };
+enum class Kind { None, Mcap, Database, Folder, Packed, Pointer };
+
+struct Packing {
+  std::string_view magic, name;
+};
+constexpr Packing kPackings[] = {{"\x28\xB5\x2F\xFD", "zstd"},
+                                 {"\x04\x22\x4D\x18", "lz4"},
+                                 {"\x1F\x8B", "gzip"},
+                                 {"BZh", "bzip2"},
+                                 {"\xFD"
+                                  "7zXZ",
+                                  "xz"}};
+
+std::string beginningOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(kLongestMagic, '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  begin.resize(static_cast<std::size_t>(file.gcount()));
+  return begin;
+}
+
+bool beginsWith(const std::string& text, std::string_view with) {
+  return std::string_view(text).substr(0, with.size()) == with;
+}
+
+/// What the file is compressed by as a whole; empty: by nothing known.
+std::string_view packingOf(const std::string& begin) {
+  const auto* const found =
+      std::find_if(std::begin(kPackings), std::end(kPackings),
+                   [&](const Packing& each) { return beginsWith(begin, each.magic); });
+  return found == std::end(kPackings) ? std::string_view() : found->name;
+}
+
+/// By the content; of what is compressed or stored elsewhere the name alone is left.
+Kind kindOfFile(const std::string& path) {
+  const std::string begin = beginningOf(path);
+  if (beginsWith(begin, kMcapMagic)) {
+    return Kind::Mcap;
+  }
+  if (beginsWith(begin, kDatabaseMagic)) {
+    return sim2d::isTrajectoryDatabase(path) ? Kind::None : Kind::Database;
+  }
+  const std::string name = base::lowered(fs::path(path).filename().string());
+  const bool isNamed =
+      name.find(".mcap") != std::string::npos || name.find(".db3") != std::string::npos;
+  if (isNamed && !packingOf(begin).empty()) {
+    return Kind::Packed;
+  }
+  return isNamed && base::isLfsPointer(begin) ? Kind::Pointer : Kind::None;
+}
+
+/// "bag_2" comes before "bag_10".
+bool isBeforeByNumbers(const std::string& a, const std::string& b) {
+  std::size_t i = 0;
+  std::size_t k = 0;
+  while (i < a.size() && k < b.size()) {
+    if (base::isDigit(a[i]) && base::isDigit(b[k])) {
+      const auto endOf = [](const std::string& text, std::size_t from) {
+        return std::min(text.find_first_not_of("0123456789", from), text.size());
+      };
+      const std::string one = a.substr(i, endOf(a, i) - i);
+      const std::string two = b.substr(k, endOf(b, k) - k);
+      if (one != two) {
+        return one.size() != two.size() ? one.size() < two.size() : one < two;
+      }
+      i += one.size();
+      k += two.size();
+    } else if (a[i] != b[k]) {
+      return a[i] < b[k];
+    } else {
+      ++i;
+      ++k;
+    }
+  }
+  return a.size() - i < b.size() - k;
+}
+
+/// The files of a bag in a folder, whatever metadata says: by their content, in the order of their
+/// numbers.
+std::vector<std::string> bagFilesIn(const std::string& folder) {
+  std::vector<std::string> files;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string path = entry.path().string();
+    const std::string ending = base::lowered(entry.path().extension().string());
+    const bool isFile = entry.is_regular_file(ignored);
+    const Kind kind = isFile ? kindOfFile(path) : Kind::None;
+    // Other programs keep other things in databases.
+    if (kind != Kind::None && (kind != Kind::Database || ending == ".db3")) {
+      files.push_back(path);
+    }
+  }
+  std::sort(files.begin(), files.end(), isBeforeByNumbers);
+  return files;
+}
+
+/// A folder with the record of a run is that, whatever lies beside it.
+bool isRecord(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_regular_file(folder / "trace.json", ignored);
+}
 
 Kind kindOf(const std::string& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
-    const bool isBagFolder = fs::is_regular_file(fs::path(path) / kMetadataFile, ignored);
-    return isBagFolder ? Kind::Folder : Kind::None;
+    const bool hasMetadata = fs::is_regular_file(fs::path(path) / kMetadataFile, ignored);
+    return hasMetadata || (!isRecord(path) && !bagFilesIn(path).empty()) ? Kind::Folder
+                                                                         : Kind::None;
   }
-  if (!fs::is_regular_file(path, ignored)) {
-    return Kind::None;
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::string begin(kDatabaseMagic.size(), '\0');
-  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(file.gcount()));
-  if (begin.substr(0, kMcapMagic.size()) == kMcapMagic) {
-    return Kind::Mcap;
-  }
-  return begin == kDatabaseMagic && !sim2d::isTrajectoryDatabase(path) ? Kind::Database
-                                                                       : Kind::None;
+  return fs::is_regular_file(path, ignored) ? kindOfFile(path) : Kind::None;
 }
 
 std::string textOf(const base::YamlNode* map, const char* key) {
@@ -104,8 +196,34 @@ class FileRow final : public Bag {
   std::vector<std::vector<std::size_t>> places_;  // of each file's channels in channels_
 };
 
-/// The files that the metadata names; empty with an error.
-std::vector<std::string> filesOf(const std::string& folder, base::Diagnostics& problems) {
+/// Where the file lies that the metadata names: early versions name its folder as well, and who
+/// decompressed it has left the name as it was. Empty: not there.
+std::string placeOf(const std::string& folder, const std::string& name) {
+  const fs::path file = fs::path(name).filename();
+  const std::string ending = base::lowered(file.extension().string());
+  const bool isPacked = ending == ".zstd" || ending == ".zst" || ending == ".lz4";
+  for (const fs::path& place : {fs::path(folder) / name, fs::path(folder) / file,
+                                fs::path(folder) / (isPacked ? file.stem() : file)}) {
+    std::error_code ignored;
+    if (fs::exists(place, ignored)) {
+      return place.string();
+    }
+  }
+  return {};
+}
+
+base::Diagnostic absent(const base::YamlNode& name, const std::string& folder,
+                        const std::string& path) {
+  std::vector<std::string> there;
+  for (const std::string& file : bagFilesIn(folder)) {
+    there.push_back(fs::path(file).filename().string());
+  }
+  return base::error("bag.absent-file", {name.text, base::join(there, ", ")}, path, name.line,
+                     name.column);
+}
+
+/// The files that the metadata names; none with an error.
+std::vector<std::string> namedFiles(const std::string& folder, base::Diagnostics& problems) {
   const std::string path = (fs::path(folder) / kMetadataFile).string();
   const base::Result<std::string> text = base::readTextFile(path);
   base::append(problems, text.diagnostics());
@@ -117,19 +235,35 @@ std::vector<std::string> filesOf(const std::string& folder, base::Diagnostics& p
   const std::string storage = textOf(info, "storage_identifier");
   const std::string packing = textOf(info, "compression_format");
   const bool isPacked =
-      !packing.empty() && base::lowered(textOf(info, "compression_mode")) == "file";
+      !packing.empty() && base::lowered(textOf(info, "compression_mode")) == "message";
   const base::YamlNode* const names = info != nullptr ? info->find("relative_file_paths") : nullptr;
   if (storage != "mcap" && storage != "sqlite3" && !storage.empty()) {
     problems.push_back(base::error("bag.storage", {storage}, path));
   } else if (isPacked) {
-    problems.push_back(base::error("bag.compressed-file", {packing}, path));
+    problems.push_back(base::error("bag.compressed-messages", {packing}, path));
   } else if (names == nullptr || !names->isList() || names->items.empty()) {
     problems.push_back(base::error("bag.bad-metadata", {}, path));
   }
-  std::vector<std::string> files;
-  for (std::size_t k = 0; !base::hasErrors(problems) && k < names->items.size(); ++k) {
-    files.push_back((fs::path(folder) / names->items[k].text).string());
+  if (base::hasErrors(problems)) {
+    return {};
   }
+  std::vector<std::string> files;
+  for (const base::YamlNode& name : names->items) {
+    files.push_back(placeOf(folder, name.text));
+    if (files.back().empty()) {
+      problems.push_back(absent(name, folder, path));
+    }
+  }
+  return base::hasErrors(problems) ? std::vector<std::string>() : files;
+}
+
+std::vector<std::string> filesOf(const std::string& folder, base::Diagnostics& problems) {
+  std::error_code ignored;
+  if (fs::exists(fs::path(folder) / kMetadataFile, ignored)) {
+    return namedFiles(folder, problems);
+  }
+  std::vector<std::string> files = bagFilesIn(folder);
+  problems.push_back(base::warning("bag.no-metadata", {files.size()}, folder));
   return files;
 }
 
@@ -145,7 +279,10 @@ std::vector<std::string> filesOfBag(const std::string& path) {
   }
   base::Diagnostics ignored;  // told when it is opened
   std::vector<std::string> files = filesOf(path, ignored);
-  files.insert(files.begin(), (fs::path(path) / kMetadataFile).string());
+  const fs::path metadata = fs::path(path) / kMetadataFile;
+  if (std::error_code none; fs::exists(metadata, none)) {
+    files.insert(files.begin(), metadata.string());
+  }
   return files;
 }
 
@@ -178,6 +315,10 @@ base::Result<std::unique_ptr<Bag>> openBag(const std::string& path) {
       return openDatabase(path);
     case Kind::Folder:
       return openBagFolder(path);
+    case Kind::Packed:
+      return base::error("bag.compressed-file", {packingOf(beginningOf(path))}, path);
+    case Kind::Pointer:
+      return base::error("file.lfs-pointer", {}, path);
     case Kind::None:
       break;
   }

@@ -23,14 +23,14 @@ std::string quoted(const std::string& text) {
 std::string topicLines(const BagTopic& topic) {
   return "    - topic_metadata:\n"
          "        name: " +
-         quoted(topic.topic.name) +
+         quoted(topic.name) +
          "\n"
          "        type: " +
-         quoted(std::string(topic.topic.type)) +
+         quoted(topic.type) +
          "\n"
          "        serialization_format: cdr\n"
          "        offered_qos_profiles: " +
-         quoted(offeredQos(topic.topic)) +
+         quoted(topic.qos) +
          "\n"
          "      message_count: " +
          std::to_string(topic.messages) + "\n";
@@ -50,14 +50,16 @@ std::string offeredQos(const Topic& topic) {
 }
 
 std::string bagMetadata(const std::string& file, const std::vector<BagTopic>& topics,
-                        const BagSpan& span) {
+                        const BagSpan& span, const std::string& storage) {
   const std::string begin = std::to_string(span.begin);
   const std::string length = std::to_string(span.end - span.begin);
   const std::string count = std::to_string(span.messages);
   std::string text =
       "rosbag2_bagfile_information:\n  version: " + std::to_string(kMetadataVersion) +
       "\n"
-      "  storage_identifier: mcap\n"
+      "  storage_identifier: " +
+      storage +
+      "\n"
       "  duration:\n    nanoseconds: " +
       length +
       "\n"

@@ -12,8 +12,9 @@ namespace bridge {
 
 /// A topic in a bag.
 struct BagTopic {
-  Topic topic;
+  std::string name, type;
   std::uint64_t messages = 0;
+  std::string qos;  // that its writer offers, as YAML
 };
 
 /// The quality of service that the topic's writer offers, as YAML.
@@ -24,9 +25,10 @@ struct BagSpan {
   std::uint64_t messages = 0;
 };
 
-/// metadata.yaml of a folder with one MCAP file of that name. Topics without messages are left out.
+/// metadata.yaml of a folder with one file of that name, in that storage ("mcap", "sqlite3").
+/// Topics without messages are left out.
 std::string bagMetadata(const std::string& file, const std::vector<BagTopic>& topics,
-                        const BagSpan& span);
+                        const BagSpan& span, const std::string& storage = "mcap");
 
 /// A layout for Foxglove: the map with people and robots, their speeds, raw messages.
 std::string foxgloveLayout();

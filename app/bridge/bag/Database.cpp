@@ -63,6 +63,19 @@ class Database final : public Bag {
 
   const std::vector<BagChannel>& channels() const override { return channels_; }
 
+  /// Ours are in a table of their own, which rosbag2 leaves alone.
+  std::string metadata(const std::string& name, const std::string& key) override {
+    const Statement entry = prepared(
+        connection_.get(), "SELECT value FROM hunavsim_metadata WHERE name = ?1 AND key = ?2");
+    if (!entry) {
+      return {};
+    }
+    sqlite3_bind_text(entry.get(), 1, name.c_str(), -1, SQLITE_TRANSIENT);
+    sqlite3_bind_text(entry.get(), 2, key.c_str(), -1, SQLITE_TRANSIENT);
+    return sqlite3_step(entry.get()) == SQLITE_ROW ? std::string(bytesOf(entry.get(), 0))
+                                                   : std::string();
+  }
+
   base::Diagnostics read(const std::vector<bool>& channels, const Visit& visit) override {
     const Statement messages = prepared(
         connection_.get(), "SELECT topic_id, timestamp, data FROM messages ORDER BY timestamp, id");

@@ -35,7 +35,7 @@ void McapWriter::append(const std::string& record) {
   dataSum_ = crc32(record, dataSum_);
 }
 
-std::uint16_t McapWriter::addChannel(McapChannel channel) {
+std::uint16_t McapWriter::addChannel(WrittenChannel channel) {
   Channel made;
   const auto known = std::find_if(schemas_.begin(), schemas_.end(), [&](const Schema& schema) {
     return schema.type == channel.type;
@@ -153,7 +153,7 @@ void McapWriter::endChunk() {
   index_.clear();
 }
 
-void McapWriter::addMetadata(const std::string& name, const McapEntries& entries) {
+void McapWriter::addMetadata(const std::string& name, const Entries& entries) {
   endChunk();
   const std::uint64_t begin = position_;
   append(McapRecord(McapOp::Metadata).text(name).entries(entries).finish());

@@ -6,48 +6,33 @@
 #include <string_view>
 #include <vector>
 
+#include "app/bridge/bag/BagWriter.h"
 #include "app/bridge/bag/Compression.h"
 #include "app/bridge/bag/McapFormat.h"
 #include "sim2d/base/Files.h"
 
 namespace bridge {
 
-/// What messages are written under. Channels of one type share its schema.
-struct McapChannel {
-  std::string topic, type;
-  std::string definition;  // form `ros2msg`
-  McapEntries metadata;    // of the channel
-};
-
 /// An MCAP file of profile ros2: CDR messages in chunks of about a mebibyte, compressed by zstd,
 /// with checksums, indexes and a summary. Written beside its place and put there by finish(). In
-/// memory: one chunk, and 100 bytes per chunk before. One thread at a time.
-class McapWriter {
+/// memory: one chunk, and 100 bytes per chunk before. Channels of one type share its schema. One
+/// thread at a time.
+class McapWriter final : public BagWriter {
  public:
   static constexpr std::size_t kChunk = std::size_t{1} << 20U;  // [B] before compression
 
   explicit McapWriter(const std::string& path);
 
-  std::uint16_t addChannel(McapChannel channel);
-  /// `time` [ns]; need not rise.
-  void write(std::uint16_t channel, std::int64_t time, std::string_view message);
-  void addMetadata(const std::string& name, const McapEntries& entries);
-  /// Something could not be written: finish() tells why.
-  bool hasFailed() const { return file_.hasFailed(); }
-  /// Empty = the file is in its place.
-  base::Diagnostics finish();
-
-  // so far
-  struct Totals {
-    std::uint64_t messages = 0;
-    std::int64_t begin = 0, end = 0;  // [ns] of the messages
-    std::map<std::uint16_t, std::uint64_t> perChannel;
-  };
-  const Totals& totals() const { return totals_; }
+  std::uint16_t addChannel(WrittenChannel channel) override;
+  void write(std::uint16_t channel, std::int64_t time, std::string_view message) override;
+  void addMetadata(const std::string& name, const Entries& entries) override;
+  bool hasFailed() const override { return file_.hasFailed(); }
+  base::Diagnostics finish() override;
+  const Totals& totals() const override { return totals_; }
 
  private:
   struct Channel {
-    McapChannel told;
+    WrittenChannel told;
     std::uint16_t schema = 0;
     std::uint32_t messages = 0;
     bool isIntroduced = false;  // in a chunk

@@ -1,10 +1,14 @@
 #include "app/bridge/bag/RunBag.h"
 
+#include <filesystem>
 #include <limits>
 #include <utility>
 
+#include "app/bridge/bag/DatabaseWriter.h"
+#include "app/bridge/bag/McapWriter.h"
 #include "app/bridge/messages/TypeTable.h"
 #include "app/bridge/topics/RunMessages.h"
+#include "sim2d/base/Text.h"
 
 namespace bridge {
 namespace {
@@ -14,17 +18,24 @@ RunTopicsOptions withoutClock(RunTopicsOptions options) {
   return options;
 }
 
+std::unique_ptr<BagWriter> writerOf(const std::string& path) {
+  if (base::lowered(std::filesystem::path(path).extension().string()) == ".db3") {
+    return std::make_unique<DatabaseWriter>(path);
+  }
+  return std::make_unique<McapWriter>(path);
+}
+
 }  // namespace
 
 RunBag::RunBag(const std::string& path, const sim2d::TraceHeader& header, RunTopicsOptions options)
     : topics_(header, withoutClock(std::move(options))),
-      writer_(path),
+      writer_(writerOf(path)),
       recordEvery_(header.recordEvery),
       dt_(header.dt),
       events_(sim2d::headLine(sim2d::kEventColumns)) {
   for (const Topic& topic : topics_.topics()) {
     const KnownType* const type = findType(topic.type);
-    channels_.push_back(writer_.addChannel(
+    channels_.push_back(writer_->addChannel(
         {topic.name,
          std::string(topic.type),
          type->definition,
@@ -49,22 +60,24 @@ void RunBag::append(const sim2d::Frame& frame) {
   }
   const std::int64_t time = nanosecondsOf(frame.time);
   topics_.tell(frame, [&](std::size_t topic, const std::string& bytes) {
-    writer_.write(channels_[topic], time, bytes);
+    writer_->write(channels_[topic], time, bytes);
   });
 }
 
 base::Diagnostics RunBag::finish(const sim2d::TraceHeader& header) {
-  writer_.addMetadata(kRunMetadata,
-                      {{"trace.json", sim2d::traceJson(header)}, {"events.csv", events_}});
-  return writer_.finish();
+  writer_->addMetadata(kRunMetadata,
+                       {{"trace.json", sim2d::traceJson(header)}, {"events.csv", events_}});
+  return writer_->finish();
 }
 
 std::string RunBag::metadata(const std::string& name) const {
-  const McapWriter::Totals& totals = writer_.totals();
+  const BagWriter::Totals& totals = writer_->totals();
   std::vector<BagTopic> topics;
   for (std::size_t k = 0; k < channels_.size(); ++k) {
     const auto count = totals.perChannel.find(channels_[k]);
-    topics.push_back({topics_.topics()[k], count == totals.perChannel.end() ? 0 : count->second});
+    const Topic& topic = topics_.topics()[k];
+    topics.push_back({topic.name, std::string(topic.type),
+                      count == totals.perChannel.end() ? 0 : count->second, offeredQos(topic)});
   }
   return bagMetadata(name, topics, {totals.begin, totals.end, totals.messages});
 }

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/bridge/bag/BagTopics.h"
-#include "app/bridge/bag/McapWriter.h"
+#include "app/bridge/bag/BagWriter.h"
 #include "app/bridge/topics/RunTopics.h"
 #include "sim2d/trace/Recording.h"
 
@@ -17,7 +18,8 @@ namespace bridge {
 constexpr const char* kRunMetadata = "hunavsim";
 
 /// Takes a run while it goes on and writes the states that are recorded, all that `RunTopics` tells
-/// but /clock, into one MCAP file, beside its place until finish().
+/// but /clock, into one file, beside its place until finish(): a database of rosbag2 when its name
+/// ends in .db3, else MCAP.
 class RunBag : public sim2d::FrameSink {
  public:
   RunBag(const std::string& path, const sim2d::TraceHeader& header, RunTopicsOptions options);
@@ -29,7 +31,7 @@ class RunBag : public sim2d::FrameSink {
   void addEvent(std::int64_t step, const sim2d::Event& event);
 
   /// A file could not be written: there is no use in going on.
-  bool hasFailed() const { return writer_.hasFailed(); }
+  bool hasFailed() const { return writer_->hasFailed(); }
   /// `header`: of the whole run. Empty = the file is in its place.
   base::Diagnostics finish(const sim2d::TraceHeader& header);
 
@@ -38,7 +40,7 @@ class RunBag : public sim2d::FrameSink {
 
  private:
   RunTopics topics_;
-  McapWriter writer_;
+  std::unique_ptr<BagWriter> writer_;
   std::vector<std::uint16_t> channels_;  // by topic
   int recordEvery_;
   double dt_;

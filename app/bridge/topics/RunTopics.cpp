@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* kFootprint = "base_footprint";
 constexpr const char* kBase = "base_link";
+constexpr double kTimeSlack = 1e-9;  // [s]
 constexpr int kDepthOfTf = 100;
 constexpr int kDepthOfStates = 1;  // as HuNavSim has them
 
@@ -157,9 +158,13 @@ void RunTopics::tell(const sim2d::Frame& frame, const Send& send, const Wants& w
   for (std::size_t k = 0; k < robots; ++k) {
     Robot& robot = robots_[k];
     robot.isOrdered = robot.isOrdered && frame.robots.goal[k] == sim2d::kNoGoal;
-    robot.goal = robot.isOrdered
-                     ? (robot.order ? &*robot.order : nullptr)
-                     : goalIn(header_.robots[k].goals, frame.robots.goal[k], robot.passed);
+    const sim2d::TraceRobot& told = header_.robots[k];
+    const bool isParked = told.startTime > frame.time + kTimeSlack;  // it has not got its goal yet
+    if (robot.isOrdered) {
+      robot.goal = robot.order ? &*robot.order : nullptr;
+    } else {
+      robot.goal = isParked ? nullptr : goalIn(told.goals, frame.robots.goal[k], robot.passed);
+    }
   }
   const Telling telling{frame, send, wants, lengths_};
   if (options_.clock) {

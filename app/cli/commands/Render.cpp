@@ -75,7 +75,7 @@ std::optional<Kind> pictureKindOf(const std::string& ending) {
   if (ending == ".html") {
     return Kind::Page;
   }
-  if (ending == ".mcap") {
+  if (ending == ".mcap" || ending == ".db3") {
     return Kind::Bag;
   }
   if (ending == ".ndjson") {
@@ -348,7 +348,7 @@ void addRender(CommandRegistry& commands) {
   command
       .add_option("-o,--output", options.output,
                   "Picture (.png, .svg, .pdf), film (.gif; .mp4, .webm and .webp with ffmpeg), a "
-                  "page that plays the run (.html), a bag for ROS 2 and Foxglove (.mcap), or "
+                  "page that plays the run (.html), a bag for ROS 2 and Foxglove (.mcap, .db3), or "
                   "trajectories for TrajNet++ (.ndjson) or SocNav3 (.json)")
       ->required();
   command.add_option("--at", options.at, "The run up to this time alone [s]");

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/bridge/bag/BagWriter.h"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace bridge {
+
+/// A `.db3` of rosbag2 (schema 3: Humble, later ones read it): tables schema, metadata, topics and
+/// messages, and `hunavsim_metadata` for what messages have no place for. Made in a file of its own
+/// and put in its place by finish(). One thread at a time.
+class DatabaseWriter final : public BagWriter {
+ public:
+  explicit DatabaseWriter(std::string path);
+  ~DatabaseWriter() override;
+  DatabaseWriter(const DatabaseWriter&) = delete;
+  DatabaseWriter& operator=(const DatabaseWriter&) = delete;
+  DatabaseWriter(DatabaseWriter&&) = delete;
+  DatabaseWriter& operator=(DatabaseWriter&&) = delete;
+
+  std::uint16_t addChannel(WrittenChannel channel) override;
+  void write(std::uint16_t channel, std::int64_t time, std::string_view message) override;
+  void addMetadata(const std::string& name, const Entries& entries) override;
+  bool hasFailed() const override { return !problems_.empty(); }
+  base::Diagnostics finish() override;
+  const Totals& totals() const override { return totals_; }
+
+ private:
+  struct Close {
+    void operator()(sqlite3* database) const;
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  using Statement = std::unique_ptr<sqlite3_stmt, Close>;
+
+  bool makeFile();
+  void open();
+  void run(const char* sql);
+  Statement prepared(const char* sql);
+  void check(int code, int wanted);
+  void fail(const std::string& reason);
+  void writeTopics();
+  void copyInPlace();
+
+  std::string path_, made_;  // in the end, until then
+  std::unique_ptr<sqlite3, Close> database_;
+  Statement insert_;  // of a message
+  std::vector<WrittenChannel> channels_;
+  Totals totals_;
+  base::Diagnostics problems_;
+};
+
+}  // namespace bridge

@@ -1,0 +1,121 @@
+#include "sim2d/trace/RecordedPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <tuple>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/trace/Csv.h"
+#include "sim2d/trace/Trace.h"
+
+namespace sim2d {
+namespace {
+
+constexpr char kPointColumns[] = "step,id,kind,points";
+constexpr char kRobotKind[] = "robot";
+constexpr char kHumanKind[] = "human";
+
+/// "x y x y …"; none: some word is no finite number, or their count is odd.
+std::optional<std::vector<base::Vec2>> pointsOf(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& word : base::split(text, ' ')) {
+    const std::optional<double> number = base::parseDouble(word);
+    if (!number || !std::isfinite(*number)) {
+      return std::nullopt;
+    }
+    numbers.push_back(*number);
+  }
+  if (numbers.size() % 2 != 0) {
+    return std::nullopt;
+  }
+  std::vector<base::Vec2> points;
+  for (std::size_t k = 0; k < numbers.size(); k += 2) {
+    points.emplace_back(numbers[k], numbers[k + 1]);
+  }
+  return points;
+}
+
+}  // namespace
+
+bool RecordedPoints::isBefore(const Entry& a, const Entry& b) {
+  return std::tie(a.step, a.isRobot, a.id) < std::tie(b.step, b.isRobot, b.id);
+}
+
+void RecordedPoints::add(std::int64_t step, int id, bool isRobot,
+                         const std::vector<base::Vec2>& points) {
+  if (points.empty()) {
+    return;
+  }
+  entries_.push_back({step, id, isRobot, points_.size(), points_.size() + points.size()});
+  points_.insert(points_.end(), points.begin(), points.end());
+  hasPeople_ = hasPeople_ || !isRobot;
+  hasRobot_ = hasRobot_ || isRobot;
+}
+
+void RecordedPoints::sort() {
+  std::stable_sort(entries_.begin(), entries_.end(), isBefore);
+}
+
+RecordedPoints::Range RecordedPoints::of(std::int64_t step, int id, bool isRobot) const {
+  const Entry wanted{step, id, isRobot};
+  const auto found = std::lower_bound(entries_.begin(), entries_.end(), wanted, isBefore);
+  return found == entries_.end() || isBefore(wanted, *found)
+             ? Range()
+             : Range{points_.data() + found->begin, points_.data() + found->end};
+}
+
+std::string RecordedPoints::csv() const {
+  std::string text = headLine(kPointColumns);
+  for (const Entry& entry : entries_) {
+    text += std::to_string(entry.step) + "," + std::to_string(entry.id) + "," +
+            (entry.isRobot ? kRobotKind : kHumanKind) + ",";
+    for (std::size_t k = entry.begin; k < entry.end; ++k) {
+      text += (k > entry.begin ? " " : "") + base::formatDouble(points_[k].x()) + " " +
+              base::formatDouble(points_[k].y());
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+base::Result<RecordedPoints> parseRecordedPoints(const std::string& text, const std::string& file) {
+  base::Diagnostics problems;
+  RecordedPoints all;
+  CsvTable table(text, file, problems);
+  if (!table.readColumns(kPointColumns)) {
+    return problems;
+  }
+  while (table.next()) {
+    std::int64_t step = 0;
+    int id = 0;
+    const bool isGood = table.read(0, step, id);
+    const bool isRobot = table[2].text == kRobotKind;
+    const std::optional<std::vector<base::Vec2>> points = pointsOf(table[3].text);
+    if (!isRobot && table[2].text != kHumanKind) {
+      table.error(2, "trace.bad-kind", {table[2].text});
+    } else if (!points) {
+      table.error(3, "trace.bad-points");
+    } else if (isGood) {
+      all.add(step, id, isRobot, *points);
+    }
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  all.sort();
+  return all;
+}
+
+base::Result<RecordedPoints> readRecordedPoints(const std::string& directory) {
+  const std::string file = (std::filesystem::path(directory) / kPointsFile).string();
+  std::error_code none;  // records of ours have outlines instead
+  if (!std::filesystem::exists(file, none)) {
+    return RecordedPoints();
+  }
+  const base::Result<std::string> text = base::readTextFile(file, base::kMostRecord);
+  return text ? parseRecordedPoints(*text, file) : text.diagnostics();
+}
+
+}  // namespace sim2d
