@@ -9,11 +9,9 @@
 namespace sim2d {
 namespace {
 
-using nlohmann::json;
-
 constexpr double kWallThickness = 1e-5;  // [m] of what is a line in the file
 
-std::optional<double> finiteNumber(const json& value) {
+std::optional<double> finiteNumber(const nlohmann::json& value) {
   constexpr double kLargest = 1e15;  // times; places have a closer limit
   if (!value.is_number() || !(std::fabs(value.get<double>()) <= kLargest)) {
     return std::nullopt;
@@ -27,9 +25,9 @@ bool isPlace(double coordinate) {
 }
 
 /// Of "[x1, y1, x2, y2]", "[[x1, y1], [x2, y2]]" or an object with x1, y1, x2, y2.
-std::optional<Segment> wallOf(const json& wall) {
+std::optional<Segment> wallOf(const nlohmann::json& wall) {
   std::vector<double> numbers;
-  const auto add = [&numbers](const json& value) {
+  const auto add = [&numbers](const nlohmann::json& value) {
     if (const auto number = finiteNumber(value)) {
       numbers.push_back(*number);
     }
@@ -41,7 +39,7 @@ std::optional<Segment> wallOf(const json& wall) {
       }
     }
   } else if (wall.is_array()) {
-    for (const json& part : wall) {
+    for (const nlohmann::json& part : wall) {
       if (part.is_array()) {
         std::for_each(part.begin(), part.end(), add);
       } else {
@@ -56,12 +54,12 @@ std::optional<Segment> wallOf(const json& wall) {
 }
 
 /// A disc, or a rectangle whose length lies along its angle.
-std::optional<Outline> outlineOf(const json& object) {
+std::optional<Outline> outlineOf(const nlohmann::json& object) {
   const auto x = jsonNumber(object, {"x"});
   const auto y = jsonNumber(object, {"y"});
-  const json* const shape = jsonMember(object, {"shape"});
-  const json& sized = shape != nullptr && shape->is_object() ? *shape : object;
-  const json* const type = jsonMember(sized, {"type"});
+  const nlohmann::json* const shape = jsonMember(object, {"shape"});
+  const nlohmann::json& sized = shape != nullptr && shape->is_object() ? *shape : object;
+  const nlohmann::json* const type = jsonMember(sized, {"type"});
   const bool isDisc = type != nullptr && type->is_string() && *type == "circle";
   const auto isSize = [](double size) { return size > 0.0 && isPlace(size); };
   if (!x || !y || !isPlace(*x) || !isPlace(*y)) {
@@ -73,7 +71,7 @@ std::optional<Outline> outlineOf(const json& object) {
   }
   double width = jsonNumber(sized, {"width"}).value_or(0.0);
   double length = jsonNumber(sized, {"length", "height"}).value_or(0.0);
-  if (const json* const size = jsonMember(object, {"size"});
+  if (const nlohmann::json* const size = jsonMember(object, {"size"});
       size != nullptr && size->is_array() && size->size() == 2) {
     length = finiteNumber((*size)[0]).value_or(0.0);
     width = finiteNumber((*size)[1]).value_or(0.0);
@@ -97,10 +95,10 @@ std::vector<std::int8_t> cellsOf(const std::vector<double>& values) {
 }
 
 /// Rows from y_orig on, or one list of them.
-std::optional<std::vector<double>> valuesOf(const json& data, std::size_t width,
+std::optional<std::vector<double>> valuesOf(const nlohmann::json& data, std::size_t width,
                                             std::size_t height) {
   std::vector<double> values;
-  const auto add = [&values](const json& value) {
+  const auto add = [&values](const nlohmann::json& value) {
     const auto number = finiteNumber(value);
     values.push_back(number.value_or(0.0));
     return number.has_value();
@@ -108,7 +106,7 @@ std::optional<std::vector<double>> valuesOf(const json& data, std::size_t width,
   if (!data.is_array()) {
     return std::nullopt;
   }
-  for (const json& row : data) {
+  for (const nlohmann::json& row : data) {
     const bool isRow =
         row.is_array() && row.size() == width && std::all_of(row.begin(), row.end(), add);
     if (!isRow && (row.is_array() || !add(row))) {
@@ -118,11 +116,11 @@ std::optional<std::vector<double>> valuesOf(const json& data, std::size_t width,
   return values.size() == width * height ? std::optional(std::move(values)) : std::nullopt;
 }
 
-std::optional<OccupancyGrid> gridOf(const json& grid) {
+std::optional<OccupancyGrid> gridOf(const nlohmann::json& grid) {
   const double width = jsonNumber(grid, {"width"}).value_or(0.0);
   const double height = jsonNumber(grid, {"height"}).value_or(0.0);
   const auto resolution = jsonNumber(grid, {"cell_size", "resolution"});
-  const json* const data = jsonMember(grid, {"data"});
+  const nlohmann::json* const data = jsonMember(grid, {"data"});
   constexpr double kLongest = 1e6;  // [cells] of a side
   const bool isSized = width >= 1.0 && height >= 1.0 && width <= kLongest && height <= kLongest &&
                        width * height <= static_cast<double>(kMostMapCells) && resolution &&
@@ -144,7 +142,7 @@ std::optional<OccupancyGrid> gridOf(const json& grid) {
 
 /// Calls `take(element)` for those of a list; warns with the number of those it refuses.
 template <class Take>
-void takeEach(const json* list, const char* name, const ForeignInput& input, Take take) {
+void takeEach(const nlohmann::json* list, const char* name, const ForeignInput& input, Take take) {
   if (list == nullptr || list->is_null()) {
     return;
   }
@@ -159,7 +157,8 @@ void takeEach(const json* list, const char* name, const ForeignInput& input, Tak
 
 }  // namespace
 
-const json* jsonMember(const json& of, std::initializer_list<const char*> names) {
+const nlohmann::json* jsonMember(const nlohmann::json& of,
+                                 std::initializer_list<const char*> names) {
   for (const char* name : names) {
     if (const auto found = of.is_object() ? of.find(name) : of.end();
         of.is_object() && found != of.end()) {
@@ -169,16 +168,17 @@ const json* jsonMember(const json& of, std::initializer_list<const char*> names)
   return nullptr;
 }
 
-std::optional<double> jsonNumber(const json& of, std::initializer_list<const char*> names) {
-  const json* const member = jsonMember(of, names);
+std::optional<double> jsonNumber(const nlohmann::json& of,
+                                 std::initializer_list<const char*> names) {
+  const nlohmann::json* const member = jsonMember(of, names);
   return member == nullptr ? std::nullopt : finiteNumber(*member);
 }
 
-std::optional<double> socnav3Radius(const json& body) {
+std::optional<double> socnav3Radius(const nlohmann::json& body) {
   if (const auto radius = jsonNumber(body, {"radius"})) {
     return *radius > 0.0 ? radius : std::nullopt;
   }
-  const json* const shape = jsonMember(body, {"shape"});
+  const nlohmann::json* const shape = jsonMember(body, {"shape"});
   if (shape == nullptr) {
     return std::nullopt;
   }
@@ -188,40 +188,43 @@ std::optional<double> socnav3Radius(const json& body) {
   return radius > 0.0 ? std::optional(radius) : std::nullopt;
 }
 
-void readSocnav3Surroundings(const std::vector<const json*>& places, const ForeignInput& input,
-                             TrackFile& file) {
+void readSocnav3Surroundings(const std::vector<const nlohmann::json*>& places,
+                             const ForeignInput& input, TrackFile& file) {
   const auto find = [&places](std::initializer_list<const char*> names) {
-    const json* found = nullptr;
-    for (const json* place : places) {
+    const nlohmann::json* found = nullptr;
+    for (const nlohmann::json* place : places) {
       found = found == nullptr && place != nullptr ? jsonMember(*place, names) : found;
     }
     return found;
   };
   TraceObstacle walls;
   walls.name = "walls";
-  takeEach(find({"walls"}), "walls", input, [&walls](const json& each, std::size_t /*index*/) {
-    const std::optional<Segment> wall = wallOf(each);
-    if (wall && wall->a != wall->b) {
-      for (Outline& outline : wallOutlines({wall->a, wall->b}, kWallThickness)) {
-        walls.outlines.push_back(std::move(outline));
-      }
-    }
-    return wall.has_value();
-  });
+  takeEach(find({"walls"}), "walls", input,
+           [&walls](const nlohmann::json& each, std::size_t /*index*/) {
+             const std::optional<Segment> wall = wallOf(each);
+             if (wall && wall->a != wall->b) {
+               for (Outline& outline : wallOutlines({wall->a, wall->b}, kWallThickness)) {
+                 walls.outlines.push_back(std::move(outline));
+               }
+             }
+             return wall.has_value();
+           });
   if (!walls.outlines.empty()) {
     file.obstacles.push_back(std::move(walls));
   }
-  takeEach(find({"objects"}), "objects", input, [&file](const json& each, std::size_t index) {
-    std::optional<Outline> outline = outlineOf(each);
-    if (outline) {
-      TraceObstacle object;
-      object.name = "object" + std::to_string(index + 1);
-      object.outlines.push_back(*std::move(outline));
-      file.obstacles.push_back(std::move(object));
-    }
-    return outline.has_value();
-  });
-  if (const json* const grid = find({"grid", "map"}); grid != nullptr && !grid->is_null()) {
+  takeEach(find({"objects"}), "objects", input,
+           [&file](const nlohmann::json& each, std::size_t index) {
+             std::optional<Outline> outline = outlineOf(each);
+             if (outline) {
+               TraceObstacle object;
+               object.name = "object" + std::to_string(index + 1);
+               object.outlines.push_back(*std::move(outline));
+               file.obstacles.push_back(std::move(object));
+             }
+             return outline.has_value();
+           });
+  if (const nlohmann::json* const grid = find({"grid", "map"});
+      grid != nullptr && !grid->is_null()) {
     if (std::optional<OccupancyGrid> map = gridOf(*grid)) {
       file.map = *std::move(map);
     } else {
