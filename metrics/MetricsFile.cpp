@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "metrics/Expression.h"
 #include "metrics/Report.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/RepeatedKeys.h"
 #include "sim2d/base/yaml/YamlMap.h"
 #include "sim2d/base/yaml/YamlText.h"
 
@@ -162,12 +164,8 @@ class FileReader {
       error(value, "metrics.no-map");
       return;
     }
-    std::set<std::string> seen;
     for (const YamlNode& entry : value.items) {
       const std::string& key = entry.key;
-      if (!seen.insert(key).second) {
-        error(keyNode(entry), "metrics.key-twice", {key});
-      }
       turnKey(keyNode(entry), key, readBool(entry, key));
     }
   }
@@ -326,17 +324,26 @@ base::Result<Selection> selectionOfKeys(const std::vector<std::string>& keys,
 base::Result<MetricsFile> parseMetricsFile(const std::string& text, const std::string& name,
                                            const MetricRegistry& registry) {
   base::Diagnostics problems;
-  const YamlNode root = base::parseYaml(text, name, problems);
+  const YamlNode root = base::parseYaml(text, name, base::RepeatedKeys::LastCounts, problems);
   for (const base::Diagnostic& problem : problems) {
-    // a second document is not read, repeated keys are told where they matter
-    if (problem.code != "yaml.second-document" && problem.code != "yaml.key-twice" &&
+    const bool isWarning = problem.severity == base::Severity::Warning;
+    // a second document is not read
+    if (!isWarning && problem.code != "yaml.second-document" &&
         problem.code != "yaml.key-no-word") {
       const std::string reason = problem.value("reason");
       return base::error("metrics.not-yaml", {reason.empty() ? problem.message : reason}, name,
                          problem.line, problem.column);
     }
   }
-  return FileReader(name, registry).read(root);
+  base::Result<MetricsFile> file = FileReader(name, registry).read(root);
+  base::Diagnostics all;
+  std::copy_if(problems.begin(), problems.end(), std::back_inserter(all),
+               [](const base::Diagnostic& problem) {
+                 return problem.severity == base::Severity::Warning;  // repeated keys
+               });
+  base::append(all, file.diagnostics());
+  return file ? base::Result<MetricsFile>(*std::move(file), std::move(all))
+              : base::Result<MetricsFile>(std::move(all));
 }
 
 base::Result<MetricsFile> readMetricsFile(const std::string& path, const MetricRegistry& registry) {

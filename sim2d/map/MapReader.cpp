@@ -16,6 +16,7 @@
 
 #include "sim2d/base/LfsPointer.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/RepeatedKeys.h"
 #include "sim2d/base/yaml/YamlMap.h"
 
 namespace sim2d {
@@ -54,7 +55,7 @@ class DescriptionReader {
 
   void read(const std::string& text) {
     base::Diagnostics problems;
-    root_ = base::parseYaml(text, report_.file, problems);
+    root_ = base::parseYaml(text, report_.file, base::RepeatedKeys::FirstCounts, problems);
     takeProblems(problems);
     if (!isReadable_) {
       return;
@@ -101,9 +102,11 @@ class DescriptionReader {
       YamlNode at;
       at.line = problem.line;
       at.column = problem.column;
-      if (problem.code == "yaml.key-no-word") {
+      if (problem.severity == base::Severity::Warning) {
+        report_.add(at, problem);
+      } else if (problem.code == "yaml.key-no-word") {
         error("map.key-no-word", {}, at);
-      } else if (problem.code != "yaml.key-twice" && problem.code != "yaml.second-document") {
+      } else if (problem.code != "yaml.second-document") {
         const std::string reason = problem.value("reason");
         error("map.not-yaml", {reason.empty() ? problem.message : reason}, at);
         isReadable_ = false;
@@ -115,10 +118,7 @@ class DescriptionReader {
     std::set<std::string> seen;
     for (const YamlNode& item : root_.items) {
       const YamlNode at = keyNode(item);
-      if (!seen.insert(item.key).second) {
-        error("map.key-twice", {item.key}, at);
-        continue;
-      }
+      seen.insert(item.key);
       const std::optional<std::string> near = base::nearestName(item.key, mapKeys());
       if (!item.key.empty() && (!near || *near != item.key)) {
         warning("map.unknown-key", {item.key, near}, at);

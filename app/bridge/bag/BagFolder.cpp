@@ -11,7 +11,7 @@
 #include "app/bridge/bag/McapFormat.h"
 #include "sim2d/base/LfsPointer.h"
 #include "sim2d/base/Text.h"
-#include "sim2d/base/yaml/YamlTree.h"
+#include "sim2d/base/yaml/RepeatedKeys.h"
 #include "sim2d/trace/ForeignFiles.h"
 
 namespace bridge {
@@ -227,7 +227,9 @@ std::vector<std::string> namedFiles(const std::string& folder, base::Diagnostics
   const std::string path = (fs::path(folder) / kMetadataFile).string();
   const base::Result<std::string> text = base::readTextFile(path);
   base::append(problems, text.diagnostics());
-  const base::YamlNode root = text ? base::parseYaml(*text, path, problems) : base::YamlNode();
+  const base::YamlNode root =
+      text ? base::parseYaml(*text, path, base::RepeatedKeys::FirstCounts, problems)
+           : base::YamlNode();
   if (base::hasErrors(problems)) {
     return {};
   }

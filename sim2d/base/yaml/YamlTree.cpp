@@ -8,6 +8,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlText.h"
 
 namespace base {
 namespace {
@@ -38,8 +39,8 @@ struct Stop {};
 /// Builds the tree from the parser's events.
 class TreeBuilder : public YAML::EventHandler {
  public:
-  TreeBuilder(const std::string& file, Diagnostics& diagnostics)
-      : file_(file), diagnostics_(diagnostics) {}
+  TreeBuilder(const std::string& file, bool keepsRepeats, Diagnostics& diagnostics)
+      : file_(file), keepsRepeats_(keepsRepeats), diagnostics_(diagnostics) {}
 
   YamlNode root;
 
@@ -142,7 +143,7 @@ class TreeBuilder : public YAML::EventHandler {
       report(key.line, key.column, "yaml.key-no-word");
     } else if (key.text.size() > kLongestKey) {
       report(key.line, key.column, "yaml.key-too-long", {key.text.size()});
-    } else {
+    } else if (!keepsRepeats_) {
       const auto found = parent.keyLines.emplace(key.text, key.line);
       if (!found.second) {
         report(key.line, key.column, "yaml.key-twice", {key.text, found.first->second});
@@ -153,6 +154,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   const std::string& file_;
+  bool keepsRepeats_;
   Diagnostics& diagnostics_;
   std::vector<Open> open_;
 };
@@ -269,7 +271,10 @@ YamlNode stringNode(const std::string& text) {
   return node;
 }
 
-YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
+namespace {
+
+YamlNode parsed(std::string_view text, const std::string& file, bool keepsRepeats,
+                Diagnostics& diagnostics) {
   const std::string clean = normalised(text);
   if (const int line = lineOfBinary(clean); line > 0) {
     diagnostics.push_back(error("yaml.not-text", {}, file, line));
@@ -280,9 +285,20 @@ YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& 
   if (diagnostics.size() > before) {
     return {};
   }
-  TreeBuilder builder(file, diagnostics);
+  TreeBuilder builder(file, keepsRepeats, diagnostics);
   parseInto(builder, clean, file, diagnostics);
   return std::move(builder.root);
+}
+
+}  // namespace
+
+YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
+  return parsed(text, file, false, diagnostics);
+}
+
+YamlNode parseWithRepeats(std::string_view text, const std::string& file,
+                          Diagnostics& diagnostics) {
+  return parsed(text, file, true, diagnostics);
 }
 
 std::string scalarText(const std::string& yaml) {
