@@ -211,8 +211,10 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
                      "With --planner nav2: the parameter file, or a name of those shipped");
   command.add_option("--nav2-tree", options.nav2Tree,
                      "With --planner nav2: the navigator's tree, or a name of those shipped");
-  command.add_option("--nav2-distro", options.nav2Distro,
-                     "With --planner nav2: humble, jazzy or main; else as the file tells");
+  command.add_option(
+      "--nav2-distro", options.nav2Distro,
+      "With --planner nav2: humble, jazzy, kilted, lyrical or main (default: guessed from "
+      "the file)");
   command.add_option("--threads", options.threads, "Number of threads; results stay the same");
   addMetricsOptions(command, options.metrics);
   command.add_option("--record-every", options.recordEvery, "Record every N-th step");

@@ -124,18 +124,17 @@ base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch) {
   base::append(found, bt::nav2Contradictions(reading.parameters, nullptr));
   const bt::Nav2Masks masks = bt::loadNav2Masks(reading.parameters);
   base::append(found, masks.problems);
-  if (!base::hasErrors(found)) {  // what the servers say of it when they are made
-    const auto servers =
-        bt::Nav2Servers::make({reading.parameters, {}, {}, {}, 1, -1, masks.local, masks.global});
-    const base::Diagnostics told = found;  // with their lines, by who read the file
-    for (const base::Diagnostic& problem : servers.diagnostics()) {
-      const bool isTold = std::any_of(told.begin(), told.end(), [&](const base::Diagnostic& each) {
-        return each.code == problem.code;
-      });
-      if (!isTold && problem.code != "nav2.no-map") {  // scenarios bring maps
-        found.push_back(problem);
-        found.back().file = path;
-      }
+  const bt::Nav2Servers::Setup setup{reading.parameters, {},          {}, {}, 1, -1,
+                                     masks.local,        masks.global};
+  const bool canBeMade = !base::hasErrors(found) && !reading.parameters.isPartial;
+  const base::Diagnostics told = found;  // controllers are checked as the file is read
+  for (const base::Diagnostic& problem : canBeMade ? bt::Nav2Servers::make(setup).diagnostics()
+                                                   : bt::Nav2Servers::costmapProblems(setup)) {
+    const bool isTold = std::any_of(told.begin(), told.end(), [&](const base::Diagnostic& each) {
+      return each.code == problem.code && each.line == problem.line;
+    });
+    if (!isTold && problem.code != "nav2.no-map") {  // scenarios bring maps
+      found.push_back(problem);
     }
   }
   base::append(found, bt::nav2Remarks(reading.parameters));
@@ -145,7 +144,15 @@ base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch) {
 base::Diagnostics checkNavigatorTree(const std::string& path, Nav2Branch branch) {
   sim2d::nav2::Nav2Parameters parameters;
   parameters.distro = branch.value_or(sim2d::nav2::Distro::Main);
-  return bt::loadNavigatorTree(path, parameters).problems;
+  base::Diagnostics found = bt::loadNavigatorTree(path, parameters).problems;
+  if (!branch) {  // nothing in a tree names its branch
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [](const base::Diagnostic& problem) {
+                                 return problem.code == "nav2.node-of-others";
+                               }),
+                found.end());
+  }
+  return found;
 }
 
 }  // namespace app

@@ -51,7 +51,7 @@ class Contradictions {
   T value(const std::string& key, T otherwise) const {
     T own = controllerValue(parameters_, key, otherwise);
     const std::size_t dot = key.find('.');
-    if (parameters_.distro != Distro::Main || dot == std::string::npos) {
+    if (parameters_.distro < Distro::Lyrical || dot == std::string::npos) {
       return own;
     }
     return controllerValue(parameters_,
@@ -73,7 +73,7 @@ class Contradictions {
   }
   /// The class of who drives once a rotation shim has turned; its keys are the shim's.
   std::string primaryOf(const std::string& name) const {
-    const bool isMain = parameters_.distro == Distro::Main;
+    const bool isMain = parameters_.distro >= Distro::Lyrical;
     return controllerValue<std::string>(
         parameters_, name + (isMain ? ".primary_controller.plugin" : ".primary_controller"), "");
   }
@@ -146,7 +146,7 @@ class Contradictions {
       return pick("max_vel_x", 0.0);
     }
     if (isPursuit(controller)) {
-      return parameters_.distro == Distro::Main &&
+      return parameters_.distro >= Distro::Lyrical &&
                      !isGiven("controller_server." + controller.name + ".desired_linear_vel")
                  ? pick("max_linear_vel", 0.5)
                  : pick("desired_linear_vel", 0.5);
@@ -258,7 +258,7 @@ Diagnostics nav2Remarks(const Nav2Parameters& parameters) {
       idle[{key.path.substr(0, key.path.find('.')), key.why}].push_back(&key);
     } else if (key.use == KeyUse::OtherDistro) {
       remarks.push_back(base::warning("nav2.other-distro",
-                                      {key.path, key.why, distroName(parameters.distro)},
+                                      {key.path, key.why, distroTitle(parameters.distro)},
                                       parameters.file, key.line, key.column));
     }
   }

@@ -62,24 +62,15 @@ sim2d::nav2::Nav2Reading readWith(sim2d::nav2::ParameterFile file, const sim2d::
   return reading;
 }
 
-std::string distroWords(unsigned distros) {
-  std::vector<std::string> names;
-  for (const Distro distro : {Distro::Humble, Distro::Jazzy, Distro::Main}) {
-    if (sim2d::nav2::isIn(distros, distro)) {
-      names.emplace_back(sim2d::nav2::distroName(distro));
-    }
-  }
-  return base::join(names, ", ");
-}
-
 /// Tells of nodes that are not in the branch, always fail, or have one answer.
 void lookAtNodes(const NodeSpec& node, const std::string& file, Distro distro, NavigatorTree& to) {
   const unsigned distros = distrosOfNode(node.id);
   to.isThroughPoses = to.isThroughPoses || node.id == "ComputePathThroughPoses";
   if (!sim2d::nav2::isIn(distros, distro)) {
     to.problems.push_back(base::warning(
-        "nav2.node-of-others", {node.id, distroWords(distros), sim2d::nav2::distroName(distro)},
-        file, node.line));
+        "nav2.node-of-others",
+        {node.id, sim2d::nav2::distroTitles(distros), sim2d::nav2::distroTitle(distro)}, file,
+        node.line));
   }
   const std::string unsupported(unsupportedNode(node.id)), constant(constantNode(node.id));
   if (!unsupported.empty()) {
@@ -123,8 +114,9 @@ std::string nav2TreeFile(const std::string& named, const std::string& folder, Di
   fs::path file = fs::path(name).filename();
   file = file.extension() == ".xml" ? file : fs::path(file.string() + ".xml");
   const std::string own = sim2d::nav2::distroName(distro);
-  for (const std::string& branch :
-       {own, std::string("main"), std::string("jazzy"), std::string("humble")}) {
+  const bool isOld = distro < Distro::Lyrical;  // Kilted's trees are those of Jazzy
+  for (const std::string& branch : {own, std::string(isOld ? "jazzy" : "main"), std::string("main"),
+                                    std::string("jazzy"), std::string("humble")}) {
     const fs::path found = fs::path(shipped.trees) / branch / file;
     if (isFile(found)) {
       return found.string();
@@ -205,6 +197,12 @@ Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string
     return loaded;
   }
   sim2d::nav2::Nav2Reading reading = readWith(*file, choice, robot, loaded.wrongValues);
+  for (base::Diagnostic& problem : reading.problems) {
+    if (problem.code == "nav2.partial-file") {  // no other file completes it
+      problem =
+          base::error("nav2.no-controller", {reading.parameters.held}, problem.file, problem.line);
+    }
+  }
   base::append(loaded.problems, reading.problems);
   loaded.parameters = std::move(reading.parameters);
   loaded.masks = loadNav2Masks(loaded.parameters);

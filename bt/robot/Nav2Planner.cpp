@@ -52,8 +52,9 @@ class Nav2Planner final : public sim2d::Planner {
                                       setup_.robotId, loaded_.masks.local, loaded_.masks.global});
     base::Diagnostics problems;
     for (const base::Diagnostic& problem : servers.diagnostics()) {
-      problems.push_back(
-          base::problem(problem.severity, "nav2.drive", {setup_.robot, problem.message}));
+      problems.push_back(base::problem(problem.severity, "nav2.drive",
+                                       {setup_.robot, problem.message}, problem.file, problem.line,
+                                       problem.column));
     }
     servers_ = servers ? *std::move(servers) : nullptr;
     return problems;
@@ -200,6 +201,21 @@ class Nav2Planner final : public sim2d::Planner {
   mutable ShownCosts localCosts_, globalCosts_;
 };
 
+/// Of a file with other errors, whose servers are not made.
+base::Diagnostics costmapErrors(const Nav2Loaded& loaded) {
+  base::Diagnostics errors;
+  if (loaded.parameters.file.empty()) {
+    return errors;
+  }
+  for (base::Diagnostic& problem : Nav2Servers::costmapProblems(
+           {loaded.parameters, {}, {}, {}, 1, -1, loaded.masks.local, loaded.masks.global})) {
+    if (problem.severity == base::Severity::Error) {
+      errors.push_back(std::move(problem));
+    }
+  }
+  return errors;
+}
+
 base::Result<std::shared_ptr<sim2d::Planner>> makeNav2(const sim2d::PlannerSetup& setup,
                                                        const Nav2Folders& shipped) {
   Nav2Latencies latencies;
@@ -211,6 +227,7 @@ base::Result<std::shared_ptr<sim2d::Planner>> makeNav2(const sim2d::PlannerSetup
   base::append(problems,
                nav2Contradictions(loaded.parameters, base::hasErrors(problems) ? nullptr : &setup));
   if (base::hasErrors(problems)) {
+    base::append(problems, costmapErrors(loaded));
     return problems;
   }
   return {std::shared_ptr<sim2d::Planner>(

@@ -43,10 +43,11 @@ ControlledShape shapeOf(const LayeredCostmap& costmap) {
   return shape;
 }
 
-base::Diagnostics prefixed(const std::string& where, const base::Diagnostics& problems) {
+base::Diagnostics placed(const Nav2Parameters& parameters, const std::string& node,
+                         const base::Diagnostics& problems) {
   base::Diagnostics result;
   for (const base::Diagnostic& problem : problems) {
-    result.push_back(base::within(where, problem));
+    result.push_back(placedInFile(parameters, base::within(node, problem)));
   }
   return result;
 }
@@ -65,16 +66,26 @@ base::Result<std::unique_ptr<Nav2Servers>> Nav2Servers::make(Setup setup) {
   return {std::move(servers), std::move(problems)};
 }
 
+base::Diagnostics Nav2Servers::costmapProblems(const Setup& setup) {
+  const Nav2Parameters& parameters = setup.parameters;
+  base::Diagnostics problems =
+      placed(parameters, "local_costmap",
+             problemsOf(costmapSetup(parameters.localCostmap, setup, setup.localMasks)));
+  base::append(
+      problems,
+      placed(parameters, "global_costmap",
+             problemsOf(costmapSetup(parameters.globalCostmap, setup, setup.globalMasks))));
+  return problems;
+}
+
 base::Diagnostics Nav2Servers::build() {
-  base::Diagnostics problems;
+  base::Diagnostics problems = costmapProblems(setup_);
   const Nav2Parameters& parameters = setup_.parameters;
   const CostmapSetup local = costmapSetup(parameters.localCostmap, setup_, setup_.localMasks);
   const CostmapSetup global = costmapSetup(parameters.globalCostmap, setup_, setup_.globalMasks);
-  base::append(problems, prefixed("local_costmap", problemsOf(local)));
-  base::append(problems, prefixed("global_costmap", problemsOf(global)));
   base::Result<std::unique_ptr<ControllerServer>> controllers = makeControllerServer(
       parameters.controllerServer, parameters.distro, setup_.seed, setup_.robotId);
-  base::append(problems, prefixed("controller_server", controllers.diagnostics()));
+  base::append(problems, placed(parameters, "controller_server", controllers.diagnostics()));
   if (base::hasErrors(problems)) {
     return problems;
   }

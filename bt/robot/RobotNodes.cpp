@@ -8,30 +8,31 @@ namespace bt {
 namespace {
 
 using sim2d::nav2::kEveryDistro;
-using sim2d::nav2::kMain;
+using sim2d::nav2::kJazzy;
 using sim2d::nav2::kSinceJazzy;
+using sim2d::nav2::kSinceLyrical;
+using sim2d::nav2::kUntilKilted;
 
 struct NodeFact {
   std::string_view id;
   unsigned distros;
 };
 /// Of those that are not in all branches.
-constexpr std::array<NodeFact, 16> kLater = {{{"NonblockingSequence", kMain},
-                                              {"ValidatePath", kMain},
-                                              {"IsGoalNearby", kMain},
-                                              {"PathHandlerSelector", kMain},
-                                              {"ComputeRoute", kMain},
-                                              {"ComputeAndTrackRoute", kMain},
+constexpr std::array<NodeFact, 15> kLater = {{{"NonblockingSequence", kSinceLyrical},
+                                              {"ValidatePath", kSinceLyrical},
+                                              {"IsPathValid", kUntilKilted},
+                                              {"IsGoalNearby", kSinceLyrical},
+                                              {"PathHandlerSelector", kSinceLyrical},
+                                              {"ComputeRoute", kSinceJazzy},
+                                              {"ComputeAndTrackRoute", kSinceJazzy},
                                               {"AreErrorCodesPresent", kSinceJazzy},
                                               {"WouldAControllerRecoveryHelp", kSinceJazzy},
                                               {"WouldAPlannerRecoveryHelp", kSinceJazzy},
                                               {"WouldASmootherRecoveryHelp", kSinceJazzy},
                                               {"ArePosesNear", kSinceJazzy},
-                                              {"ProgressCheckerSelector", kSinceJazzy},
-                                              {"ClearCostmapAroundPose", kSinceJazzy},
+                                              {"ClearCostmapAroundPose", kJazzy | kSinceLyrical},
                                               {"DockRobot", kSinceJazzy},
-                                              {"UndockRobot", kSinceJazzy},
-                                              {"IsBatteryCharging", kSinceJazzy}}};
+                                              {"UndockRobot", kSinceJazzy}}};
 
 struct NodeReason {
   std::string_view id, why;

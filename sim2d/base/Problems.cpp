@@ -29,17 +29,22 @@ constexpr ProblemText kTexts[] = {
      "there is no plugin '{found}' here ({nearest?did you mean '%'? }known: {known})"},
     {"nav2.wrong-type", "{key} has an invalid type: ROS 2 wants {wanted}, this is {found}"},
     {"nav2.wrong-value", "{key} {found} is not {wanted}"},
+    {"nav2.too-much-work", "{key} {found} with {others} makes {count} {what}, {most} at most"},
+    {"nav2.scaling-off",
+     "{key} {found} is not above 0: use_cost_regulated_linear_velocity_scaling is switched off"},
     {"nav2.not-both", "{key} is switched off: it cannot be on together with {other}"},
     {"nav2.not-without", "{key} is switched off: it does nothing without {other}"},
     {"nav2.missing-key", "{key} has no default and must be given"},
     {"nav2.positive-deceleration", "{key} {found} is taken as negative: it is a deceleration"},
     {"nav2.mppi-period",
-     "the controller is asked every {found} s, its model_dt is {wanted} s: Nav2's MPPI starts only "
-     "when it is asked as often or more often"},
+     "the period of the controller is {found} s (controller_frequency), {key} is {wanted} s: "
+     "Nav2's "
+     "MPPI starts only if the period is model_dt or less"},
     {"nav2.mppi-no-critics", "critics is empty, as in Nav2's code: nothing draws MPPI anywhere"},
     {"nav2.mppi-no-shift",
-     "the controller is asked every {found} s, its model_dt is {wanted} s: Nav2's MPPI does not "
-     "shift its sequence then (make them equal)"},
+     "the period of the controller is {found} s (controller_frequency), {key} is {wanted} s: "
+     "Nav2's "
+     "MPPI does not shift its sequence then (make them equal)"},
     {"planner.unknown-parameter", "unknown to '{planner}'{nearest}"},
     {"planner.command-unused", "counts with planner 'external' only, not with '{planner}'"},
     {"planner.bad-value", "'{found}' is not {wanted}"},
@@ -290,9 +295,12 @@ constexpr ProblemText kTexts[] = {
     {"nav2.polygon-unreadable", "'{found}' is no list of points (\"[[x, y], [x, y], …]\")"},
     {"nav2.polygon-too-small", "'{found}' has fewer than 3 points"},
     {"nav2.polygon-too-large", "a polygon has up to {most} points, no farther than {far} m"},
+    {"nav2.too-many-cells",
+     "{length} m in cells of {side} m ({whose}) are more than {most} cells along a side"},
+    {"nav2.cell-too-large", "a cell of {side} m is larger than the costmap ({key} {length} m)"},
     {"nav2.inflation-cut",
-     "{layer}: inflation_radius {radius} is less than the robot's inscribed radius {inscribed}: "
-     "cells in which it collides count as free"},
+     "{radius} m is less than the robot's inscribed radius {inscribed} m: cells in which it "
+     "collides count as free"},
     {"nav2.lidar-not-taken",
      "{layer}.{source}: drops every point of a lidar at {height} m: its heights are {low} to "
      "{high} "
@@ -312,7 +320,16 @@ constexpr ProblemText kTexts[] = {
     {"nav2.too-many-names", "{key} names {count}, {most} at most"},
     {"nav2.number-out-of-range", "{key} {found}: numbers here are finite, up to {most}"},
     {"nav2.outside-node", "'{found}' stands below no ros__parameters: ROS 2 does not read it"},
-    {"nav2.unknown-key", "unknown key '{key}': nothing in Nav2 reads it{nearest}"},
+    {"nav2.unknown-key", "unknown key '{key}': Nav2 {distro} does not read it{nearest}"},
+    {"nav2.unnamed-block",
+     "'{block}' has no effect ({count}): no list and no key of Nav2 {distro} has this "
+     "name{nearest}"},
+    {"nav2.partial-file",
+     "this file holds only {nodes}: it configures no controller (controller_plugins of "
+     "controller_server), so alone it drives no robot"},
+    {"nav2.no-controller",
+     "no controller is configured (controller_plugins of controller_server): this file holds only "
+     "{nodes}"},
     {"nav2.node-of-others", "{node} is a node of {distros}: {distro} does not have it"},
     {"nav2.node-unsupported", "{node} always fails here: {why}"},
     {"nav2.unknown-node", "'{node}' is no node of Nav2{nearest}"},

@@ -250,7 +250,7 @@ Fields<Robot> driverFields() {
       field("nav2_distro", &Robot::nav2Distro,
             "Of planner nav2: whose defaults and ways count; absent: as the file tells",
             {"Nav2 branch"})
-          .words({"humble", "jazzy", "main"})
+          .words({"humble", "jazzy", "kilted", "lyrical", "main"})
           .countsAs(&Resolved::nav2Distro),
       FieldOf<Robot>("nav2",
                      "Of planner nav2: values instead of those of its file, by node and name",

@@ -59,11 +59,11 @@ void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine_data() {
   row("humble", "FollowPath.max_vel_x=.nan", "FollowPath.max_vel_x nan: numbers here are finite");
   row("humble", "FollowPath.min_vel_y=.nan", "FollowPath.min_vel_y nan: numbers here are finite");
   row("humble", "FollowPath.acc_lim_x=.inf", "FollowPath.acc_lim_x inf: numbers here are finite");
-  row("humble", "FollowPath.vx_samples=1000000000", "vx_samples 1000000000 is not");
-  row("humble", "FollowPath.vtheta_samples=1000000000", "vx_samples");
+  row("humble", "FollowPath.vx_samples=1000000000", "vx_samples 1000000000 with");
+  row("humble", "FollowPath.vtheta_samples=1000000000", "vtheta_samples 1000000000 with");
   row("humble", "FollowPath.sim_time=1000.0", "sim_time");
   row("humble", "FollowPath.GoalAlign.forward_point_distance=1e9", "forward_point_distance");
-  row("humble", "Foot.simulation_time_step=1e-300", "Foot.time_before_collision");
+  row("humble", "Foot.simulation_time_step=1e-300", "Foot.simulation_time_step");
   row("humble", "Foot.time_before_collision=1e9", "Foot.time_before_collision");
   row("humble", "Foot.max_points=2147483647", "");
   row("humble", "GridBased.angle_quantization_bins=720", "");

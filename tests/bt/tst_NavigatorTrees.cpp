@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "tests/bt/ScriptedNavigator.h"
 
 /// The navigator trees that are shipped, each played with servers that fail as a script says. What
@@ -54,8 +55,7 @@ bt::TreeTable shipped(const std::string& name, const std::string& distro = "humb
 }
 
 const char* folderOf(Distro distro) {
-  static const char* const kFolders[] = {"humble", "jazzy", "main"};
-  return kFolders[static_cast<int>(distro)];
+  return sim2d::nav2::distroName(distro);
 }
 
 /// A shipped tree whose FollowPath never ends, unless told.

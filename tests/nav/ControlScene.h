@@ -62,7 +62,7 @@ struct Scene {
   }
   Control run(Controller& controller) {
     const ControlInput input{
-        robot, speed, costmap, shape, *checker, time, distro == Distro::Main ? &local : nullptr};
+        robot, speed, costmap, shape, *checker, time, distro >= Distro::Lyrical ? &local : nullptr};
     return controller.computeVelocityCommands(input);
   }
   /// Lethal cells in a rectangle of the world [m].

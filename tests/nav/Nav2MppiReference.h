@@ -46,7 +46,7 @@ class Reference {
   Speeds cycle(const HandScene& scene, const Noise& noise) {
     scene_ = &scene;
     setSpeed();
-    if (mppi_.distro == Distro::Main) {
+    if (mppi_.distro >= Distro::Lyrical) {
       for (std::size_t a = 0; a < 3; ++a) {
         sequence_[0][a] = isShifting_ ? speed_[a] : reach(sequence_[0][a], speed_[a], a, period_);
       }
@@ -82,7 +82,7 @@ class Reference {
     speed_ = now;
     if (set_.isOpenLoop && mppi_.distro != Distro::Humble) {
       speed_ = last_;
-    } else if (mppi_.distro == Distro::Main) {
+    } else if (mppi_.distro >= Distro::Lyrical) {
       for (std::size_t a = 0; a < 3; ++a) {
         speed_[a] = reach(last_[a], now[a], a, period_);
       }
@@ -99,7 +99,7 @@ class Reference {
         way.controls[i][static_cast<std::size_t>(a)] += noise(static_cast<int>(i), a);
       }
     }
-    const bool isMain = mppi_.distro == Distro::Main;
+    const bool isMain = mppi_.distro >= Distro::Lyrical;
     for (std::size_t i = 1; i < steps; ++i) {
       for (std::size_t a = 0; a < static_cast<std::size_t>(axes()); ++a) {
         double control = way.controls[i - 1][a];
@@ -107,7 +107,8 @@ class Reference {
           control = reach(control, way.speeds[i - 1][a], a, set_.modelDt);
         }
         way.speeds[i][a] = control;
-        if (mppi_.distro == Distro::Jazzy || (isMain && set_.clampsRawControls)) {
+        if ((mppi_.distro == Distro::Jazzy || mppi_.distro == Distro::Kilted) ||
+            (isMain && set_.clampsRawControls)) {
           way.controls[i - 1][a] = control;
         }
       }
@@ -131,7 +132,7 @@ class Reference {
       double along = 0.0;
       for (std::size_t i = 0; i < path.size(); ++i) {
         along += i == 0 ? 0.0 : gap(path[i].position, path[i - 1].position);
-        if (mppi_.distro == Distro::Main && along > way.length + 1e-3) {
+        if (mppi_.distro >= Distro::Lyrical && along > way.length + 1e-3) {
           break;
         }
         if (gap(path[i].position, way.poses.back().position) <
@@ -145,7 +146,7 @@ class Reference {
 
   bool isNear(double threshold) const {
     const Path& path = scene_->path;
-    if (mppi_.distro == Distro::Main) {
+    if (mppi_.distro >= Distro::Lyrical) {
       double length = 0.0;
       for (std::size_t i = 1; i < path.size(); ++i) {
         length += gap(path[i].position, path[i - 1].position);
@@ -213,13 +214,13 @@ class Reference {
       double low = set_.vxMin;
       double high = set_.vxMax;
       double speed = v[0];
-      if (mppi_.motion == MppiMotion::Omni && mppi_.distro != Distro::Main) {
+      if (mppi_.motion == MppiMotion::Omni && mppi_.distro < Distro::Lyrical) {
         speed = std::copysign(std::hypot(v[0], v[2]), v[0]);
         low = -std::hypot(low, set_.vyMax);
         high = std::hypot(high, set_.vyMax);
       }
       sum += std::max(0.0, speed - high) + std::max(0.0, low - speed);
-      if (mppi_.motion == MppiMotion::Omni && mppi_.distro == Distro::Main) {
+      if (mppi_.motion == MppiMotion::Omni && mppi_.distro >= Distro::Lyrical) {
         sum += std::max(0.0, std::fabs(v[2]) - set_.vyMax);
       }
       if (mppi_.motion == MppiMotion::Ackermann) {
@@ -376,7 +377,7 @@ class Reference {
       }
     }
     sequence_ = mean;
-    if (mppi_.distro == Distro::Main) {
+    if (mppi_.distro >= Distro::Lyrical) {
       filter();
       turnLimit();
       limit(true);
@@ -434,7 +435,7 @@ class Reference {
   }
 
   Speeds send() {
-    if (mppi_.distro != Distro::Main) {
+    if (mppi_.distro < Distro::Lyrical) {
       filter();
     }
     last_ = sequence_[isShifting_ ? 1 : 0];

@@ -80,6 +80,7 @@ class CollisionMonitorTest : public QObject {
   void filter_emptyBeams_areNoPoints();
   void filter_scanBeforeMotion_isShifted();
   void filter_disabled_isSkipped();
+  void filter_disabledNode_passesCommands();
   void problemsOf_shapes_areTold();
 };
 
@@ -319,18 +320,33 @@ void CollisionMonitorTest::filter_disabled_isSkipped() {
           MonitorAction::None);
 }
 
+/// Since Lyrical the node as a whole can be switched off.
+void CollisionMonitorTest::filter_disabledNode_passesCommands() {
+  CollisionMonitorParameters parameters = monitorOf({square("stop")});
+  parameters.enabled = false;
+  CollisionMonitor monitor(parameters, {}, Distro::Lyrical);
+  const LaserScan scan = scanTo({0.2, 0.1});
+  Observation observation;
+  observation.scan = &scan;
+  const MonitoredCommand left = monitor.filter({0.5, 0.0}, observation);
+  QVERIFY(left.action == MonitorAction::None && left.twist == (BodyTwist{0.5, 0.0}));
+}
+
 void CollisionMonitorTest::problemsOf_shapes_areTold() {
-  QVERIFY(problemsOf(monitorOf({square("stop"), square("approach")})).empty());
+  QVERIFY(problemsOf(monitorOf({square("stop"), square("approach"), square("none")})).empty());
   MonitorPolygon shape = square("brake");
   shape.type = "ellipse";
-  shape.simulationTimeStep = 0.0;
+  shape.simulationTimeStep = 0.0;  // read for approach only
+  MonitorPolygon approach = square("approach");
+  approach.simulationTimeStep = 0.0;
+  approach.timeBeforeCollision = 2.0;
   MonitorPolygon circle = square("stop");
   circle.type = "circle";
   MonitorPolygon torn = square("stop");
   torn.points = "[[1, 2";
   MonitorPolygon odd = square("stop");
   odd.pointList = {1.0, 2.0, 3.0};
-  QCOMPARE(problemsOf(monitorOf({shape, circle, torn, odd})).size(), std::size_t{6});
+  QCOMPARE(problemsOf(monitorOf({shape, approach, circle, torn, odd})).size(), std::size_t{6});
 }
 
 QTEST_APPLESS_MAIN(CollisionMonitorTest)

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "sim2d/nav/nav2/control/ControllerServer.h"
+#include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "tests/nav/ControlScene.h"
 
 using namespace control_scene;
@@ -47,8 +48,8 @@ Nav2Block nodeOf(const std::string& plugin, Distro distro) {
     }
   }
   if (plugin.find("Shim") != std::string::npos) {
-    node[distro == Distro::Main ? "FollowPath.primary_controller.plugin"
-                                : "FollowPath.primary_controller"] =
+    node[distro >= Distro::Lyrical ? "FollowPath.primary_controller.plugin"
+                                   : "FollowPath.primary_controller"] =
         std::string("nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController");
   }
   return node;
@@ -132,11 +133,10 @@ void ControllerDrivesTest::bend_isDrivenToItsEnd_alwaysTheSame_data() {
                            "nav2_graceful_controller::GracefulController",
                            "nav2_rotation_shim_controller::RotationShimController"};
   const char* names[] = {"pursuit", "dwb", "graceful", "shim"};
-  const char* distros[] = {"humble", "jazzy", "main"};
   for (int i = 0; i < 4; ++i) {
-    for (int distro = 0; distro < 3; ++distro) {
-      QTest::addRow("%s, %s", names[i], distros[distro])
-          << QString::fromLatin1(plugins[i]) << distro;
+    for (const Distro distro : kEachDistro) {
+      QTest::addRow("%s, %s", names[i], distroName(distro))
+          << QString::fromLatin1(plugins[i]) << static_cast<int>(distro);
     }
   }
 }

@@ -232,8 +232,9 @@ void LayeredCostmapTest::update_staticFootprint_isClearedAsTheDistroDoes() {
     costmap.updateNow(at({6.5, 6.5}, 0.1));
     return std::make_pair(first, count(costmap.costmap(), kFreeSpace));
   };
-  QVERIFY(freeCells(Distro::Humble, true) == std::make_pair(0, 0));
+  QVERIFY(freeCells(Distro::Humble, true) == std::make_pair(9, 18));
   QVERIFY(freeCells(Distro::Jazzy, true) == std::make_pair(9, 18));
+  QVERIFY(freeCells(Distro::Kilted, true) == std::make_pair(9, 9));
   QVERIFY(freeCells(Distro::Main, true) == std::make_pair(9, 9));
   QVERIFY(freeCells(Distro::Main, false) == std::make_pair(9, 18));
 }
@@ -666,10 +667,11 @@ void LayeredCostmapTest::problemsOf_settings_areAllTold() {
   for (const base::Diagnostic& problem : problems) {
     codes.insert(std::string(problem.code));
   }
-  for (const char* code : {"nav2.polygon-too-small", "nav2.lidar-not-taken", "nav2.data-type",
-                           "nav2.inflation-cut", "nav2.no-mask"}) {
+  for (const char* code :
+       {"nav2.polygon-too-small", "nav2.lidar-not-taken", "nav2.data-type", "nav2.no-mask"}) {
     QVERIFY2(codes.count(code) == 1, code);
   }
+  QVERIFY(codes.count("nav2.inflation-cut") == 0);  // the footprint is wrong, not the radius
   QVERIFY(base::hasErrors(problems));
   const auto told = [&problems](const char* key) {
     for (const base::Diagnostic& problem : problems) {
@@ -680,6 +682,9 @@ void LayeredCostmapTest::problemsOf_settings_areAllTold() {
     return false;
   };
   QVERIFY(told("resolution") && told("update_frequency") && told("social_layer.cutoff"));
+  setup.settings.parameters.footprint = "[]";
+  problems = problemsOf(setup);
+  QVERIFY(told("inflation_layer.inflation_radius: 0.5 m is less than the robot's inscribed"));
 }
 
 void LayeredCostmapTest::layerOfType_names_goBothWays() {

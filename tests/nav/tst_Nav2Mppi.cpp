@@ -9,6 +9,7 @@
 
 #include "sim2d/base/Rng.h"
 #include "sim2d/nav/nav2/mppi/MppiOptimizer.h"
+#include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "tests/nav/MppiReference.h"
 #include "tests/nav/Nav2MppiReference.h"
 #include "tests/nav/Nav2MppiScenes.h"
@@ -85,15 +86,15 @@ void Nav2MppiTest::cycle_anyRelease_agreesWithReference_data() {
   QTest::addColumn<int>("motion");
   QTest::addColumn<double>("period");
   QTest::addColumn<bool>("isOpenLoop");
-  const char* distros[] = {"Humble", "Jazzy", "main"};
   const char* motions[] = {"DiffDrive", "Omni", "Ackermann"};
-  for (int distro = 0; distro < 3; ++distro) {
+  for (const Distro branch : kEachDistro) {
+    const int distro = static_cast<int>(branch);
     for (int motion = 0; motion < 3; ++motion) {
-      QTest::addRow("%s, %s", distros[distro], motions[motion])
+      QTest::addRow("%s, %s", distroTitle(branch), motions[motion])
           << distro << motion << 0.05 << false;
     }
-    QTest::addRow("%s, no shift", distros[distro]) << distro << 0 << 0.04 << false;
-    QTest::addRow("%s, open loop", distros[distro]) << distro << 1 << 0.05 << true;
+    QTest::addRow("%s, no shift", distroTitle(branch)) << distro << 0 << 0.04 << false;
+    QTest::addRow("%s, open loop", distroTitle(branch)) << distro << 1 << 0.05 << true;
   }
 }
 
@@ -410,7 +411,7 @@ MppiConfiguration wildMppi(std::uint32_t number, HandScene& scene) {
   const auto count = [&](const std::vector<double>& values) {
     return static_cast<int>(pick(values));
   };
-  MppiConfiguration mppi = nav2test::stockMppi(static_cast<Distro>(count({0, 1, 2})));
+  MppiConfiguration mppi = nav2test::stockMppi(static_cast<Distro>(count({0, 1, 4})));
   mppi.motion = static_cast<MppiMotion>(count({0, 1, 2}));
   visitCritics(mppi.critics, [&](const char* name, auto& critic, const auto&) {
     critic.power = count({0, 1, 1, 2, 3});
@@ -534,11 +535,11 @@ void Nav2MppiTest::reset_afterCalls_beginsAnew() {
 void Nav2MppiTest::drive_toTheGoal_arrives_data() {
   QTest::addColumn<int>("distro");
   QTest::addColumn<int>("motion");
-  const char* distros[] = {"Humble", "Jazzy", "main"};
   const char* motions[] = {"DiffDrive", "Omni", "Ackermann"};
-  for (int distro = 0; distro < 3; ++distro) {
+  for (const Distro branch : kEachDistro) {
+    const int distro = static_cast<int>(branch);
     for (int motion = 0; motion < 3; ++motion) {
-      QTest::addRow("%s, %s", distros[distro], motions[motion]) << distro << motion;
+      QTest::addRow("%s, %s", distroTitle(branch), motions[motion]) << distro << motion;
     }
   }
 }

@@ -132,7 +132,7 @@ void Nav2MppiControllerTest::read_nothing_hasTheDefaultsOfTheCode_data() {
               {"PathAlignCritic.offset_from_furthest", 20, 20, 20},
               {"PathFollowCritic.offset_from_furthest", 6, 6, 6},
               {"PathAngleCritic.cost_weight", 2.0, 2.2, 2.2},
-              {"PathAngleCritic.max_angle_to_furthest", 1.2, 0.785, 0.785},
+              {"PathAngleCritic.max_angle_to_furthest", 1.2, 0.785398, 0.785398},
               {"PathAngleCritic.mode", -1, 0, 0},
               {"PathAngleCritic.forward_preference", 1, -1, -1},
               {"ObstaclesCritic.collision_cost", 1e4, 1e5, 1e5},
@@ -141,7 +141,7 @@ void Nav2MppiControllerTest::read_nothing_hasTheDefaultsOfTheCode_data() {
     const QString key = QString::fromLatin1(row.key);
     QTest::addRow("Humble %s", row.key) << 0 << key << row.humble;
     QTest::addRow("Jazzy %s", row.key) << 1 << key << row.jazzy;
-    QTest::addRow("main %s", row.key) << 2 << key << row.main;
+    QTest::addRow("main %s", row.key) << static_cast<int>(Distro::Main) << key << row.main;
   }
 }
 
@@ -420,9 +420,9 @@ void Nav2MppiControllerTest::server_stockKeys_arrives_data() {
   QTest::addColumn<double>("start");
   QTest::newRow("Humble") << 0 << false << 0.0;
   QTest::newRow("Jazzy") << 1 << false << 0.0;
-  QTest::newRow("main") << 2 << false << 0.0;
+  QTest::newRow("main") << static_cast<int>(Distro::Main) << false << 0.0;
   QTest::newRow("Humble, looks away") << 0 << false << 2.5;
-  QTest::newRow("main, looks away") << 2 << false << 2.5;
+  QTest::newRow("main, looks away") << static_cast<int>(Distro::Main) << false << 2.5;
   QTest::newRow("Jazzy, behind a rotation shim") << 1 << true << 2.5;
 }
 

@@ -22,11 +22,15 @@ class Nav2ParamsTest : public QObject {
   void read_otherNamespace_isNoted_data();
   void read_otherNamespace_isNoted();
   void parse_dottedAndNestedNames_areOne();
+  void parse_repeatedKey_lastCountsWithAWarning();
+  void parse_repeatedBlocks_areMerged();
   void parse_noParameters_isAnError();
   void read_integerForADouble_isAnErrorAtItsPlace();
   void read_everyProblem_isToldAtOnce();
   void read_absentKey_takesTheCodesDefault();
   void read_unknownKey_tellsTheNearest();
+  void read_unknownKey_isComparedWithItsOwnBlock();
+  void read_blockThatNothingNames_isOneProblem();
   void read_keyOfAnotherDistro_isNotUsed();
   void read_unknownPlugin_tellsTheNearest();
   void read_unsupportedLayer_countsOnlyWhenSwitchedOn();
@@ -38,6 +42,9 @@ class Nav2ParamsTest : public QObject {
   void guess_signs_data();
   void guess_signs();
   void guess_reasons_speakForIt();
+  void read_partialFile_isNotAnError_data();
+  void read_partialFile_isNotAnError();
+  void read_disabledMonitor_isKept();
   void read_hugeCount_isOutOfRange();
   void set_value_integersPassForDoubles();
   void set_unknownPath_tellsTheNearest();
@@ -188,6 +195,49 @@ void Nav2ParamsTest::parse_dottedAndNestedNames_areOne() {
   QCOMPARE(valueOf(node, "FollowPath.Inner.b"), std::string("3"));
 }
 
+/// As rcl_yaml_param_parser does; `a.b` and `a: {b}` are the same parameter.
+void Nav2ParamsTest::parse_repeatedKey_lastCountsWithAWarning() {
+  const auto file = ParameterFile::parse(R"(controller_server:
+  ros__parameters:
+    a: 1
+    b: 2
+    a: 3
+    c.d: 4
+    c: {d: 5}
+)",
+                                         "p.yaml");
+  QVERIFY(file);
+  const NodeParameters node = file->parametersOf("controller_server");
+  QCOMPARE(valueOf(node, "a"), std::string("3"));
+  QCOMPARE(valueOf(node, "c.d"), std::string("5"));
+  QCOMPARE(texts(file.diagnostics()),
+           std::string("p.yaml:3:5: warning: key 'a' is repeated: the value of line 5 counts, not "
+                       "that of line 3\n"
+                       "p.yaml:6:5: warning: key 'c.d' is repeated: the value of line 7 counts, "
+                       "not that of line 6\n"));
+}
+
+void Nav2ParamsTest::parse_repeatedBlocks_areMerged() {
+  const auto file = ParameterFile::parse(R"(controller_server:
+  ros__parameters:
+    A: {a: 1, b: 2}
+controller_server:
+  ros__parameters:
+    A: {b: 3}
+    c: 4
+)",
+                                         "p.yaml");
+  QVERIFY(file);
+  const NodeParameters node = file->parametersOf("controller_server");
+  QCOMPARE(valueOf(node, "A.a"), std::string("1"));
+  QCOMPARE(valueOf(node, "A.b"), std::string("3"));
+  QCOMPARE(valueOf(node, "c"), std::string("4"));
+  const base::Diagnostic* const block = problemOf(file.diagnostics(), "yaml.block-repeated");
+  QVERIFY(block != nullptr && block->line == 4);
+  const base::Diagnostic* const key = problemOf(file.diagnostics(), "yaml.key-repeated");
+  QVERIFY(key != nullptr && key->line == 3);
+}
+
 void Nav2ParamsTest::parse_noParameters_isAnError() {
   const auto file = ParameterFile::parse("planner_server: {a: 1}\n", "p.yaml");
   QVERIFY(!file);
@@ -252,8 +302,50 @@ void Nav2ParamsTest::read_unknownKey_tellsTheNearest() {
   QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
   QCOMPARE(problem->severity, base::Severity::Warning);
   QCOMPARE(problem->line, 5);
+  QVERIFY(problem->message.find("Nav2 Jazzy does not read it") != std::string::npos);
   QVERIFY(problem->message.find("FollowPath.lookahead_dist") != std::string::npos);
   QCOMPARE(noteOf(reading, "controller_server.FollowPath.lookahaed_dist")->use, KeyUse::Unknown);
+}
+
+/// A key of another plugin is no advice, however near its name is.
+void Nav2ParamsTest::read_unknownKey_isComparedWithItsOwnBlock() {
+  const Nav2Reading reading = readOf(R"(local_costmap:
+  local_costmap:
+    ros__parameters:
+      plugins: ["obstacle_layer", "inflation_layer"]
+      obstacle_layer: {plugin: "nav2_costmap_2d::ObstacleLayer", inflation_radiu: 0.5}
+      inflation_layer: {plugin: "nav2_costmap_2d::InflationLayer"}
+)" + kPursuit);
+  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-key");
+  QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
+  QCOMPARE(
+      problem->message,
+      std::string("unknown key 'local_costmap.obstacle_layer.inflation_radiu': Nav2 Jazzy does "
+                  "not read it"));
+}
+
+void Nav2ParamsTest::read_blockThatNothingNames_isOneProblem() {
+  const Nav2Reading reading = readOf(kPursuit + R"(local_costmap:
+  local_costmap:
+    ros__parameters:
+      plugins: ["obstacle_layer"]
+      obstacle_layer:
+        plugin: "nav2_costmap_2d::ObstacleLayer"
+        observation_sources: scan
+        scan: {topic: /scan}
+        camera: {topic: /points, marking: true, clearing: true}
+)");
+  int count = 0;
+  for (const base::Diagnostic& problem : reading.problems) {
+    count += problem.code == "nav2.unknown-key" || problem.code == "nav2.unnamed-block" ? 1 : 0;
+  }
+  QCOMPARE(count, 1);
+  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unnamed-block");
+  QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
+  QCOMPARE(problem->line, 13);
+  QVERIFY(problem->message.find("obstacle_layer.camera' has no effect (3 keys)") !=
+          std::string::npos);
+  QCOMPARE(noteOf(reading, "local_costmap.obstacle_layer.camera.marking")->use, KeyUse::Unknown);
 }
 
 void Nav2ParamsTest::read_keyOfAnotherDistro_isNotUsed() {
@@ -382,9 +474,20 @@ void Nav2ParamsTest::guess_signs_data() {
       << 1;
   QTest::newRow("handlers")
       << "controller_server:\n  ros__parameters: {path_handler_plugins: [p]}\n"
-      << 2;
-  QTest::newRow("monitor") << "collision_monitor:\n  ros__parameters: {Stop: {max_points: 3}}\n"
-                           << 0;
+      << 3;
+  QTest::newRow("prefixes") << "bt_navigator:\n  ros__parameters: {error_code_name_prefixes: [p]}\n"
+                            << 2;
+  QTest::newRow("prefixes and directories")
+      << "bt_navigator:\n  ros__parameters: {error_code_name_prefixes: [p], "
+         "bt_search_directories: [d]}\n"
+      << 3;
+  QTest::newRow("code names") << "bt_navigator:\n  ros__parameters: {error_code_names: [p]}\n" << 1;
+  QTest::newRow("route server") << "route_server:\n  ros__parameters: {max_iterations: 0}\n" << 1;
+  QTest::newRow("enabled monitor") << "collision_monitor:\n  ros__parameters: {enabled: true}\n"
+                                   << 3;
+  QTest::newRow("monitor")
+      << "collision_monitor:\n  ros__parameters: {polygons: [Stop], Stop: {max_points: 3}}\n"
+      << 0;
   QTest::newRow("any monitor") << "collision_monitor:\n  ros__parameters: {polygons: [Stop]}\n"
                                << 1;
   QTest::newRow("nothing") << "controller_server:\n  ros__parameters: {a: 1}\n" << 1;
@@ -429,10 +532,47 @@ void Nav2ParamsTest::read_otherNamespace_isNoted() {
 void Nav2ParamsTest::guess_reasons_speakForIt() {
   const DistroGuess guess =
       guessDistro(parsed("controller_server:\n  ros__parameters:\n    progress_checker_plugin: p\n"
-                         "    costmap_update_timeout: 0.3\n    FollowPath: {ax_max: 3.0}\n"));
+                         "    costmap_update_timeout: 0.3\n    FollowPath: {plugin: "
+                         "\"nav2_mppi_controller::MPPIController\", critics: [GoalCritic], "
+                         "ax_max: 3.0}\n"));
   QCOMPARE(static_cast<int>(guess.distro), 1);
   QCOMPARE(guess.reasons,
            (std::vector<std::string>{"line 4: key costmap_update_timeout", "line 5: key ax_max"}));
+}
+
+void Nav2ParamsTest::read_partialFile_isNotAnError_data() {
+  QTest::addColumn<QString>("text");
+  QTest::addColumn<QString>("held");
+  QTest::newRow("amcl") << "amcl:\n  ros__parameters: {alpha1: 0.2}\n"
+                        << "only amcl:";
+  QTest::newRow("overlay") << "controller_server:\n  ros__parameters:\n"
+                              "    controller_frequency: 10.0\n"
+                              "    FollowPath: {desired_linear_vel: 0.3}\n"
+                              "velocity_smoother:\n  ros__parameters: {odom_duration: 0.2}\n"
+                           << "only controller_server, velocity_smoother:";
+}
+
+/// Some nodes of a file, or values for the plugins of another one.
+void Nav2ParamsTest::read_partialFile_isNotAnError() {
+  QFETCH(QString, text);
+  QFETCH(QString, held);
+  const Nav2Reading reading = readOf(text.toStdString());
+  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+  QCOMPARE(reading.problems.size(), std::size_t{1});
+  QCOMPARE(reading.problems.front().code, std::string_view("nav2.partial-file"));
+  QVERIFY2(reading.problems.front().message.find(held.toStdString()) != std::string::npos,
+           texts(reading.problems).c_str());
+  QVERIFY(reading.parameters.isPartial);
+  QVERIFY(!readOf(kPursuit).parameters.isPartial);
+}
+
+void Nav2ParamsTest::read_disabledMonitor_isKept() {
+  const auto file = ParameterFile::read(SOURCE_DIR "/tests/data/nav2/nav2_monitor_disabled.yaml");
+  QVERIFY(file);
+  const Nav2Reading reading = readNav2Parameters(*file);
+  QVERIFY2(reading.problems.empty(), texts(reading.problems).c_str());
+  QVERIFY(reading.parameters.distro >= Distro::Lyrical);
+  QVERIFY(reading.parameters.collisionMonitor && !reading.parameters.collisionMonitor->enabled);
 }
 
 /// Counts beyond what fits are no counts, whatever their sign.

@@ -260,8 +260,11 @@ void Nav2SmoothersTest::simple_inversionNotEnforced_smoothsOver() {
   SimpleSmootherParameters parameters;
   parameters.enforcePathInversion = false;
   const Path path = withCusp();
-  QVERIFY(simple(path, parameters).path[10].position.x() < path[10].position.x() - 0.02);
-  QCOMPARE(simple(path, parameters, Distro::Humble).path[10].position, path[10].position);
+  QVERIFY(simple(path, parameters, Distro::Kilted).path[10].position.x() <
+          path[10].position.x() - 0.02);
+  for (const Distro distro : {Distro::Humble, Distro::Jazzy}) {  // have no such key
+    QCOMPARE(simple(path, parameters, distro).path[10].position, path[10].position);
+  }
 }
 
 void Nav2SmoothersTest::simple_outOfTime_dependsOnDistro() {

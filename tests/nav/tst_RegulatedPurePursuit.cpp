@@ -464,7 +464,7 @@ void RegulatedPurePursuitTest::make_contradictions_areSwitchedOff() {
   QVERIFY(!refused);
   QCOMPARE(refused.diagnostics().size(), std::size_t{2});
   QCOMPARE(refused.diagnostics()[0].code, std::string_view("nav2.wrong-type"));
-  QCOMPARE(refused.diagnostics()[1].code, std::string_view("nav2.wrong-value"));
+  QCOMPARE(refused.diagnostics()[1].code, std::string_view("nav2.scaling-off"));
 }
 
 void RegulatedPurePursuitTest::dynamicWindow_noCrossing_takesNearestCorner() {

@@ -23,6 +23,10 @@ class Nav2CheckTest : public QObject {
   void branch_thatIsGiven_isNotGuessed();
   void shippedTrees_haveNoProblems();
   void noFile_isAnError();
+  void fieldFile_isTakenAsRos2Takes_data();
+  void fieldFile_isTakenAsRos2Takes();
+  void wrongValue_isToldAloneAtItsLine_data();
+  void wrongValue_isToldAloneAtItsLine();
 
  private:
   base::Diagnostics checked(const std::string& text, app::Nav2Branch branch = {}) {
@@ -195,10 +199,11 @@ void Nav2CheckTest::branch_thatIsGiven_isNotGuessed() {
       return each.text().find(words) != std::string::npos;
     });
   };
-  QVERIFY(has(checked(text), "taken for a file of jazzy"));
+  QVERIFY(has(checked(text), "taken for a file of Jazzy"));
   const base::Diagnostics found = checked(text, sim2d::nav2::Distro::Humble);
   QVERIFY(!has(found, "taken for"));
-  QVERIFY(has(found, "progress_checker_plugins is a key of Jazzy and Main: humble"));
+  QVERIFY(
+      has(found, "progress_checker_plugins is a key of Jazzy, Kilted, Lyrical and main: Humble"));
 }
 
 void Nav2CheckTest::shippedTrees_haveNoProblems() {
@@ -215,6 +220,73 @@ void Nav2CheckTest::shippedTrees_haveNoProblems() {
 void Nav2CheckTest::noFile_isAnError() {
   QVERIFY(base::hasErrors(app::checkNav2File("nowhere/nav2_params.yaml")));
   QVERIFY(base::hasErrors(app::checkNav2File("/dev/zero")));
+}
+
+void Nav2CheckTest::fieldFile_isTakenAsRos2Takes_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QString>("told");  // but for Infos
+  QTest::newRow("repeated key") << "nav2_duplicate_key"
+                                << ":3:5: warning: key 'controller_frequency' is repeated: the "
+                                   "value of line 8 counts, not that of line 3\n";
+  QTest::newRow("key of Ackermann alone") << "nav2_min_turning_diffdrive"
+                                          << "";
+  QTest::newRow("disabled monitor") << "nav2_monitor_disabled"
+                                    << "";
+  QTest::newRow("cells without a side")
+      << "nav2_costmap_resolution_zero"
+      << ":9:19: error: local_costmap: resolution: 0.0 must be from 0.005 to 10\n";
+  QTest::newRow("only amcl")
+      << "nav2_only_amcl"
+      << ":1: warning: this file holds only amcl: it configures no controller "
+         "(controller_plugins of controller_server), so alone it drives no "
+         "robot\n";
+}
+
+void Nav2CheckTest::fieldFile_isTakenAsRos2Takes() {
+  QFETCH(QString, name);
+  QFETCH(QString, told);
+  const std::string path = SOURCE_DIR "/tests/data/nav2/" + name.toStdString() + ".yaml";
+  const std::string words = wordsOf(app::checkNav2File(path));
+  QCOMPARE(words, told.isEmpty() ? std::string() : path + told.toStdString());
+}
+
+void Nav2CheckTest::wrongValue_isToldAloneAtItsLine_data() {
+  QTest::addColumn<QString>("from");  // in the file like TurtleBot 4's, or its controller's block
+  QTest::addColumn<QString>("to");
+  QTest::addColumn<QString>("told");
+  const auto row = [](const char* from, const char* to, const char* told) {
+    QTest::addRow("%s", to) << QString::fromLatin1(from) << QString::fromLatin1(to)
+                            << QString::fromLatin1(told);
+  };
+  row("width: 3\n", "width: 30000\n", "width: 30000 must be from 1 to 1000");
+  row("resolution: 0.05\n", "resolution: 0.0\n", "resolution: 0.0 must be from 0.005 to 10");
+  row("width: 3\n", "width: 500\n", "width: 500 m in cells of 0.05 m (resolution) are more than");
+  row("robot_radius: 0.175\n", "robot_radius: -1.0\n", "robot_radius: -1.0 must be from 0 to 10");
+  row("vx_max: 0.26\n", "vx_max: -1.0\n", "vx_max -1 is not greater than 0");
+  row("time_steps: 56\n", "time_steps: 100000\n", "time_steps 100000 is not 2 to 200");
+  row("controller_frequency: 20.0\n", "controller_frequency: 0.0\n",
+      "controller_frequency 0 is not above 0");
+}
+
+/// No other value is measured by one that is itself wrong.
+void Nav2CheckTest::wrongValue_isToldAloneAtItsLine() {
+  QFETCH(QString, from);
+  QFETCH(QString, to);
+  QFETCH(QString, told);
+  std::string text = shippedText("turtlebot4");
+  const std::size_t at = text.find(from.toStdString());
+  QVERIFY(at != std::string::npos);
+  text.replace(at, static_cast<std::size_t>(from.size()), to.toStdString());
+  base::Diagnostics errors = checked(text);
+  errors.erase(std::remove_if(errors.begin(), errors.end(),
+                              [](const base::Diagnostic& each) {
+                                return each.severity != base::Severity::Error;
+                              }),
+               errors.end());
+  QVERIFY2(errors.size() == 1, wordsOf(errors).c_str());
+  QVERIFY2(errors.front().message.find(told.toStdString()) != std::string::npos,
+           wordsOf(errors).c_str());
+  QCOMPARE(errors.front().line, lineOf(text, to.toStdString()));
 }
 
 QTEST_APPLESS_MAIN(Nav2CheckTest)

@@ -39,6 +39,9 @@ class Nav2RunsTest : public QObject {
   void effect_smootherAcceleration_isKept();
   void badInput_isToldNotRun_data();
   void badInput_isToldNotRun();
+  void monitor_thatIsDisabled_changesNothing();
+  void errorOfTheFile_isAtItsLine_data();
+  void errorOfTheFile_isAtItsLine();
 };
 
 namespace {
@@ -448,6 +451,47 @@ void Nav2RunsTest::badInput_isToldNotRun() {
   QVERIFY(!verdict.world);
   const std::string text = textOf(verdict.problems);
   QVERIFY2(text.find(part.toStdString()) != std::string::npos, text.c_str());
+}
+
+/// Its polygon holds the whole room; a node that is on would stop the robot at once.
+void Nav2RunsTest::monitor_thatIsDisabled_changesNothing() {
+  app::RunOptions options = optionsOf(boxScenario(0.0, false), "generic");
+  options.nav2Params = SOURCE_DIR "/tests/data/nav2/nav2_monitor_disabled.yaml";
+  options.nav2Tree.reset();
+  const Driven driven = drive(options, 12.0);
+  QVERIFY2(!driven.places.empty() && driven.places.back().x() > 2.0,
+           (driven.problems + driven.failure).c_str());
+}
+
+void Nav2RunsTest::errorOfTheFile_isAtItsLine_data() {
+  QTest::addColumn<QString>("yaml");
+  QTest::addColumn<QString>("told");  // after the path
+  const QString controller = QStringLiteral(
+      "controller_server:\n  ros__parameters:\n    FollowPath:\n      plugin: "
+      "\"nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController\"\n");
+  const QString costmap =
+      QStringLiteral("local_costmap:\n  local_costmap:\n    ros__parameters:\n");
+  QTest::newRow("size") << controller + costmap + QStringLiteral("      width: 30000\n")
+                        << ":8:14: error: ";
+  QTest::newRow("type and size") << controller + QStringLiteral("      lookahead_dist: true\n") +
+                                        costmap + QStringLiteral("      width: 30000\n")
+                                 << ":9:14: error: ";
+  QTest::newRow("nodes without a controller")
+      << QStringLiteral("amcl:\n  ros__parameters: {alpha1: 0.2}\n") << ":1: error: ";
+}
+
+/// Not at the robot's line of the scenario.
+void Nav2RunsTest::errorOfTheFile_isAtItsLine() {
+  QFETCH(QString, yaml);
+  QFETCH(QString, told);
+  const std::string path = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_wrong.yaml";
+  base::writeFileAtomically(path, yaml.toStdString());
+  app::RunOptions options = optionsOf(boxScenario(), "generic");
+  options.nav2Params = path;
+  const app::Verdict verdict = prepared(options);
+  QVERIFY(!verdict.world);
+  const std::string text = textOf(verdict.problems);
+  QVERIFY2(text.find(path + told.toStdString()) != std::string::npos, text.c_str());
 }
 
 QTEST_GUILESS_MAIN(Nav2RunsTest)

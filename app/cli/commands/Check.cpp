@@ -145,7 +145,8 @@ void addCheck(CommandRegistry& commands) {
   command.add_option("--trees", options.scenario.trees, "Folder with their trees");
   command
       .add_option("--nav2-distro", options.distro,
-                  "Of files of Nav2: humble, jazzy or main; else as they tell")
+                  "Of files of Nav2: humble, jazzy, kilted, lyrical or main (default: guessed "
+                  "from the file)")
       ->check(oneOf(sim2d::fieldOf<sim2d::Robot>("nav2_distro")->spec.choices));
 }
 

@@ -180,7 +180,7 @@ NodeStatus beginBehavior(LeafContext& leaf) {
   }
   if constexpr (action != RobotAction::Wait) {
     request.ignoresCollisions =
-        robot.distro() == Distro::Main && leaf.getOr<bool>(uncheckedPort(action), false);
+        robot.distro() >= Distro::Lyrical && leaf.getOr<bool>(uncheckedPort(action), false);
   }
   robot.begin(action, request);
   return NodeStatus::Running;

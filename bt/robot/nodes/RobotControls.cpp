@@ -89,7 +89,7 @@ struct RoundMemory {
 NodeStatus roundRobin(ParentContext& node) {
   auto& memory = node.memory<RoundMemory>();
   const int children = node.childCount();
-  const bool wraps = robotOf(node).distro() != Distro::Main || node.getOr<bool>(0, false);
+  const bool wraps = robotOf(node).distro() < Distro::Lyrical || node.getOr<bool>(0, false);
   int skipped = 0;
   while (memory.failed + skipped < children) {
     const NodeStatus status = node.tickChild(memory.current);

@@ -20,6 +20,13 @@ const Nav2Keys::Row* Nav2Keys::find(std::string_view name, Distro distro) const 
   return found == rows.end() ? nullptr : &*found;
 }
 
+bool Nav2Keys::isKnown(std::string_view name, Distro distro) const {
+  return find(name, distro) != nullptr ||
+         std::any_of(idle.begin(), idle.end(), [&](const Idle& each) {
+           return each.name == name && isIn(each.distros, distro);
+         });
+}
+
 std::string pluginName(std::string_view spelling) {
   std::string name(spelling);
   for (std::size_t slash = name.find('/'); slash != std::string::npos; slash = name.find('/')) {

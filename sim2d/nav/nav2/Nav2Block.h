@@ -32,11 +32,13 @@ struct Nav2Keys {
   };
   struct Idle {
     std::string name, why;
+    unsigned distros = kEveryDistro;
   };
   std::vector<Row> rows;
   std::vector<Idle> idle;
 
   const Row* find(std::string_view name, Distro distro) const;  // null: not there in that distro
+  bool isKnown(std::string_view name, Distro distro) const;     // in a row, or without effect
 };
 
 /// "plugin::Name" of either spelling: Humble's files also write "plugin/Name".
@@ -73,7 +75,7 @@ void addRows(Nav2Keys& keys, const std::vector<Nav2Key<Parameters>>& table,
 
 inline void addIdle(Nav2Keys& keys, const std::vector<IdleKey>& table) {
   for (const IdleKey& key : table) {
-    keys.idle.push_back({key.name, key.why});
+    keys.idle.push_back({key.name, key.why, key.distros});
   }
 }
 

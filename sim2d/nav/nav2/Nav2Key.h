@@ -10,13 +10,18 @@
 /// form or writes a page goes over the rows.
 namespace sim2d::nav2 {
 
-/// Whose defaults, formulas and names count.
-enum class Distro : std::uint8_t { Humble, Jazzy, Main };
+/// A branch of Nav2, whose defaults, formulas and names count; in the order of their release, so
+/// that `distro >= Distro::Lyrical` is Lyrical and main.
+enum class Distro : std::uint8_t { Humble, Jazzy, Kilted, Lyrical, Main };
+constexpr Distro kEachDistro[] = {Distro::Humble, Distro::Jazzy, Distro::Kilted, Distro::Lyrical,
+                                  Distro::Main};
 
 /// In which of them a key exists: a sum of these.
-constexpr unsigned kHumble = 1, kJazzy = 2, kMain = 4;
-constexpr unsigned kSinceJazzy = kJazzy | kMain, kUntilJazzy = kHumble | kJazzy;
-constexpr unsigned kEveryDistro = kHumble | kJazzy | kMain;
+constexpr unsigned kHumble = 1, kJazzy = 2, kKilted = 4, kLyrical = 8, kMain = 16;
+constexpr unsigned kSinceLyrical = kLyrical | kMain, kSinceKilted = kKilted | kSinceLyrical,
+                   kSinceJazzy = kJazzy | kSinceKilted;
+constexpr unsigned kUntilJazzy = kHumble | kJazzy, kUntilKilted = kUntilJazzy | kKilted;
+constexpr unsigned kEveryDistro = kHumble | kSinceJazzy;
 
 inline bool isIn(unsigned distros, Distro distro) {
   return (distros >> static_cast<unsigned>(distro) & 1U) != 0;
@@ -35,10 +40,11 @@ struct Nav2Key {
   unsigned distros = kEveryDistro;
 };
 
-/// A key that is known and does nothing here, and why: "no TF here".
+/// A key that is known and has no effect here, and why: "no TF here".
 struct IdleKey {
   const char* name;
   const char* why;
+  unsigned distros = kEveryDistro;
 };
 
 }  // namespace sim2d::nav2

@@ -86,7 +86,7 @@ bool ControllerServer::accept(const FollowPathGoal& goal, bool isFirst, double t
   } else if (progressChecker == nullptr) {
     fail(ControlCode::Unknown, "Failed to find progress checker name: " + goal.progressChecker,
          feedback);
-  } else if (distro_ == Distro::Main && handler == nullptr) {
+  } else if (distro_ >= Distro::Lyrical && handler == nullptr) {
     fail(ControlCode::Unknown, "Failed to find path handler name: " + goal.pathHandler, feedback);
   } else if (goal.path.empty()) {
     fail(ControlCode::InvalidPath, "Path is empty.", feedback);
@@ -129,7 +129,7 @@ void ControllerServer::advance(const ControlCycle& cycle, FollowFeedback& feedba
   LocalPlan local;
   const Path* cut = nullptr;
   double length = 0.0;
-  if (distro_ == Distro::Main) {
+  if (distro_ >= Distro::Lyrical) {
     local = pathHandler_->localPlan(cycle.robot, cycle.costmap);
     if (local.problem != nullptr) {
       fail(ControlCode::InvalidPath, local.problem, feedback);

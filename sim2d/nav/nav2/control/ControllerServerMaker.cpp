@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -32,7 +33,7 @@ ServerSlots slotsOf(const ControllerServerParameters& p, Distro distro) {
   if (distro == Distro::Humble) {
     slots.progressCheckers.names = {p.progressChecker};
   }
-  if (distro == Distro::Main) {
+  if (distro >= Distro::Lyrical) {
     slots.pathHandlers = {p.pathHandlers, "PathHandler", kFeasibleHandler};
   }
   return slots;
@@ -114,6 +115,17 @@ void addSlotKeys(const PluginSlot& slot, const Nav2Block& given, Nav2Keys& keys,
   }
 }
 
+/// Without what plugins find wrong with a frequency that is itself wrong.
+base::Diagnostics withoutRates(base::Diagnostics problems) {
+  problems.erase(std::remove_if(problems.begin(), problems.end(),
+                                [](const base::Diagnostic& problem) {
+                                  return problem.code == "nav2.mppi-period" ||
+                                         problem.code == "nav2.mppi-no-shift";
+                                }),
+                 problems.end());
+  return problems;
+}
+
 void makePlugins(const ServerSlots& slots, const Nav2Block& node, const ControllerSetup& common,
                  ControllerServer::Setup& made, base::Diagnostics& problems) {
   makeSlot(slots.controllers, node, problems, made.controllers,
@@ -156,7 +168,7 @@ const std::vector<Nav2Key<ControllerServerParameters>>& controllerServerKeys() {
        kSinceJazzy},
       {"goal_checker_plugins", &P::goalCheckers, "", "names of the goal checkers"},
       {"controller_plugins", &P::controllers, "", "names of the controllers"},
-      {"path_handler_plugins", &P::pathHandlers, "", "names of the path handlers", kMain},
+      {"path_handler_plugins", &P::pathHandlers, "", "names of the path handlers", kSinceLyrical},
   };
   return kKeys;
 }
@@ -167,10 +179,10 @@ const std::vector<IdleKey>& controllerServerIdleKeys() {
       {"odom_topic", "no topics here"},
       {"odom_duration", "the measured speed is that of the step"},
       {"use_realtime_priority", "no threads here"},
-      {"action_server_result_timeout", "no actions here"},
+      {"action_server_result_timeout", "no actions here", kJazzy},
       {"introspection_mode", "no actions here"},
       {"enable_stamped_cmd_vel", "no topics here"},
-      {"search_window", "feedback of main's action"},
+      {"search_window", "feedback of the action", kSinceLyrical},
   };
   return kKeys;
 }
@@ -215,7 +227,9 @@ base::Result<std::unique_ptr<ControllerServer>> makeControllerServer(const Nav2B
   made.parameters =
       filled(ControllerServerParameters(), controllerServerKeys(), node, distro, problems);
   constexpr double kMostFrequency = 1000.0;  // [Hz]
-  if (!(made.parameters.frequency > 0.0 && made.parameters.frequency <= kMostFrequency)) {
+  const bool isRate =
+      made.parameters.frequency > 0.0 && made.parameters.frequency <= kMostFrequency;
+  if (!isRate) {
     problems.push_back(
         base::error("nav2.wrong-value", {"controller_frequency", made.parameters.frequency,
                                          "above 0, up to " + base::formatDouble(kMostFrequency)}));
@@ -228,7 +242,7 @@ base::Result<std::unique_ptr<ControllerServer>> makeControllerServer(const Nav2B
   common.robotId = robotId;
   makePlugins(slotsOf(made.parameters, distro), node, common, made, problems);
   if (base::hasErrors(problems)) {
-    return problems;
+    return isRate ? problems : withoutRates(std::move(problems));
   }
   return {std::make_unique<ControllerServer>(std::move(made)), std::move(problems)};
 }

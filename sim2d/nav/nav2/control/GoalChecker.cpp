@@ -31,7 +31,7 @@ class StockGoalChecker final : public GoalChecker {
     return isYawReached(query) && (kind_ == Kind::Simple || isStopped(query.speed));
   }
   bool isXyReached(const GoalQuery& query) override {
-    if (distro_ == Distro::Main && query.pathLength > parameters_.pathLengthTolerance) {
+    if (distro_ >= Distro::Lyrical && query.pathLength > parameters_.pathLengthTolerance) {
       return false;  // it only passes by
     }
     if (isXyLatched_) {
@@ -72,7 +72,7 @@ struct GoalCheckerType {
 constexpr GoalCheckerType kGoalCheckers[] = {
     {"nav2_controller::SimpleGoalChecker", StockGoalChecker::Kind::Simple, kEveryDistro},
     {"nav2_controller::StoppedGoalChecker", StockGoalChecker::Kind::Stopped, kEveryDistro},
-    {"nav2_controller::PositionGoalChecker", StockGoalChecker::Kind::Position, kSinceJazzy},
+    {"nav2_controller::PositionGoalChecker", StockGoalChecker::Kind::Position, kEveryDistro},
 };
 
 }  // namespace
@@ -83,9 +83,9 @@ const std::vector<GoalCheckerKey>& goalCheckerKeys() {
       {"xy_goal_tolerance", &P::xyTolerance, "m", "how far from the goal is there"},
       {"yaw_goal_tolerance", &P::yawTolerance, "rad", "how far from its heading is right"},
       {"stateful", &P::isStateful, "", "the place counts as reached until a new path"},
-      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "backwards is as good", kSinceJazzy},
+      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "backwards is as good"},
       {"path_length_tolerance", &P::pathLengthTolerance, "m",
-       "nothing is reached while more of the local path is left", kMain},
+       "nothing is reached while more of the local path is left", kSinceLyrical},
       {"rot_stopped_velocity", &P::rotStoppedVelocity, "rad/s",
        "slower counts as standing (StoppedGoalChecker)"},
       {"trans_stopped_velocity", &P::transStoppedVelocity, "m/s",
@@ -96,7 +96,7 @@ const std::vector<GoalCheckerKey>& goalCheckerKeys() {
 
 const std::vector<IdleKey>& goalCheckerIdleKeys() {
   static const std::vector<IdleKey> kKeys = {
-      {"xy_goal_tolerance_buffer", "only its default, 0, is imitated"},
+      {"xy_goal_tolerance_buffer", "not re-implemented: it counts as 0", kSinceLyrical},
   };
   return kKeys;
 }

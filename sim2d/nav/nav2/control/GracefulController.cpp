@@ -121,12 +121,12 @@ Control GracefulController::computeVelocityCommands(const ControlInput& input) {
   if (isGoalTurn(scene) && turnIsFree(input, goalTurn)) {
     return BodyTwist{0.0, turnCommand(goalTurn)};
   }
-  return distro_ == Distro::Main ? followInterpolated(scene) : followFarthest(scene);
+  return distro_ >= Distro::Lyrical ? followInterpolated(scene) : followFarthest(scene);
 }
 
 bool GracefulController::isGoalTurn(const Scene& scene) {
   const ControlInput& input = scene.input;
-  if (distro_ == Distro::Main) {
+  if (distro_ >= Distro::Lyrical) {
     return input.goalChecker.isXyReached({input.robot, goal_, input.speed, scene.length});
   }
   isGoalReached_ = isGoalReached_ || scene.length < input.goalChecker.xyTolerance();
@@ -226,7 +226,7 @@ bool GracefulController::drive(const Scene& scene, Pose2 target, BodyTwist& comm
       return true;
     }
     attempt.maxLinear -= parameters_.footprintScalingStep;
-  } while (distro_ == Distro::Main && attempt.maxLinear > 0.0 && ++attempts < kMostAttempts &&
+  } while (distro_ >= Distro::Lyrical && attempt.maxLinear > 0.0 && ++attempts < kMostAttempts &&
            attempt.maxLinear >= parameters_.footprintScalingVelocity);
   return false;
 }
@@ -250,7 +250,7 @@ bool GracefulController::simulate(const ControlInput& input, const Attempt& atte
   bool isTurning = !isAhead(attempt.target);
   double scale = 1.0;
   const double full = parameters_.maxLinear - parameters_.footprintScalingVelocity;
-  if (distro_ == Distro::Main && full > 0.0) {
+  if (distro_ >= Distro::Lyrical && full > 0.0) {
     const double above = law.maxLinear - parameters_.footprintScalingVelocity;
     scale += parameters_.footprintScalingFactor * std::max(0.0, above / full);
   }
@@ -293,7 +293,7 @@ bool GracefulController::turnIsFree(const ControlInput& input, double angle) con
 
 bool GracefulController::collides(const ControlInput& input, const Pose2& local,
                                   double scale) const {
-  if (distro_ == Distro::Main && !parameters_.detectsCollisions) {
+  if (distro_ >= Distro::Kilted && !parameters_.detectsCollisions) {
     return false;
   }
   const Pose2 pose{input.robot.toWorld(local.position), input.robot.heading + local.heading};

@@ -27,11 +27,12 @@ const std::vector<Nav2Key<GracefulParameters>>& gracefulKeys() {
       {"v_angular_min_in_place", &P::minAngularInPlace, "rad/s", "least when turning on the spot",
        kSinceJazzy},
       {"slowdown_radius", &P::slowdownRadius, "m", "nearer to its target it slows down"},
-      {"deceleration_max", &P::maxDeceleration, "m/s^2", "no faster than it can brake by", kMain},
+      {"deceleration_max", &P::maxDeceleration, "m/s^2", "no faster than it can brake by",
+       kSinceLyrical},
       {"max_robot_pose_search_dist", &P::searchDistance, "m",
        "the robot is looked for on so much of the path; 0: half the costmap, negative: all",
-       kUntilJazzy},
-      {"min_lookahead", &P::minLookahead, "m", "a target is no nearer", kJazzy},
+       kUntilKilted},
+      {"min_lookahead", &P::minLookahead, "m", "a target is no nearer", kJazzy | kKilted},
       {"max_lookahead", &P::maxLookahead, "m", "a target is no farther", kSinceJazzy},
       {"motion_target_dist", &P::targetDistance, "m", "how far the target is", kHumble},
       {"initial_rotation", &P::rotatesFirst, "", "turns on the spot first on a new path"},
@@ -47,21 +48,24 @@ const std::vector<Nav2Key<GracefulParameters>>& gracefulKeys() {
       {"allow_backward", &P::allowsBackward, "", "drives backwards to targets behind it"},
       {"in_place_collision_resolution", &P::inPlaceResolution, "rad",
        "turns on the spot are checked in such steps", kSinceJazzy},
-      {"use_collision_detection", &P::detectsCollisions, "", "no command into an obstacle", kMain},
+      {"use_collision_detection", &P::detectsCollisions, "", "no command into an obstacle",
+       kSinceKilted},
       {"footprint_scaling_linear_vel", &P::footprintScalingVelocity, "m/s",
-       "faster the footprint counts as larger", kMain},
+       "faster the footprint counts as larger", kSinceLyrical},
       {"footprint_scaling_factor", &P::footprintScalingFactor, "",
-       "how much larger at greatest speed", kMain},
+       "how much larger at greatest speed", kSinceLyrical},
       {"footprint_scaling_step", &P::footprintScalingStep, "m/s",
-       "a colliding target is tried again so much slower", kMain},
+       "a colliding target is tried again so much slower", kSinceLyrical},
   };
   return kKeys;
 }
 
 const std::vector<IdleKey>& gracefulIdleKeys() {
   static const std::vector<IdleKey> kKeys = {
-      {"transform_tolerance", "no TF here"},
-      {"min_lookahead", "Jazzy's alone looks at it"},
+      {"transform_tolerance", "no TF here", kUntilKilted},
+      {"obstacle_cost_margin", "not re-implemented: it counts as its default", kSinceLyrical},
+      {"final_rotation_search_step", "not re-implemented: it counts as its default", kSinceLyrical},
+      {"min_lookahead", "the target is interpolated at max_lookahead", kSinceLyrical},
   };
   return kKeys;
 }

@@ -210,16 +210,19 @@ const std::vector<Nav2Key<FeasiblePathHandlerParameters>>& feasiblePathHandlerKe
   using P = FeasiblePathHandlerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"max_robot_pose_search_dist", &P::searchDistance, "m",
-       "the robot is looked for on so much of the path; 0: half the costmap, negative: all", kMain},
-      {"prune_distance", &P::pruneDistance, "m", "so much of the path counts", kMain},
+       "the robot is looked for on so much of the path; 0: half the costmap, negative: all",
+       kSinceLyrical},
+      {"prune_distance", &P::pruneDistance, "m", "so much of the path counts", kSinceLyrical},
       {"enforce_path_inversion", &P::enforcesInversion, "",
-       "the path ends at its first cusp until the robot is there", kMain},
+       "the path ends at its first cusp until the robot is there", kSinceLyrical},
       {"enforce_path_rotation", &P::enforcesRotation, "",
-       "the path ends at its first turn on the spot until the robot has made it", kMain},
-      {"minimum_rotation_angle", &P::minimumRotation, "rad", "less is no turn on the spot", kMain},
-      {"inversion_xy_tolerance", &P::inversionXyTolerance, "m", "so near is at the cusp", kMain},
-      {"inversion_yaw_tolerance", &P::inversionYawTolerance, "rad", "idem, heading", kMain},
-      {"reject_unit_path", &P::rejectsUnitPath, "", "a path of one pose is none", kMain},
+       "the path ends at its first turn on the spot until the robot has made it", kSinceLyrical},
+      {"minimum_rotation_angle", &P::minimumRotation, "rad", "less is no turn on the spot",
+       kSinceLyrical},
+      {"inversion_xy_tolerance", &P::inversionXyTolerance, "m", "so near is at the cusp",
+       kSinceLyrical},
+      {"inversion_yaw_tolerance", &P::inversionYawTolerance, "rad", "idem, heading", kSinceLyrical},
+      {"reject_unit_path", &P::rejectsUnitPath, "", "a path of one pose is none", kSinceLyrical},
   };
   return kKeys;
 }

@@ -12,7 +12,8 @@ PursuitKeys speedKeysOfPursuit() {
   using P = PursuitParameters;
   return {
       {"desired_linear_vel", &P::maxLinearVelocity, "m/s", "speed on a straight, free path"},
-      {"max_linear_vel", &P::maxLinearVelocity, "m/s", "speed on a straight, free path", kMain},
+      {"max_linear_vel", &P::maxLinearVelocity, "m/s", "speed on a straight, free path",
+       kSinceLyrical},
       {"lookahead_dist", &P::lookahead, "m", "how far ahead the carrot is"},
       {"min_lookahead_dist", &P::minLookahead, "m", "at least, when scaled by speed"},
       {"max_lookahead_dist", &P::maxLookahead, "m", "at most, when scaled by speed"},
@@ -41,14 +42,14 @@ PursuitKeys otherKeysOfPursuit() {
   return {
       {"max_robot_pose_search_dist", &P::searchDistance, "m",
        "the robot is looked for on so much of the path; 0: half the costmap, negative: all",
-       kUntilJazzy},
+       kUntilKilted},
       {"use_collision_detection", &P::detectsCollisions, "", "no command into an obstacle"},
       {"max_allowed_time_to_collision_up_to_carrot", &P::maxTimeToCollision, "s",
        "so long the command is looked ahead"},
       {"min_distance_to_obstacle", &P::minDistanceToObstacle, "m",
-       "so far the command is looked ahead at least; not above 0: off", kMain},
+       "so far the command is looked ahead at least; not above 0: off", kSinceKilted},
       {"allow_obstacle_checking_beyond_goal", &P::checksBeyondGoal, "",
-       "that distance counts behind the end of the path too", kMain},
+       "that distance counts behind the end of the path too", kSinceLyrical},
       {"use_rotate_to_heading", &P::rotatesToHeading, "",
        "turns on the spot towards path and goal heading"},
       {"rotate_to_heading_min_angle", &P::rotateMinAngle, "rad", "larger angles are turned first"},
@@ -67,14 +68,18 @@ PursuitKeys otherKeysOfPursuit() {
        kSinceJazzy},
       {"cancel_deceleration", &P::cancelDeceleration, "m/s^2", "how hard", kSinceJazzy},
       {"stateful", &P::isStateful, "", "the goal's place counts as reached until a new path",
-       kJazzy},
-      {"use_dynamic_window", &P::usesDynamicWindow, "", "keeps within the accelerations", kMain},
-      {"min_linear_vel", &P::minLinearVelocity, "m/s", "of the dynamic window", kMain},
-      {"max_angular_vel", &P::maxAngularVelocity, "rad/s", "of the dynamic window", kMain},
-      {"min_angular_vel", &P::minAngularVelocity, "rad/s", "of the dynamic window", kMain},
-      {"max_linear_accel", &P::maxLinearAcceleration, "m/s^2", "of the dynamic window", kMain},
-      {"max_linear_decel", &P::maxLinearDeceleration, "m/s^2", "of the dynamic window", kMain},
-      {"max_angular_decel", &P::maxAngularDeceleration, "rad/s^2", "of the dynamic window", kMain},
+       kJazzy | kKilted},
+      {"use_dynamic_window", &P::usesDynamicWindow, "", "keeps within the accelerations",
+       kSinceLyrical},
+      {"min_linear_vel", &P::minLinearVelocity, "m/s", "of the dynamic window", kSinceLyrical},
+      {"max_angular_vel", &P::maxAngularVelocity, "rad/s", "of the dynamic window", kSinceLyrical},
+      {"min_angular_vel", &P::minAngularVelocity, "rad/s", "of the dynamic window", kSinceLyrical},
+      {"max_linear_accel", &P::maxLinearAcceleration, "m/s^2", "of the dynamic window",
+       kSinceLyrical},
+      {"max_linear_decel", &P::maxLinearDeceleration, "m/s^2", "of the dynamic window",
+       kSinceLyrical},
+      {"max_angular_decel", &P::maxAngularDeceleration, "rad/s^2", "of the dynamic window",
+       kSinceLyrical},
   };
 }
 
@@ -92,7 +97,7 @@ const std::vector<Nav2Key<PursuitParameters>>& pursuitKeys() {
 
 const std::vector<IdleKey>& pursuitIdleKeys() {
   static const std::vector<IdleKey> kKeys = {
-      {"transform_tolerance", "no TF here"},
+      {"transform_tolerance", "no TF here", kUntilKilted},
   };
   return kKeys;
 }

@@ -34,10 +34,10 @@ PathHandling pursuitHandling(const PursuitParameters& parameters, Distro distro)
 base::Result<std::unique_ptr<Controller>> makePursuit(const ControllerSetup& setup) {
   base::Diagnostics problems;
   auto parameters = filled(PursuitParameters(), pursuitKeys(), setup.block, setup.distro, problems);
-  if (parameters.inflationCostScaling <= 0.0) {
-    problems.push_back(
-        base::error("nav2.wrong-value",
-                    {"inflation_cost_scaling_factor", parameters.inflationCostScaling, "above 0"}));
+  if (!(parameters.inflationCostScaling > 0.0)) {
+    problems.push_back(base::warning(
+        "nav2.scaling-off", {"inflation_cost_scaling_factor", parameters.inflationCostScaling}));
+    parameters.regulatesByCost = false;
   }
   if (base::hasErrors(problems)) {
     return problems;
@@ -118,7 +118,7 @@ RegulatedPurePursuit::Pursuit RegulatedPurePursuit::pursue(const Path& plan, dou
   const PursuitParameters& p = parameters_;
   double lookahead = lookaheadDistance(p, speed);
   double curvatureLookahead = p.curvatureLookahead;
-  if (p.allowsReversing && distro_ != Distro::Main) {  // main's path handler ends at cusps
+  if (p.allowsReversing && distro_ < Distro::Lyrical) {  // main's path handler ends at cusps
     const double cusp = distanceToCusp(plan);
     lookahead = std::min(lookahead, cusp);
     curvatureLookahead = std::min(curvatureLookahead, cusp);
@@ -165,11 +165,11 @@ bool RegulatedPurePursuit::isGoalTurn(const ControlInput& input, const Path& pla
   if (!parameters_.rotatesToHeading) {
     return false;
   }
-  if (distro_ == Distro::Main) {
+  if (distro_ >= Distro::Lyrical) {
     return input.goalChecker.isXyReached({input.robot, goal_, input.speed, pathLength(plan)});
   }
   const bool isNear = carrot.norm() < input.goalChecker.xyTolerance();
-  if (distro_ == Distro::Jazzy && parameters_.isStateful) {
+  if (isIn(kJazzy | kKilted, distro_) && parameters_.isStateful) {
     isGoalLatched_ = isGoalLatched_ || isNear;
     return isGoalLatched_;
   }
@@ -190,7 +190,7 @@ BodyTwist RegulatedPurePursuit::follow(const ControlInput& input, const Path& pl
   if (isCancelling_) {
     brakeForCancel(input.speed.linear, pursuit.sign, linear);
   }
-  if (distro_ == Distro::Main && parameters_.usesDynamicWindow) {
+  if (distro_ >= Distro::Lyrical && parameters_.usesDynamicWindow) {
     const VelocityWindow window =
         regulatedWindow(velocityWindow(parameters_, input.speed, period_), linear);
     return bestInWindow(window, curvature, pursuit.sign);
@@ -213,7 +213,7 @@ bool RegulatedPurePursuit::collides(const ControlInput& input, const BodyTwist& 
     return true;
   }
   double allowed = p.maxTimeToCollision;
-  if (distro_ == Distro::Main && p.minDistanceToObstacle > 0.0) {
+  if (distro_ >= Distro::Kilted && p.minDistanceToObstacle > 0.0) {
     const double d = p.minDistanceToObstacle;
     allowed = std::max(allowed, d / std::max(std::abs(twist.linear), p.minApproachVelocity));
     if (p.scalesLookahead) {

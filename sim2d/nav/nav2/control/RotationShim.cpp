@@ -24,7 +24,7 @@ Nav2Block primaryBlock(const Nav2Block& block, Distro distro) {
   Nav2Block inner = block;
   const std::string prefix = kPrimaryPrefix;
   for (const auto& [key, value] : block) {
-    if (distro == Distro::Main && key.compare(0, prefix.size(), prefix) == 0) {
+    if (distro >= Distro::Lyrical && key.compare(0, prefix.size(), prefix) == 0) {
       inner[key.substr(prefix.size())] = value;
     }
   }
@@ -80,7 +80,7 @@ Nav2Keys shimKeysOf(const Nav2Block& given, Distro distro) {
     if (keys.find(row.name, distro) == nullptr) {
       keys.rows.push_back(row);
     }
-    if (distro == Distro::Main) {
+    if (distro >= Distro::Lyrical) {
       row.name.insert(0, kPrimaryPrefix);
       keys.rows.push_back(std::move(row));
     }
@@ -102,8 +102,9 @@ RotationShimParameters rotationShimDefaults(Distro distro) {
 const std::vector<Nav2Key<RotationShimParameters>>& rotationShimKeys() {
   using P = RotationShimParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"primary_controller", &P::primary, "", "plugin of the controller that drives", kUntilJazzy},
-      {"primary_controller.plugin", &P::primary, "", "plugin of the controller that drives", kMain},
+      {"primary_controller", &P::primary, "", "plugin of the controller that drives", kUntilKilted},
+      {"primary_controller.plugin", &P::primary, "", "plugin of the controller that drives",
+       kSinceLyrical},
       {"angular_dist_threshold", &P::threshold, "rad", "larger angles are turned first"},
       {"angular_disengage_threshold", &P::disengageThreshold, "rad",
        "turning ends below this angle"},
@@ -118,7 +119,8 @@ const std::vector<Nav2Key<RotationShimParameters>>& rotationShimKeys() {
        kSinceJazzy},
       {"use_path_orientations", &P::usesPathOrientations, "",
        "the direction is the heading of the pose there", kSinceJazzy},
-      {"max_cost_threshold", &P::maxCost, "", "from this cost on a turn collides", kSinceJazzy},
+      {"max_cost_threshold", &P::maxCost, "", "from this cost on a turn collides",
+       kJazzy | kSinceLyrical},
   };
   return kKeys;
 }
@@ -161,7 +163,7 @@ Control RotationShim::computeVelocityCommands(const ControlInput& input) {
       }
     }
   }
-  const bool isEachCycle = distro_ == Distro::Main && !parameters_.rotatesOnce;
+  const bool isEachCycle = distro_ >= Distro::Lyrical && !parameters_.rotatesOnce;
   if (isPathNew_ || isEachCycle) {
     const std::optional<double> angle = pathTurn(input);
     const double threshold = isTurning_ ? parameters_.disengageThreshold : parameters_.threshold;
@@ -195,7 +197,7 @@ std::optional<double> RotationShim::goalTurn(const ControlInput& input) const {
   const Pose2& goal = plan_.back();
   const double tolerance = input.goalChecker.xyTolerance();
   bool isThere = (input.robot.position - goal.position).squaredNorm() <= tolerance * tolerance;
-  if (distro_ == Distro::Main && input.localPlan != nullptr) {
+  if (distro_ >= Distro::Lyrical && input.localPlan != nullptr) {
     isThere = input.goalChecker.isXyReached(
         {input.robot, goal, input.speed, pathLength(*input.localPlan)});
   }
@@ -204,7 +206,7 @@ std::optional<double> RotationShim::goalTurn(const ControlInput& input) const {
 
 /// To the first pose so far from the path's start [rad]; none on a path of less than two poses.
 std::optional<double> RotationShim::pathTurn(const ControlInput& input) const {
-  const bool isLocal = distro_ == Distro::Main && input.localPlan != nullptr;
+  const bool isLocal = distro_ >= Distro::Lyrical && input.localPlan != nullptr;
   const Path& path = isLocal ? *input.localPlan : plan_;
   if (path.size() < 2) {
     return std::nullopt;

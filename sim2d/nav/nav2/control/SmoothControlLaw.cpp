@@ -39,7 +39,7 @@ BodyTwist gracefulCommand(const GracefulParameters& p, Distro distro, const Pose
   const double curvature = sign * gracefulCurvature(p, polar);
   double v = p.maxLinear / (1.0 + p.beta * power(std::abs(curvature), p.lambda));
   v = std::min(v, p.maxLinear * polar.r / p.slowdownRadius);
-  if (distro == Distro::Main) {
+  if (distro >= Distro::Lyrical) {
     v = std::min(v, std::sqrt(2.0 * polar.r * p.maxDeceleration));
   }
   v = sign * std::min(std::max(v, p.minLinear), p.maxLinear);

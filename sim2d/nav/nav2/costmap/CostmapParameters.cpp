@@ -98,7 +98,7 @@ const std::vector<Nav2Key<CostmapParameters>>& costmapKeys() {
       {"trinary_costmap", &P::trinaryCostmap, "",
        "Whether lower occupancies are free, else in proportion."},
       {"inscribed_obstacle_cost_value", &P::inscribedObstacleCostValue, "",
-       "Occupancy that means a cell beside an obstacle.", kMain},
+       "Occupancy that means a cell beside an obstacle.", kSinceLyrical},
       {"use_maximum", &P::useMaximum, "",
        "Whether the map only raises what lies below, else it overwrites."},
   };
@@ -110,9 +110,9 @@ const std::vector<Nav2Key<StaticLayerParameters>>& staticLayerKeys() {
   static const std::vector<Nav2Key<P>> kKeys = {
       {"enabled", &P::enabled, "", "Whether the layer takes part."},
       {"footprint_clearing_enabled", &P::footprintClearingEnabled, "",
-       "Whether the cells under the robot are free.", kSinceJazzy},
+       "Whether the cells under the robot are free."},
       {"restore_cleared_footprint", &P::restoreClearedFootprint, "",
-       "Whether they are as before once the robot has left.", kMain},
+       "Whether they are as before once the robot has left.", kSinceKilted},
   };
   return kKeys;
 }
@@ -170,7 +170,7 @@ const std::vector<Nav2Key<InflationLayerParameters>>& inflationLayerKeys() {
       {"inflate_around_unknown", &P::inflateAroundUnknown, "",
        "Whether unknown cells count as obstacles."},
       {"custom_inscribed_radius", &P::customInscribedRadius, "m",
-       "Radius of certain collision; below 0: that of the footprint.", kMain},
+       "Radius of certain collision; below 0: that of the footprint.", kSinceLyrical},
   };
   return kKeys;
 }
@@ -223,13 +223,14 @@ const std::vector<IdleKey>& idleCostmapKeys() {
       {"global_frame", "frames coincide here"},
       {"robot_base_frame", "frames coincide here"},
       {"transform_tolerance", "no TF here"},
-      {"initial_transform_timeout", "no TF here"},
+      {"initial_transform_timeout", "no TF here", kSinceJazzy},
       {"always_send_full_costmap", "a published costmap is whole here"},
-      {"map_topic", "the map is the scenario's"},
-      {"map_vis_z", "for displays of ROS"},
+      {"map_topic", "the map is the scenario's", kUntilJazzy},
+      {"map_vis_z", "for displays of ROS", kSinceJazzy},
+      {"observation_sources", "those of the layers count", kUntilKilted},
       {"use_sim_time", "time is simulated here"},
       {"introspection_mode", "no services of ROS here"},
-      {"subscribe_to_stamped_footprint", "the footprint does not change here"},
+      {"subscribe_to_stamped_footprint", "the footprint does not change here", kSinceLyrical},
   };
   return kKeys;
 }
@@ -241,13 +242,21 @@ const std::vector<IdleKey>& idleLayerKeys() {
       {"subscribe_to_updates", "the map does not change here"},
       {"map_topic", "the map is the scenario's"},
       {"transform_tolerance", "no TF here"},
-      {"tf_filter_tolerance", "no TF here"},
+      {"tf_filter_tolerance", "no TF here", kSinceKilted},
+      {"transport_type", "no topics here", kSinceLyrical},
       {"unknown_threshold", "no voxels here: it counts as 15"},
       {"publish_voxel_map", "for displays of ROS"},
-      {"num_threads", "costs do not depend on it"},
+      {"num_threads", "costs do not depend on it", kSinceLyrical},
       {"filter_info_topic", "no topics here: mask_file names the mask"},
       {"mask_topic", "no topics here: mask_file names the mask"},
-      {"speed_limit_topic", "the costmap tells its limit"},
+      {"speed_limit_topic", "the costmap passes its limit on"},
+      {"enable_path_lookahead", "not re-implemented: only the cell of the robot counts",
+       kSinceLyrical},
+      {"max_decel", "not re-implemented: only the cell of the robot counts", kSinceLyrical},
+      {"max_lookahead", "not re-implemented: only the cell of the robot counts", kSinceLyrical},
+      {"min_lookahead", "not re-implemented: only the cell of the robot counts", kSinceLyrical},
+      {"odom_topic", "no topics here", kSinceLyrical},
+      {"path_topic", "no topics here", kSinceLyrical},
   };
   return kKeys;
 }
@@ -255,7 +264,7 @@ const std::vector<IdleKey>& idleLayerKeys() {
 const std::vector<IdleKey>& idleSourceKeys() {
   static const std::vector<IdleKey> kKeys = {
       {"sensor_frame", "the lidar knows where it is"},
-      {"transport_type", "no topics here"},
+      {"transport_type", "no topics here", kSinceLyrical},
   };
   return kKeys;
 }

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "sim2d/base/ParameterSpec.h"
@@ -11,14 +14,18 @@
 namespace sim2d::nav2 {
 namespace {
 
-constexpr double kLeastSide = 0.005;                       // of cells [m]
-constexpr double kMostCells = 4000;                        // along one side
+constexpr int kMostCells = 4000;                           // along one side
+constexpr base::Range kSideRange{0.005, 10.0};             // of cells [m]
 constexpr base::Range kLengthRange{1.0, 1000.0};           // of costmaps [m]
+constexpr base::Range kPlaceRange{-1e6, 1e6};              // of their corners [m]
 constexpr base::Range kFrequencyRange{0.0, 1000.0, true};  // [Hz]
+constexpr base::Range kPublishRange{-1.0, 1000.0};         // [Hz]
 constexpr base::Range kReachRange{0.0, 10.0};              // [m]
+constexpr base::Range kPaddingRange{-100.0, 100.0};        // [m]
+constexpr base::Range kScalingRange{-1e6, 1e6};            // [1/m]
 constexpr base::Range kAmplitudeRange{0.0, 254.0};
-constexpr double kLongestPersistence = 60;   // of scans [s]
-constexpr double kMostInflatedCells = 2000;  // of a radius
+constexpr double kLongestPersistence = 60;  // of scans [s]
+constexpr int kMostInflatedCells = 2000;    // of a radius
 
 void checkCostmapRange(double value, const base::Range& range, const std::string& where,
                        base::Diagnostics& problems) {
@@ -41,8 +48,32 @@ void checkSource(const ObservationSource& source, const std::string& layer, doub
   }
 }
 
-void checkPlugin(const CostmapPlugin& plugin, const CostmapSetup& setup, double inscribed,
-                 base::Diagnostics& problems) {
+/// `inscribed`: none when the robot's shape is wrong.
+void checkInflation(const InflationLayerParameters& inflation, const std::string& layer,
+                    const CostmapSetup& setup, std::optional<double> inscribed,
+                    base::Diagnostics& problems) {
+  const std::string key = layer + ".inflation_radius";
+  checkCostmapRange(inflation.inflationRadius, kReachRange, key, problems);
+  checkCostmapRange(inflation.costScalingFactor, kScalingRange, layer + ".cost_scaling_factor",
+                    problems);
+  if (!kReachRange.contains(inflation.inflationRadius)) {
+    return;
+  }
+  const double side = setup.map.isEmpty() ? 0.0 : setup.map.resolution();
+  if (inflation.inflationRadius > kMostInflatedCells * side && side > 0.0) {
+    problems.push_back(base::within(
+        key, base::error("nav2.too-many-cells",
+                         {inflation.inflationRadius, side, "the map", kMostInflatedCells})));
+  }
+  if (inflation.enabled && inscribed && inflation.inflationRadius < *inscribed) {
+    const double shown = std::round(1e4 * *inscribed) / 1e4;  // [m], to a tenth of a millimetre
+    problems.push_back(
+        base::within(key, base::warning("nav2.inflation-cut", {inflation.inflationRadius, shown})));
+  }
+}
+
+void checkPlugin(const CostmapPlugin& plugin, const CostmapSetup& setup,
+                 std::optional<double> inscribed, base::Diagnostics& problems) {
   const ObstacleLayerParameters* obstacles =
       std::get_if<ObstacleLayerParameters>(&plugin.parameters);
   if (const auto* const voxels = std::get_if<VoxelLayerParameters>(&plugin.parameters)) {
@@ -57,16 +88,7 @@ void checkPlugin(const CostmapPlugin& plugin, const CostmapSetup& setup, double 
     }
   }
   if (const auto* const inflation = std::get_if<InflationLayerParameters>(&plugin.parameters)) {
-    const double own = setup.settings.parameters.resolution;
-    const double side = setup.map.isEmpty() ? own : std::min(own, setup.map.resolution());
-    checkCostmapRange(inflation->inflationRadius,
-                      {0.0, std::min(kReachRange.high, kMostInflatedCells * side)},
-                      plugin.name + ".inflation_radius", problems);
-    if (inflation->enabled && inflation->inflationRadius < inscribed) {
-      const double shown = std::round(1e4 * inscribed) / 1e4;  // [m], to a tenth of a millimetre
-      problems.push_back(
-          base::warning("nav2.inflation-cut", {plugin.name, inflation->inflationRadius, shown}));
-    }
+    checkInflation(*inflation, plugin.name, setup, inscribed, problems);
   }
   if (std::holds_alternative<StaticLayerParameters>(plugin.parameters) && setup.map.isEmpty()) {
     problems.push_back(base::warning("nav2.no-map", {plugin.name}));
@@ -82,29 +104,60 @@ void checkPlugin(const CostmapPlugin& plugin, const CostmapSetup& setup, double 
   }
 }
 
+/// The side of a cell is only compared with a size that can be one.
+void checkSize(const CostmapParameters& parameters, base::Diagnostics& problems) {
+  checkCostmapRange(parameters.width, kLengthRange, "width", problems);
+  checkCostmapRange(parameters.height, kLengthRange, "height", problems);
+  checkCostmapRange(parameters.resolution, kSideRange, "resolution", problems);
+  if (!kSideRange.contains(parameters.resolution)) {
+    return;
+  }
+  for (const auto& [key, length] :
+       {std::pair<const char*, double>("width", parameters.width), {"height", parameters.height}}) {
+    if (kLengthRange.contains(length) && length / parameters.resolution > kMostCells) {
+      problems.push_back(base::within(
+          key, base::error("nav2.too-many-cells",
+                           {length, parameters.resolution, "resolution", kMostCells})));
+    } else if (kLengthRange.contains(length) && length < parameters.resolution) {
+      problems.push_back(base::within(
+          "resolution", base::error("nav2.cell-too-large", {parameters.resolution, key, length})));
+    }
+  }
+}
+
+/// Radius of the circle within the robot; none when its keys are wrong.
+std::optional<double> checkedShape(const CostmapParameters& parameters,
+                                   base::Diagnostics& problems) {
+  const std::size_t before = problems.size();
+  checkCostmapRange(parameters.footprintPadding, kPaddingRange, "footprint_padding", problems);
+  const bool hasFootprint = !parameters.footprint.empty() && parameters.footprint != "[]";
+  Polygon corners;
+  if (hasFootprint) {
+    const base::Result<Polygon> read = readPolygon(parameters.footprint);
+    for (const base::Diagnostic& problem : read.diagnostics()) {
+      problems.push_back(base::within("footprint", problem));
+    }
+    corners = read ? *read : corners;
+  } else {
+    checkCostmapRange(parameters.robotRadius, kReachRange, "robot_radius", problems);
+  }
+  if (problems.size() > before) {
+    return std::nullopt;
+  }
+  return costmapFootprint(parameters.robotRadius, corners, parameters.footprintPadding).inscribed;
+}
+
 }  // namespace
 
 base::Diagnostics problemsOf(const CostmapSetup& setup) {
   base::Diagnostics problems;
   const CostmapParameters& parameters = setup.settings.parameters;
   checkCostmapRange(parameters.updateFrequency, kFrequencyRange, "update_frequency", problems);
-  checkCostmapRange(parameters.publishFrequency, {}, "publish_frequency", problems);
-  const double longer = std::max(parameters.width, parameters.height);
-  const double shorter = std::min(parameters.width, parameters.height);
-  checkCostmapRange(parameters.resolution, {std::max(kLeastSide, longer / kMostCells), shorter},
-                    "resolution", problems);
-  checkCostmapRange(parameters.width, kLengthRange, "width", problems);
-  checkCostmapRange(parameters.height, kLengthRange, "height", problems);
-  checkCostmapRange(parameters.robotRadius, kReachRange, "robot_radius", problems);
-  checkCostmapRange(parameters.footprintPadding, {-100.0, 100.0}, "footprint_padding", problems);
-  Polygon corners;
-  if (!parameters.footprint.empty() && parameters.footprint != "[]") {
-    const base::Result<Polygon> read = readPolygon(parameters.footprint);
-    base::append(problems, read.diagnostics());
-    corners = read ? *read : corners;
-  }
-  const double inscribed =
-      costmapFootprint(parameters.robotRadius, corners, parameters.footprintPadding).inscribed;
+  checkCostmapRange(parameters.publishFrequency, kPublishRange, "publish_frequency", problems);
+  checkSize(parameters, problems);
+  checkCostmapRange(parameters.originX, kPlaceRange, "origin_x", problems);
+  checkCostmapRange(parameters.originY, kPlaceRange, "origin_y", problems);
+  const std::optional<double> inscribed = checkedShape(parameters, problems);
   for (const CostmapPlugin& plugin : setup.settings.plugins) {
     checkPlugin(plugin, setup, inscribed, problems);
   }

@@ -13,7 +13,8 @@ namespace {
 constexpr double kTableSteps = 100.0;  // per cell, of Nav2 main
 
 InflationLaw lawOf(const InflationLayerParameters& parameters, const CostmapContext& context) {
-  const bool isCustom = context.distro == Distro::Main && parameters.customInscribedRadius >= 0.0;
+  const bool isCustom =
+      context.distro >= Distro::Lyrical && parameters.customInscribedRadius >= 0.0;
   return {parameters.inflationRadius, parameters.costScalingFactor,
           isCustom ? parameters.customInscribedRadius : context.footprint.inscribed};
 }
@@ -50,7 +51,7 @@ InflationLayer::InflationLayer(std::string name, const CostmapContext& context,
   costs_.reserve(static_cast<std::size_t>(most) + 1);
   for (int square = 0; square <= most; ++square) {
     double cells = std::sqrt(static_cast<double>(square));
-    if (context.distro == Distro::Main) {
+    if (context.distro >= Distro::Lyrical) {
       cells = std::round(cells * kTableSteps) / kTableSteps;
     }
     costs_.push_back(law_.cost(cells * resolution));
@@ -81,7 +82,7 @@ void InflationLayer::updateCosts(Costmap& master, const CellWindow& window) {
   const CellWindow wide{std::max(0, window.left - radius_), std::max(0, window.bottom - radius_),
                         std::min(master.width(), window.right + radius_),
                         std::min(master.height(), window.top + radius_)};
-  if (context().distro != Distro::Main) {
+  if (context().distro < Distro::Lyrical) {
     inflateBySpreading(master, window, wide);
   } else if (radius_ <= kMostRadius16) {
     inflateExactly(master, window, wide, across_);

@@ -228,7 +228,7 @@ void ObstacleLayer::mark(const PointCloud& cloud, const ObservationSource& sourc
     if (distance > most || distance < least || !cell) {
       continue;
     }
-    if (eye && context().distro == Distro::Main) {
+    if (eye && context().distro >= Distro::Lyrical) {
       const double across = cell->column - eye->column, up = cell->row - eye->row;
       if (std::floor(std::sqrt(across * across + up * up)) > mostCells) {
         continue;

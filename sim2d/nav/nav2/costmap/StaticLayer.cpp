@@ -36,7 +36,7 @@ std::uint8_t costOfOccupancy(std::int8_t occupancy, const CostmapParameters& par
   if (value == parameters.unknownCostValue) {
     return parameters.trackUnknownSpace ? kNoInformation : kFreeSpace;
   }
-  if (distro == Distro::Main && value == parameters.inscribedObstacleCostValue) {
+  if (distro >= Distro::Lyrical && value == parameters.inscribedObstacleCostValue) {
     return kInscribed;
   }
   if (value >= lethal) {
@@ -92,7 +92,7 @@ void StaticLayer::updateBounds(const Observation& observation, const Costmap& /*
     bounds.touch(grid_.cellToWorld({grid_.width(), grid_.height()}));
   }
   footprint_.clear();
-  if (parameters_.footprintClearingEnabled && context().distro != Distro::Humble) {
+  if (parameters_.footprintClearingEnabled) {
     footprint_ = placed(context().footprint.corners, observation.pose);
     for (const Vec2& corner : footprint_) {
       bounds.touch(corner);
@@ -105,8 +105,8 @@ void StaticLayer::updateCosts(Costmap& master, const CellWindow& window) {
   if (grid_.costs().empty() || !parameters_.enabled) {
     return;
   }
-  // Cells once cleared stay so until Nav2 main restores them.
-  const bool isRestored = context().distro == Distro::Main && parameters_.restoreClearedFootprint;
+  // Cells once cleared stay clear in Humble and Jazzy; later branches restore them.
+  const bool isRestored = context().distro >= Distro::Kilted && parameters_.restoreClearedFootprint;
   std::optional<Costmap> before;
   if (isRestored && !footprint_.empty()) {
     before = grid_;

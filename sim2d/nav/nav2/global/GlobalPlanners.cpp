@@ -47,7 +47,7 @@ GlobalPlannerParameters plannerDefaults(const std::string& name, Distro distro) 
     return smacDefaults<Smac2DParameters>(distro);
   }
   auto parameters = smacDefaults<SmacHybridParameters>(distro);
-  parameters.allowPrimitiveInterpolation = distro == Distro::Main;
+  parameters.allowPrimitiveInterpolation = distro >= Distro::Lyrical;
   return parameters;
 }
 

@@ -34,7 +34,7 @@ PlanResult NavfnPlanner::plan(const PlanRequest& request) {
   if (!goal || !costmap.contains(roundedCell(costmap, request.goal.position))) {
     return navfnFailure(PlanError::GoalOutsideMap);
   }
-  if (distro_ == Distro::Main && parameters_.tolerance == 0.0 && costmap.at(*goal) == kLethal) {
+  if (distro_ >= Distro::Lyrical && parameters_.tolerance == 0.0 && costmap.at(*goal) == kLethal) {
     return navfnFailure(PlanError::GoalOccupied);
   }
   if (request.start.position == request.goal.position) {
@@ -86,7 +86,7 @@ std::optional<Pose2> NavfnPlanner::nearestReached(const Costmap& costmap, const 
 
 PlanResult NavfnPlanner::pathTo(const PlanRequest& request, const Pose2& end) {
   const Costmap& costmap = request.costmap;
-  const int factor = distro_ == Distro::Main ? parameters_.maxCyclesFactor : 4;
+  const int factor = distro_ >= Distro::Lyrical ? parameters_.maxCyclesFactor : 4;
   const int steps = std::max(costmap.width(), costmap.height()) * factor;
   const std::vector<Vec2> cells = wave_.descend(roundedCell(costmap, end.position), steps);
   if (cells.empty()) {

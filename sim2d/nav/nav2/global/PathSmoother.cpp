@@ -67,7 +67,7 @@ const std::vector<Nav2Key<SimpleSmootherParameters>>& keysOf(const SimpleSmoothe
       {"do_refinement", &P::doRefinement, "", "smooth the result again"},
       {"refinement_num", &P::refinementNum, "", "how often", kSinceJazzy},
       {"enforce_path_inversion", &P::enforcePathInversion, "",
-       "smooth between the places where the robot turns back", kSinceJazzy},
+       "smooth between the places where the robot turns back", kSinceKilted},
   };
   return kKeys;
 }
@@ -78,9 +78,9 @@ const std::vector<Nav2Key<SavitzkyGolayParameters>>& keysOf(const SavitzkyGolayP
       {"do_refinement", &P::doRefinement, "", "smooth the result again"},
       {"refinement_num", &P::refinementNum, "", "how often"},
       {"enforce_path_inversion", &P::enforcePathInversion, "",
-       "smooth between the places where the robot turns back", kSinceJazzy},
-      {"window_size", &P::windowSize, "", "poses that a polynomial goes through", kMain},
-      {"poly_order", &P::polyOrder, "", "its order", kMain},
+       "smooth between the places where the robot turns back", kSinceKilted},
+      {"window_size", &P::windowSize, "", "poses that a polynomial goes through", kSinceLyrical},
+      {"poly_order", &P::polyOrder, "", "its order", kSinceLyrical},
   };
   return kKeys;
 }
@@ -109,7 +109,7 @@ const std::vector<IdleKey>& idleKeysOf(const SmootherServerParameters&) {
       {"footprint_topic", "the footprint is handed over"},
       {"robot_base_frame", "no TF here"},
       {"transform_tolerance", "no TF here"},
-      {"action_server_result_timeout", "no action servers here"},
+      {"action_server_result_timeout", "no action servers here", kJazzy},
       {"bond_heartbeat_period", "no processes that could die"},
       {"introspection_mode", "no services here"},
   };

@@ -37,7 +37,7 @@ const std::vector<Nav2Key<NavfnParameters>>& keysOf(const NavfnParameters&) {
       {"use_final_approach_orientation", &P::useFinalApproachOrientation, "",
        "last heading along the path, not the goal's"},
       {"max_cycles_factor", &P::maxCyclesFactor, "",
-       "steps of the descent per cell of the map's longer side", kMain},
+       "steps of the descent per cell of the map's longer side", kSinceLyrical},
   };
   return kKeys;
 }
@@ -108,9 +108,9 @@ const std::vector<Nav2Key<SmacHybridParameters>>& keysOf(const SmacHybridParamet
         {"analytic_expansion_max_cost_override", &P::analyticExpansionMaxCostOverride, "",
          "but not when it is shorter than a circle", kSinceJazzy},
         {"goal_heading_mode", &P::goalHeadingMode, "", "DEFAULT, BIDIRECTIONAL or ALL_DIRECTION",
-         kMain},
+         kSinceKilted},
         {"coarse_search_resolution", &P::coarseSearchResolution, "",
-         "of the goal's headings only every so many are tried first", kMain},
+         "of the goal's headings only every so many are tried first", kSinceKilted},
     };
     addSmacKeys(keys);
     return keys;
@@ -123,7 +123,7 @@ const std::vector<Nav2Key<PlannerServerParameters>>& keysOf(const PlannerServerP
   static const std::vector<Nav2Key<P>> kKeys = {
       {"planner_plugins", &P::plannerPlugins, "", "names of the planners"},
       {"allow_partial_planning", &P::allowPartialPlanning, "",
-       "through several goals as far as there is a path", kMain},
+       "through several goals as far as there is a path", kSinceLyrical},
       {"costmap_update_timeout", &P::costmapUpdateTimeout, "s",
        "so long it waits for the costmap after a clear", kSinceJazzy},
   };
@@ -161,7 +161,7 @@ const std::vector<IdleKey>& idleKeysOf(const SmacHybridParameters&) {
 const std::vector<IdleKey>& idleKeysOf(const PlannerServerParameters&) {
   static const std::vector<IdleKey> kKeys = {
       {"expected_planner_frequency", "only a warning of slow computers hangs on it"},
-      {"action_server_result_timeout", "no action servers here"},
+      {"action_server_result_timeout", "no action servers here", kJazzy},
       {"bond_heartbeat_period", "no processes that could die"},
       {"service_introspection_mode", "no services here"},
       {"introspection_mode", "no services here"},

@@ -55,7 +55,7 @@ SavitzkyGolaySmoother::SavitzkyGolaySmoother(const SavitzkyGolayParameters& para
                                              Distro distro)
     : parameters_(parameters),
       distro_(distro),
-      weights_(distro == Distro::Main
+      weights_(distro >= Distro::Lyrical
                    ? savitzkyGolayWeights(parameters.windowSize, parameters.polyOrder)
                    : savitzkyGolayWeights(kUsualWindow, kUsualOrder)) {}
 
@@ -66,7 +66,7 @@ SmoothResult SavitzkyGolaySmoother::smooth(const Path& path, const Costmap& /*co
     result.error = SmoothError::InvalidPath;
     return result;
   }
-  const bool splits = distro_ == Distro::Humble || parameters_.enforcePathInversion;
+  const bool splits = distro_ < Distro::Kilted || parameters_.enforcePathInversion;
   const std::vector<PathSegment> segments =
       splits ? directionalSegments(path) : std::vector<PathSegment>{{0, path.size() - 1}};
   const int rounds = 1 + (parameters_.doRefinement ? parameters_.refinementNum : 0);

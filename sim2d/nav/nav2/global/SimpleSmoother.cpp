@@ -27,7 +27,7 @@ SmoothResult SimpleSmoother::smooth(const Path& path, const Costmap& costmap,
   settings.wData = parameters_.wData;
   settings.wSmooth = parameters_.wSmooth;
   settings.refinements = parameters_.doRefinement ? parameters_.refinementNum : 0;
-  const bool splits = distro_ == Distro::Humble || parameters_.enforcePathInversion;
+  const bool splits = distro_ < Distro::Kilted || parameters_.enforcePathInversion;
   const std::vector<PathSegment> segments =
       splits ? directionalSegments(path) : std::vector<PathSegment>{{0, path.size() - 1}};
   const std::size_t shortest = distro_ == Distro::Humble ? 9 : 3;  // poses beyond the first

@@ -53,7 +53,7 @@ PlanResult SmacHybridPlanner::plan(const PlanRequest& request) {
 
 Pose2 SmacHybridPlanner::inCells(const Costmap& costmap, const Pose2& pose) const {
   Vec2 place = (pose.position - costmap.origin()) / costmap.resolution();
-  if (distro_ != Distro::Main) {
+  if (distro_ < Distro::Lyrical) {
     place = place.array().floor() + 0.5;
   }
   return {place, pose.heading};
@@ -61,7 +61,7 @@ Pose2 SmacHybridPlanner::inCells(const Costmap& costmap, const Pose2& pose) cons
 
 /// The goal with the headings that `goal_heading_mode` allows.
 std::vector<Pose2> SmacHybridPlanner::goalsAt(const HybridMotion& motion, const Pose2& goal) const {
-  const bool knowsModes = distro_ == Distro::Main;
+  const bool knowsModes = distro_ >= Distro::Kilted;
   const int bin = motion.nearestBin(goal.heading);
   std::vector<int> bins = {bin};
   if (knowsModes && parameters_.goalHeadingMode == "BIDIRECTIONAL") {

@@ -69,7 +69,7 @@ struct PathAngleSettings : CriticSettings {
   PathAngleSettings() { weight = 2.2; }
   double threshold = 0.5;  // [m]
   int offsetFromFurthest = 4;
-  double mostAngle = 0.785;        // [rad]
+  double mostAngle = 0.785398;     // [rad]
   int mode = 0;                    // 0: forward, 1: either end, 2: as the path says
   bool isForwardPreferred = true;  // Humble, instead of the mode
 };

@@ -20,7 +20,7 @@ PathHandling mppiHandling(const MppiConfiguration& mppi) {
   handling.rule = PathHandling::Rule::Way;
   handling.searchDistance = mppi.settings.searchDistance;
   handling.pruneDistance = mppi.settings.pruneDistance;
-  handling.keepsTwo = mppi.distro == Distro::Jazzy;
+  handling.keepsTwo = isIn(kJazzy | kKilted, mppi.distro);
   handling.enforcesInversion = mppi.settings.enforcesInversion;
   handling.inversionXyTolerance = mppi.settings.inversionXyTolerance;
   handling.inversionYawTolerance = mppi.settings.inversionYawTolerance;
@@ -48,9 +48,9 @@ base::Result<std::unique_ptr<Controller>> makeMppiController(const ControllerSet
   const double modelDt = mppi->settings.modelDt;
   switch (mppiShiftOf(period, modelDt)) {
     case MppiShift::Refused:
-      return base::error("nav2.mppi-period", {period, modelDt});
+      return base::error("nav2.mppi-period", {period, "model_dt", modelDt});
     case MppiShift::Keeps:
-      problems.push_back(base::warning("nav2.mppi-no-shift", {period, modelDt}));
+      problems.push_back(base::warning("nav2.mppi-no-shift", {period, "model_dt", modelDt}));
       break;
     case MppiShift::Shifts:
       break;

@@ -30,7 +30,7 @@ bool MppiCritics::askConstraint(Round& round) {
   problem.dt = dt_;
   if (motion_ == MppiMotion::Ackermann) {
     problem.model = Model::Ackermann;
-  } else if (motion_ == MppiMotion::Omni && distro_ == Distro::Main) {
+  } else if (motion_ == MppiMotion::Omni && distro_ >= Distro::Lyrical) {
     problem.model = Model::LinearAndLateral;
   } else if (motion_ == MppiMotion::Omni) {
     problem.model = Model::Planar;

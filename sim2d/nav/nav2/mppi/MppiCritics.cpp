@@ -134,7 +134,7 @@ void MppiCritics::score(const MppiScene& scene, TrajectoryColumns& columns,
 }
 
 bool MppiCritics::isNear(const MppiScene& scene, double threshold) const {
-  if (distro_ == Distro::Main) {
+  if (distro_ >= Distro::Lyrical) {
     return pathLength_ < threshold;
   }
   const Pose2& end = distro_ == Distro::Humble ? scene.path.back() : scene.goal;
@@ -145,7 +145,8 @@ int MppiCritics::reachedBy(Round& round) {
   if (!furthest_) {
     // Rounding must not decide where way driven and way along the path are equal.
     constexpr float kSlack = 1e-3F;  // [m]
-    const float slack = distro_ == Distro::Main ? kSlack : std::numeric_limits<float>::infinity();
+    const float slack =
+        distro_ >= Distro::Lyrical ? kSlack : std::numeric_limits<float>::infinity();
     PathPoints path;
     path.x = pathX_.data();
     path.y = pathY_.data();

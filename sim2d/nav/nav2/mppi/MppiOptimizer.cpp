@@ -56,7 +56,8 @@ void MppiOptimizer::setRoll() {
   roll_.dt = dt_;
   roll_.isHolonomic = isHolonomic();
   roll_.isLimited = mppi_.distro != Distro::Humble;
-  roll_.writesBack = mppi_.distro == Distro::Jazzy || (isMain() && settings.clampsRawControls);
+  roll_.writesBack =
+      isIn(kJazzy | kKilted, mppi_.distro) || (isMain() && settings.clampsRawControls);
   for (std::size_t axis = 0; axis < kTrajectoryAxes; ++axis) {
     const float variance = deviations[axis] * deviations[axis];
     roll_.least[axis] = dt_ * base_.least[axis];

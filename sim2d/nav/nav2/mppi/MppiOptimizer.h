@@ -59,7 +59,7 @@ class MppiOptimizer {
   bool isOptimalValid(const MppiScene& scene) const;
   void keepSent();
   bool isHolonomic() const { return mppi_.motion == MppiMotion::Omni; }
-  bool isMain() const { return mppi_.distro == Distro::Main; }
+  bool isMain() const { return mppi_.distro >= Distro::Lyrical; }
   std::size_t sentIndex() const { return isShifting_ ? 1 : 0; }
   float firstDt() const;
 

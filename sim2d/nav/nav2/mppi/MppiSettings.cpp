@@ -28,14 +28,16 @@ struct MotionModelSettings {
 const std::vector<Nav2Key<MotionModelSettings>>& motionModelKeys() {
   using P = MotionModelSettings;
   static const std::vector<Nav2Key<P>> kKeys = {
-      {"plugin", &P::plugin, "", "mppi::DiffDriveMotionModel and so on", kMain},
+      {"plugin", &P::plugin, "", "mppi::DiffDriveMotionModel and so on", kSinceLyrical},
       {"min_turning_r", &P::minTurningRadius, "m", "radius of the tightest turn (Ackermann)",
-       kMain},
+       kSinceLyrical},
   };
   return kKeys;
 }
 
 constexpr std::array<const char*, 3> kMotionModels = {"DiffDrive", "Omni", "Ackermann"};
+/// Lyrical and main: names of their blocks, which need no plugin.
+constexpr std::array<const char*, 3> kMotionBlocks = {"diff_drive", "omni", "ackermann"};
 
 /// "mppi::DiffDriveMotionModel" of "DiffDrive".
 std::string motionPluginOf(const std::string& model) {
@@ -58,6 +60,16 @@ class MppiValueCheck {
   void notNegative(const std::string& key, double value) {
     within(key, value, 0.0, 1e6, "0 or more");
   }
+  /// Only when each of the three counts can be one.
+  void work(const MppiSettings& settings) {
+    const double points =
+        static_cast<double>(settings.batchSize) * settings.timeSteps * settings.iterationCount;
+    if (!base::hasErrors(problems_) && !(points <= kMostPoints)) {
+      problems_.push_back(base::error(
+          "nav2.too-much-work", {"batch_size", settings.batchSize, "time_steps and iteration_count",
+                                 points, "points in a call", kMostPoints}));
+    }
+  }
   void count(const std::string& key, int value, int least, int most) {
     const std::string range = std::to_string(least) + " to " + std::to_string(most);
     within(key, value, least, most, range.c_str());
@@ -67,35 +79,43 @@ class MppiValueCheck {
   base::Diagnostics& problems_;
 };
 
+/// Values that the motion model reads; others do not matter, whatever they are.
+void checkMotion(const MppiConfiguration& mppi, MppiValueCheck& check) {
+  const MppiSettings& settings = mppi.settings;
+  if (mppi.motion == MppiMotion::Omni) {
+    check.notNegative("vy_max", settings.vyMax);
+    check.notNegative("ay_max", settings.ayMax);
+    check.within("ay_min", settings.ayMin, -1e6, 0.0, "0 or less");
+    check.within("vy_std", settings.vyStd, 0.0, 100.0, "0 to 100");
+    check.notNegative("model_delay_vy", settings.vyDelay);
+  } else if (mppi.motion == MppiMotion::Ackermann) {
+    const std::string block =
+        mppi.distro >= Distro::Lyrical ? settings.motionModel : "AckermannConstraints";
+    check.positive(block + ".min_turning_r", settings.minTurningRadius);
+  }
+}
+
 void checkOptimizer(const MppiSettings& settings, MppiValueCheck& check) {
   check.count("time_steps", settings.timeSteps, 2, kMostMppiSteps);
   check.count("batch_size", settings.batchSize, 1, kMostTrajectories);
   check.count("iteration_count", settings.iterationCount, 1, 1000);
-  check.within(
-      "batch_size",
-      static_cast<double>(settings.batchSize) * settings.timeSteps * settings.iterationCount, 0.0,
-      kMostPoints, "up to 5000000, times time_steps and iteration_count");
+  check.work(settings);
   check.count("retry_attempt_limit", settings.retryAttemptLimit, 0, 1000);
   check.count("sgf_order", settings.sgfOrder, 1, 2);
   check.positive("model_dt", settings.modelDt);
   check.positive("temperature", settings.temperature);
   check.notNegative("gamma", settings.gamma);
   check.positive("vx_max", settings.vxMax);
-  check.notNegative("vy_max", settings.vyMax);
   check.notNegative("wz_max", settings.wzMax);
-  check.within("vx_min", settings.vxMin, -1e6, settings.vxMax, "vx_max or less");
+  const double mostBack = settings.vxMax > 0.0 ? settings.vxMax : 1e6;  // else that one is wrong
+  check.within("vx_min", settings.vxMin, -1e6, mostBack, "vx_max or less");
   check.notNegative("ax_max", settings.axMax);
-  check.notNegative("ay_max", settings.ayMax);
   check.notNegative("az_max", settings.azMax);
   check.within("ax_min", settings.axMin, -1e6, 0.0, "0 or less");
-  check.within("ay_min", settings.ayMin, -1e6, 0.0, "0 or less");
   check.within("vx_std", settings.vxStd, 0.0, 100.0, "0 to 100");
-  check.within("vy_std", settings.vyStd, 0.0, 100.0, "0 to 100");
   check.within("wz_std", settings.wzStd, 0.0, 100.0, "0 to 100");
   check.notNegative("model_delay_vx", settings.vxDelay);
-  check.notNegative("model_delay_vy", settings.vyDelay);
   check.notNegative("model_delay_wz", settings.wzDelay);
-  check.positive("min_turning_r", settings.minTurningRadius);
   check.notNegative("TrajectoryValidator.collision_lookahead_time", settings.collisionLookahead);
   check.positive("prune_distance", settings.pruneDistance);
 }
@@ -151,11 +171,16 @@ void checkCriticNames(const std::vector<std::string>& critics, base::Diagnostics
 void readMotion(const Nav2Block& block, MppiConfiguration& mppi, base::Diagnostics& problems) {
   std::string model = mppi.settings.motionModel;
   std::vector<std::string> known(kMotionModels.begin(), kMotionModels.end());
-  if (mppi.distro == Distro::Main) {
+  if (mppi.distro >= Distro::Lyrical) {
     const std::string prefix = model + ".";
     MotionModelSettings given =
         filled(MotionModelSettings(), motionModelKeys(), block, mppi.distro, problems, prefix);
     mppi.settings.minTurningRadius = given.minTurningRadius;
+    const auto named = std::find(kMotionBlocks.begin(), kMotionBlocks.end(), model);
+    if (given.plugin.empty() && named != kMotionBlocks.end()) {
+      mppi.motion = static_cast<MppiMotion>(named - kMotionBlocks.begin());
+      return;
+    }
     if (!given.plugin.empty()) {
       model = pluginName(given.plugin);
       std::transform(known.begin(), known.end(), known.begin(), motionPluginOf);
@@ -193,56 +218,64 @@ const std::vector<Nav2Key<MppiSettings>>& mppiKeys() {
       {"vy_std", &P::vyStd, "m/s", "idem, sideways (Omni)"},
       {"wz_std", &P::wzStd, "rad/s", "idem, of the rate of turn"},
       {"motion_model", &P::motionModel, "",
-       "DiffDrive, Omni or Ackermann; main: the block with the plugin"},
+       "DiffDrive, Omni or Ackermann; since Lyrical: the block with the plugin"},
       {"AckermannConstraints.min_turning_r", &P::minTurningRadius, "m",
-       "radius of the tightest turn (Ackermann)", kUntilJazzy},
+       "radius of the tightest turn (Ackermann)", kUntilKilted},
       {"retry_attempt_limit", &P::retryAttemptLimit, "", "so many failures are tried again"},
       {"regenerate_noises", &P::regeneratesNoises, "",
        "false: the same noise until the next reset"},
       {"open_loop", &P::isOpenLoop, "", "starts from the last command, not the measured speed",
-       kSinceJazzy},
+       kJazzy | kSinceLyrical},
       {"reset_period", &P::resetPeriod, "s", "forgets all after so long without a call", kHumble},
-      {"model_delay_vx", &P::vxDelay, "s", "so long until a command counts", kMain},
-      {"model_delay_vy", &P::vyDelay, "s", "so long until a command counts", kMain},
-      {"model_delay_wz", &P::wzDelay, "s", "so long until a command counts", kMain},
+      {"model_delay_vx", &P::vxDelay, "s", "so long until a command counts", kSinceLyrical},
+      {"model_delay_vy", &P::vyDelay, "s", "so long until a command counts", kSinceLyrical},
+      {"model_delay_wz", &P::wzDelay, "s", "so long until a command counts", kSinceLyrical},
       {"clamp_raw_controls", &P::clampsRawControls, "",
-       "averages what can be driven, not what was drawn", kMain},
-      {"sgf_order", &P::sgfOrder, "", "of the filter; 1: mean of nine, 2: quadratic", kMain},
+       "averages what can be driven, not what was drawn", kSinceLyrical},
+      {"sgf_order", &P::sgfOrder, "", "of the filter; 1: mean of nine, 2: quadratic",
+       kSinceLyrical},
       {"critics", &P::critics, "", "who prices trajectories, in this order"},
       {"TrajectoryValidator.collision_lookahead_time", &P::collisionLookahead, "s",
-       "so long the optimal trajectory must not collide", kMain},
+       "so long the optimal trajectory must not collide", kSinceLyrical},
       {"TrajectoryValidator.consider_footprint", &P::validatesFootprint, "",
-       "by the edges of the footprint, not by its centre", kMain},
+       "by the edges of the footprint, not by its centre", kSinceLyrical},
       {"max_robot_pose_search_dist", &P::searchDistance, "m",
-       "the robot is looked for on so much of the path; 0: half the costmap", kUntilJazzy},
-      {"prune_distance", &P::pruneDistance, "m", "so much of the path counts", kUntilJazzy},
+       "the robot is looked for on so much of the path; 0: half the costmap", kUntilKilted},
+      {"prune_distance", &P::pruneDistance, "m", "so much of the path counts", kUntilKilted},
       {"enforce_path_inversion", &P::enforcesInversion, "",
-       "the path ends at its first cusp until the robot is there", kUntilJazzy},
+       "the path ends at its first cusp until the robot is there", kUntilKilted},
       {"inversion_xy_tolerance", &P::inversionXyTolerance, "m", "so near is at the cusp",
-       kUntilJazzy},
-      {"inversion_yaw_tolerance", &P::inversionYawTolerance, "rad", "idem, heading", kUntilJazzy},
+       kUntilKilted},
+      {"inversion_yaw_tolerance", &P::inversionYawTolerance, "rad", "idem, heading", kUntilKilted},
   };
   return kKeys;
 }
 
 const std::vector<IdleKey>& mppiIdleKeys() {
   static const std::vector<IdleKey> kKeys = {
-      {"transform_tolerance", "no TF here"},
+      {"transform_tolerance", "no TF here", kUntilKilted},
       {"visualize", "the window draws what is weighed"},
-      {"publish_optimal_trajectory", "no topics here"},
-      {"publish_critics_stats", "no topics here"},
+      {"publish_optimal_trajectory", "no topics here", kSinceKilted},
+      {"publish_critics_stats", "no topics here", kKilted},
+      {"critic_index_to_visualize", "the window shows all critics", kSinceLyrical},
       {"TrajectoryVisualizer.trajectory_step", "the window chooses what it draws"},
       {"TrajectoryVisualizer.time_step", "the window chooses what it draws"},
-      {"TrajectoryValidator.plugin", "there is one validator here"},
+      {"TrajectoryValidator.plugin", "there is one validator here", kSinceLyrical},
   };
   return kKeys;
+}
+
+MppiSettings mppiDefaults(Distro distro) {
+  MppiSettings settings;
+  settings.motionModel = distro >= Distro::Lyrical ? kMotionBlocks[0] : kMotionModels[0];
+  return settings;
 }
 
 base::Result<MppiConfiguration> readMppi(const Nav2Block& block, Distro distro) {
   base::Diagnostics problems;
   MppiConfiguration mppi;
   mppi.distro = distro;
-  mppi.settings = filled(MppiSettings(), mppiKeys(), block, distro, problems);
+  mppi.settings = filled(mppiDefaults(distro), mppiKeys(), block, distro, problems);
   mppi.critics = criticSettingsOf(distro);
   visitCritics(mppi.critics, [&](const char* name, auto& critic, const auto& keys) {
     critic = filled(critic, keys, block, distro, problems, std::string(name) + ".");
@@ -251,6 +284,7 @@ base::Result<MppiConfiguration> readMppi(const Nav2Block& block, Distro distro) 
   checkFinite(block, problems);
   MppiValueCheck check(problems);
   checkOptimizer(mppi.settings, check);
+  checkMotion(mppi, check);
   checkCritics(mppi.critics, check);
   checkCriticNames(mppi.settings.critics, problems);
   if (mppi.settings.critics.empty()) {
@@ -264,11 +298,11 @@ base::Result<MppiConfiguration> readMppi(const Nav2Block& block, Distro distro) 
 
 Nav2Keys mppiKeysOf(const Nav2Block& block, Distro distro) {
   Nav2Keys keys;
-  addRows(keys, mppiKeys(), MppiSettings());
+  addRows(keys, mppiKeys(), mppiDefaults(distro));
   addIdle(keys, mppiIdleKeys());
   base::Diagnostics ignored;  // whoever makes the controller tells them
-  const MppiSettings given = filled(MppiSettings(), mppiKeys(), block, distro, ignored);
-  if (distro == Distro::Main) {
+  const MppiSettings given = filled(mppiDefaults(distro), mppiKeys(), block, distro, ignored);
+  if (distro >= Distro::Lyrical) {
     addRows(keys, motionModelKeys(), MotionModelSettings(), given.motionModel + ".");
   }
   const MppiCriticSettings critics = criticSettingsOf(distro);
@@ -278,7 +312,7 @@ Nav2Keys mppiKeysOf(const Nav2Block& block, Distro distro) {
     if (std::find(listed.begin(), listed.end(), name) != listed.end()) {
       addRows(keys, table, critic, prefix);
       for (const IdleKey& key : criticIdleKeys()) {
-        keys.idle.push_back({prefix + key.name, key.why});
+        keys.idle.push_back({prefix + key.name, key.why, key.distros});
       }
       return;
     }

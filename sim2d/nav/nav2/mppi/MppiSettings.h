@@ -57,6 +57,7 @@ struct MppiConfiguration {
   MppiMotion motion = MppiMotion::DiffDrive;
 };
 
+MppiSettings mppiDefaults(Distro distro);
 /// All of a controller's block, with every problem of it: wrong types, values that cannot be,
 /// critics and motion models that are unknown.
 base::Result<MppiConfiguration> readMppi(const Nav2Block& block, Distro distro);

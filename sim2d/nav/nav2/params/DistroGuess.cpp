@@ -3,52 +3,27 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
+#include <map>
+#include <set>
 #include <string_view>
+#include <utility>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/Nav2Parameters.h"
 
 namespace sim2d::nav2 {
 namespace {
 
-/// What a file says only for some branches.
-struct Sign {
-  std::string_view node, key;  // empty node: any; a key that begins with '.' ends the name
+/// Nodes that not all branches have.
+struct NodeSign {
+  std::string_view node;
   unsigned distros;
-  std::string_view what;
 };
-constexpr std::array<Sign, 22> kSigns = {{
-    {"controller_server", "progress_checker_plugin", kHumble, "key progress_checker_plugin"},
-    {"controller_server", "progress_checker_plugins", kSinceJazzy, "key progress_checker_plugins"},
-    {"controller_server", "path_handler_plugins", kMain, "key path_handler_plugins"},
-    {"controller_server", "costmap_update_timeout", kSinceJazzy, "key costmap_update_timeout"},
-    {"planner_server", "costmap_update_timeout", kSinceJazzy, "key costmap_update_timeout"},
-    {"planner_server", "allow_partial_planning", kMain, "key allow_partial_planning"},
-    {"bt_navigator", "navigators", kSinceJazzy, "key navigators"},
-    {"bt_navigator", "error_code_names", kJazzy, "key error_code_names"},
-    {"bt_navigator", "error_code_name_prefixes", kMain, "key error_code_name_prefixes"},
-    {"bt_navigator", "bt_search_directories", kMain, "key bt_search_directories"},
-    {"behavior_server", "costmap_topic", kHumble, "key costmap_topic"},
-    {"behavior_server", "local_costmap_topic", kSinceJazzy, "key local_costmap_topic"},
-    {"recoveries_server", "", kHumble, "node recoveries_server"},
-    {"docking_server", "", kSinceJazzy, "node docking_server"},
-    {"route_server", "", kMain, "node route_server"},
-    {"collision_monitor", ".max_points", kHumble, "key max_points"},
-    {"", ".reset_period", kHumble, "key reset_period"},
-    {"", ".ax_max", kSinceJazzy, "key ax_max"},
-    {"", ".near_collision_cost", kSinceJazzy, "key near_collision_cost"},
-    {"", ".motion_target_dist", kHumble, "key motion_target_dist"},
-    {"", ".use_fixed_curvature_lookahead", kSinceJazzy, "key use_fixed_curvature_lookahead"},
-    {"", ".use_dynamic_window", kMain, "key use_dynamic_window"},
-}};
-
-bool matches(const Sign& sign, const NodeParameters& node, const GivenParameter& given) {
-  if (!sign.node.empty() && sign.node != node.node) {
-    return false;
-  }
-  if (sign.key.empty() || sign.key.front() != '.') {
-    return given.name == sign.key;
-  }
-  return given.name.size() > sign.key.size() &&
-         given.name.compare(given.name.size() - sign.key.size(), sign.key.size(), sign.key) == 0;
-}
+constexpr std::array<NodeSign, 4> kNodeSigns = {{{"recoveries_server", kHumble},
+                                                 {"docking_server", kSinceJazzy},
+                                                 {"loopback_simulator", kSinceJazzy},
+                                                 {"following_server", kSinceLyrical}}};
 
 class Scores {
  public:
@@ -62,7 +37,7 @@ class Scores {
   }
   DistroGuess guess() const {
     DistroGuess best;
-    for (const Distro distro : {Distro::Humble, Distro::Main}) {
+    for (const Distro distro : {Distro::Humble, Distro::Kilted, Distro::Lyrical}) {
       if (points_[static_cast<std::size_t>(distro)] >
           points_[static_cast<std::size_t>(best.distro)]) {
         best.distro = distro;
@@ -81,7 +56,7 @@ class Scores {
     unsigned distros;
     std::string words;
   };
-  std::array<int, 3> points_ = {};
+  std::array<int, std::size(kEachDistro)> points_ = {};
   std::vector<Reason> reasons_;
 };
 
@@ -105,15 +80,62 @@ void lookAtPlugin(const NodeParameters& node, const GivenParameter& given, bool&
   isTold = true;
 }
 
+/// Branches that read each key of the file, by its place; keys that all or none of them read are
+/// no evidence.
+std::map<std::pair<int, std::string>, unsigned> readersOf(const ParameterFile& file) {
+  std::map<std::pair<int, std::string>, unsigned> readers;
+  for (const Distro distro : kEachDistro) {
+    Nav2ReadOptions options;
+    options.distro = distro;
+    options.onlyKeys = true;
+    for (const KeyNote& key : readNav2Parameters(file, options).parameters.notes.keys) {
+      const bool isRead = key.use == KeyUse::Used || key.use == KeyUse::Idle;
+      readers[{key.line, key.path}] |= isRead ? 1U << static_cast<unsigned>(distro) : 0U;
+    }
+  }
+  return readers;
+}
+
+void addKeys(const ParameterFile& file, Scores& scores) {
+  std::set<std::pair<std::string, unsigned>> seen;  // a key of several plugins counts once
+  for (const auto& [place, distros] : readersOf(file)) {
+    const auto& [line, path] = place;
+    const std::string key = path.substr(path.rfind('.') + 1);
+    if (distros != 0 && distros != kEveryDistro && seen.emplace(key, distros).second) {
+      scores.add(distros, 1, line, "key " + key);
+    }
+  }
+}
+
 }  // namespace
 
 const char* distroName(Distro distro) {
-  static constexpr const char* kNames[] = {"humble", "jazzy", "main"};
+  static constexpr const char* kNames[] = {"humble", "jazzy", "kilted", "lyrical", "main"};
   return kNames[static_cast<std::size_t>(distro)];
 }
 
+const char* distroTitle(Distro distro) {
+  static constexpr const char* kTitles[] = {"Humble", "Jazzy", "Kilted", "Lyrical", "main"};
+  return kTitles[static_cast<std::size_t>(distro)];
+}
+
+std::string distroTitles(unsigned distros) {
+  std::vector<std::string> titles;
+  for (const Distro distro : kEachDistro) {
+    if (isIn(distros, distro)) {
+      titles.emplace_back(distroTitle(distro));
+    }
+  }
+  if (titles.size() < 2) {
+    return base::join(titles, "");
+  }
+  const std::string last = titles.back();
+  titles.pop_back();
+  return base::join(titles, ", ") + " and " + last;
+}
+
 std::optional<Distro> distroNamed(const std::string& word) {
-  for (const Distro distro : {Distro::Humble, Distro::Jazzy, Distro::Main}) {
+  for (const Distro distro : kEachDistro) {
     if (word == distroName(distro)) {
       return distro;
     }
@@ -123,26 +145,18 @@ std::optional<Distro> distroNamed(const std::string& word) {
 
 DistroGuess guessDistro(const ParameterFile& file) {
   Scores scores;
-  std::array<bool, kSigns.size()> isSeen = {};
   bool isPluginTold = false;
   for (const NodeParameters& node : file.nodes()) {
-    for (std::size_t i = 0; i < kSigns.size(); ++i) {
-      const Sign& sign = kSigns[i];
-      if (!isSeen[i] && !sign.node.empty() && sign.key.empty() && sign.node == node.node) {
-        isSeen[i] = true;
-        scores.add(sign.distros, 1, node.line, sign.what);
+    for (const NodeSign& sign : kNodeSigns) {
+      if (sign.node == node.node) {
+        scores.add(sign.distros, 1, node.line, "node " + node.node);
       }
     }
     for (const GivenParameter& given : node.given) {
       lookAtPlugin(node, given, isPluginTold, scores);
-      for (std::size_t i = 0; i < kSigns.size(); ++i) {
-        if (!isSeen[i] && !kSigns[i].key.empty() && matches(kSigns[i], node, given)) {
-          isSeen[i] = true;
-          scores.add(kSigns[i].distros, 1, given.value->line, kSigns[i].what);
-        }
-      }
     }
   }
+  addKeys(file, scores);
   return scores.guess();
 }
 

@@ -9,15 +9,18 @@
 
 namespace sim2d::nav2 {
 
-const char* distroName(Distro distro);  // "humble", "jazzy", "main"
+const char* distroName(Distro distro);       // "humble", "jazzy", "kilted", "lyrical", "main"
+const char* distroTitle(Distro distro);      // "Humble", …, "main": as texts write it
+std::string distroTitles(unsigned distros);  // "Kilted, Lyrical and main"
 std::optional<Distro> distroNamed(const std::string& word);
 
 struct DistroGuess {
   Distro distro = Distro::Jazzy;
-  std::vector<std::string> reasons;  // "line 12: plugin names with '/' (Humble)"; empty: none told
+  std::vector<std::string> reasons;  // "line 12: plugin names with '/'"; empty: no evidence
 };
-/// For which branch a file was written, by what only one of them has: spellings of plugins, keys
-/// that came or went. Nothing that tells: Jazzy.
+/// The branch that a file was written for, by what not all of them read: keys, nodes, spellings of
+/// plugins. Without any evidence Jazzy; of branches with the same evidence the one that was
+/// released first, and never main.
 DistroGuess guessDistro(const ParameterFile& file);
 
 }  // namespace sim2d::nav2

@@ -28,9 +28,12 @@ constexpr const char* kGlobalCostmap = "global_costmap";
 class FileReader {
  public:
   FileReader(const ParameterFile& file, const Nav2ReadOptions& options, Nav2Parameters& to)
-      : file_(file), options_(options), to_(to) {}
+      : file_(file), options_(options), to_(to) {
+    to_.notes.onlyKeys = options.onlyKeys;
+  }
 
   void read() {
+    to_.held = heldNodes();
     readCostmaps();
     readControllers();
     readPlanners();
@@ -58,10 +61,47 @@ class FileReader {
 
   void readControllers() {
     NodeReader node = reader(kControllerServer);
+    to_.isPartial = !hasController(node);
+    if (to_.isPartial) {
+      tellPartial(node);
+    }
     to_.controllerServer = node.read({}, controllerServerNodeKeys(node.given({}), to_.distro));
-    const auto made = makeControllerServer(to_.controllerServer, to_.distro);
-    tellAt(node, made.diagnostics());
+    if (!options_.onlyKeys && !to_.isPartial) {
+      const auto made = makeControllerServer(to_.controllerServer, to_.distro);
+      tellAt(node, made.diagnostics());
+    }
     node.finish();
+  }
+
+  /// Without one Nav2 takes DWB, which has no critics then and does not start.
+  static bool hasController(const NodeReader& node) {
+    return node.has("controller_plugins") || node.has("FollowPath.plugin") ||
+           node.has("FollowPath.critics");
+  }
+
+  /// An overlay, or a file for other nodes: the class that reads the keys of a plugin is not known.
+  void tellPartial(NodeReader& node) {
+    for (const GivenParameter& given : node.parameters().given) {
+      if (given.name.find('.') != std::string::npos && !given.isForAll) {
+        node.know(given.name, "the class of its plugin is not in this file");
+      }
+    }
+    const int line = file_.nodes().empty() ? 0 : file_.nodes().front().line;
+    to_.notes.problems.push_back(
+        base::warning("nav2.partial-file", {to_.held}, file_.file(), line));
+  }
+
+  std::string heldNodes() const {
+    std::vector<std::string> names;
+    for (const NodeParameters& node : file_.nodes()) {
+      if (std::find(names.begin(), names.end(), node.node) == names.end()) {
+        names.push_back(node.node);
+      }
+    }
+    constexpr std::size_t kNamed = 6;
+    const bool isLong = names.size() > kNamed;
+    names.resize(std::min(names.size(), kNamed));
+    return base::join(names, ", ") + (isLong ? " …" : "");
   }
 
   void readPlanners() {
@@ -150,6 +190,12 @@ class FileReader {
   std::set<std::string> asked_;
 };
 
+const KeyNote* keyAt(const ReadingNotes& notes, const std::string& path) {
+  const auto found = std::find_if(notes.keys.begin(), notes.keys.end(),
+                                  [&](const KeyNote& key) { return key.path == path; });
+  return found == notes.keys.end() ? nullptr : &*found;
+}
+
 void sortByPlace(base::Diagnostics& problems) {
   std::stable_sort(problems.begin(), problems.end(),
                    [](const base::Diagnostic& a, const base::Diagnostic& b) {
@@ -176,6 +222,39 @@ Nav2Reading readNav2Parameters(const ParameterFile& file, const Nav2ReadOptions&
   parameters.notes.problems.clear();
   sortByPlace(reading.problems);
   return reading;
+}
+
+base::Diagnostic placedInFile(const Nav2Parameters& parameters, base::Diagnostic problem) {
+  std::string where;
+  std::vector<std::string> paths;  // the best last
+  for (const auto& [hole, value] : problem.values) {
+    if (hole == "where") {
+      where = base::join(where.empty() ? std::vector{value} : std::vector{where, value}, ".");
+    }
+  }
+  paths.push_back(where + ".plugin");
+  for (const auto& [hole, value] : problem.values) {
+    paths.push_back(where + "." + value + ".plugin");
+  }
+  for (const auto& [hole, value] : problem.values) {
+    paths.push_back(where + "." + value);
+  }
+  paths.push_back(where);
+  const KeyNote* key = nullptr;
+  for (const std::string& path : paths) {
+    const KeyNote* const found = keyAt(parameters.notes, path);
+    key = found != nullptr ? found : key;
+  }
+  const std::string node = where.substr(0, where.find('.'));
+  problem.file = parameters.file;
+  for (const NodeNote& each : parameters.notes.nodes) {
+    problem.line = each.node == node && key == nullptr ? each.line : problem.line;
+  }
+  if (key != nullptr) {
+    problem.line = key->line;
+    problem.column = key->column;
+  }
+  return problem;
 }
 
 base::Diagnostics setNav2Value(ParameterFile& file, const Nav2Reading& reading,

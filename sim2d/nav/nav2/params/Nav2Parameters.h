@@ -42,6 +42,8 @@ struct Nav2Parameters {
   VelocitySmootherParameters velocitySmoother;
   std::optional<CollisionMonitorParameters> collisionMonitor;  // none: not in the file
   BtNavigatorParameters btNavigator;
+  std::string held;        // nodes of the file: "amcl, map_server"
+  bool isPartial = false;  // no controller in it: alone it drives nothing
 
   ReadingNotes notes;  // of every key of the file; its problems are those of the result
 };
@@ -49,6 +51,7 @@ struct Nav2Parameters {
 struct Nav2ReadOptions {
   std::optional<Distro> distro;  // none: guessed
   std::string robot;             // its namespace counts before others
+  bool onlyKeys = false;         // which keys are read; values are not checked
 };
 
 /// Everything at once, in the order of the file.
@@ -58,6 +61,10 @@ struct Nav2Reading {
   bool ok() const { return !base::hasErrors(problems); }
 };
 Nav2Reading readNav2Parameters(const ParameterFile& file, const Nav2ReadOptions& options = {});
+
+/// The problem of a server, with the place of the key that it names in its values (those called
+/// "where" are its path), else of its plugin or node. Values that were set have no place.
+base::Diagnostic placedInFile(const Nav2Parameters& parameters, base::Diagnostic problem);
 
 /// Puts a value at a parameter that `reading` knows: "FollowPath.temperature", with its node in
 /// front where several have it. Errors: no such parameter, several nodes, no YAML.

@@ -7,10 +7,12 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
 
 namespace sim2d::nav2 {
@@ -20,25 +22,27 @@ bool beginsWith(const std::string& text, const std::string& with) {
   return text.compare(0, with.size(), with) == 0;
 }
 
-std::string distroWords(unsigned distros) {
-  std::vector<std::string> names;
-  for (const auto& [bit, name] :
-       {std::pair<unsigned, const char*>{kHumble, "Humble"}, {kJazzy, "Jazzy"}, {kMain, "Main"}}) {
-    if ((distros & bit) != 0) {
-      names.emplace_back(name);
-    }
-  }
-  return base::join(names, " and ");
-}
-
-/// Every node has these, and nothing here looks at them.
-constexpr std::array<IdleKey, 8> kOfEveryNode = {{
+/// Parameters of every node, or of every server of Nav2; they have no effect here.
+constexpr std::array<IdleKey, 21> kOfEveryNode = {{
     {"use_sim_time", "time is always simulated"},
-    {"yaml_filename", "the scenario says which map"},
-    {"bond_heartbeat_period", "nodes do not watch each other here"},
-    {"bond_timeout", "nodes do not watch each other here"},
-    {"autostart", "everything runs from the start"},
+    {"qos_overrides.", "no topics here"},
+    {"start_type_description_service", "no services here"},
+    {"enable_logger_service", "no services here"},
+    {"allow_parameter_qos_overrides", "no topics here"},
+    {"introspection_mode", "no services here"},
+    {"service_introspection_mode", "no services here"},
+    {"action_server_result_timeout", "results do not get lost here", kJazzy},
+    {"strict_param_loading", "this program checks parameters itself"},
+    {"warn_on_missing_params", "this program checks parameters itself"},
+    {"yaml_filename", "the scenario names the map"},
+    {"bond_heartbeat_period", "nodes do not monitor each other here"},
+    {"bond_timeout", "nodes do not monitor each other here"},
+    {"bond_disable_heartbeat_timeout", "nodes do not monitor each other here"},
+    {"disable_heartbeat_timeout", "nodes do not monitor each other here"},
+    {"autostart", "all servers run from the start"},
+    {"autostart_node", "all servers run from the start"},
     {"enable_stamped_cmd_vel", "no messages here"},
+    {"stamp_smoothed_velocity_with_smoothing_time", "commands have no stamps here"},
     {"use_realtime_priority", "time is simulated"},
     {"transform_tolerance", "no frames here"},
 }};
@@ -84,7 +88,9 @@ const char* keyUseName(KeyUse use) {
 
 NodeReader::NodeReader(NodeParameters parameters, Distro distro, std::string file,
                        ReadingNotes& notes)
-    : parameters_(std::move(parameters)), distro_(distro), file_(std::move(file)), notes_(notes) {}
+    : parameters_(std::move(parameters)), distro_(distro), file_(std::move(file)), notes_(notes) {
+  notes_.nodes.push_back({parameters_.node, parameters_.line});
+}
 
 Nav2Block NodeReader::given(const std::string& prefix) const {
   Nav2Block block;
@@ -102,8 +108,10 @@ void NodeReader::note(const GivenParameter& parameter, KeyUse use, std::string w
   if (!asked_.insert(parameter.name).second) {
     return;
   }
-  notes_.keys.push_back({pathOf(parameter.name), valueText(*parameter.value), parameter.value->line,
-                         parameter.value->column, use, std::move(why)});
+  const bool isSet = parameter.value->tag == kSetTag;  // has no place in the file
+  notes_.keys.push_back({pathOf(parameter.name), valueText(*parameter.value),
+                         isSet ? 0 : parameter.value->line, isSet ? 0 : parameter.value->column,
+                         use, std::move(why)});
 }
 
 std::optional<Nav2Value> NodeReader::soundValue(const GivenParameter& given,
@@ -139,8 +147,8 @@ Nav2Block NodeReader::read(const std::string& prefix, const Nav2Keys& keys) {
       continue;
     }
     if (!isHere) {
-      if (keys.find(row.name, distro_) == nullptr) {  // not under another row
-        note(*given, KeyUse::OtherDistro, "a key of " + distroWords(row.distros));
+      if (!keys.isKnown(row.name, distro_)) {  // nor by another row
+        note(*given, KeyUse::OtherDistro, "a key of " + distroTitles(row.distros));
       }
       continue;
     }
@@ -150,19 +158,21 @@ Nav2Block NodeReader::read(const std::string& prefix, const Nav2Keys& keys) {
     }
   }
   for (const Nav2Keys::Idle& idle : keys.idle) {
-    know(prefix + idle.name, idle.why);
+    know(prefix + idle.name, idle.why, idle.distros);
   }
   return block;
 }
 
-void NodeReader::know(const std::string& name, const std::string& why) {
+void NodeReader::know(const std::string& name, const std::string& why, unsigned distros) {
   const bool isBlock = !name.empty() && name.back() == '.';
-  if (!isBlock) {
+  const bool isHere = isIn(distros, distro_);
+  if (!isBlock && isHere) {
     known_.push_back(name);
   }
   for (const GivenParameter& given : parameters_.given) {
     if (given.name == name || (isBlock && beginsWith(given.name, name))) {
-      note(given, KeyUse::Idle, why);
+      note(given, isHere ? KeyUse::Idle : KeyUse::OtherDistro,
+           isHere ? why : "a key of " + distroTitles(distros));
     }
   }
 }
@@ -180,33 +190,98 @@ void NodeReader::tell(const std::string& name, base::Diagnostic problem) {
 
 void NodeReader::finish() {
   for (const IdleKey& idle : kOfEveryNode) {
-    know(idle.name, idle.why);
+    know(idle.name, idle.why, idle.distros);
   }
-  std::set<std::string> unlisted;  // plugins whose class nobody asked for
+  noteUnlisted();
+  if (!notes_.onlyKeys) {
+    noteUnknown();
+  }
+}
+
+/// Blocks of plugins that no list names.
+void NodeReader::noteUnlisted() {
+  constexpr std::string_view kEnd = ".plugin";
   for (const GivenParameter& given : parameters_.given) {
-    const std::size_t dot = given.name.find('.');
-    if (dot != std::string::npos && given.name.substr(dot) == ".plugin" &&
-        asked_.count(given.name) == 0) {
-      unlisted.insert(given.name.substr(0, dot));
+    const std::size_t end = given.name.size() - std::min(given.name.size(), kEnd.size());
+    if (given.name.substr(end) == kEnd && end > 0 && asked_.count(given.name) == 0) {
+      const std::string block = given.name.substr(0, end);
+      know(block + ".", "no list of plugins names " + block);
     }
   }
+}
+
+void NodeReader::noteUnknown() {
   std::size_t hints = 0;
   for (const GivenParameter& given : parameters_.given) {
     if (asked_.count(given.name) != 0) {
       continue;
     }
-    const std::string plugin = given.name.substr(0, given.name.find('.'));
-    if (unlisted.count(plugin) != 0) {
-      note(given, KeyUse::Idle, "no list of plugins names " + plugin);
-      continue;
+    const bool isHinted = ++hints <= kMostHints;
+    const std::string block = unknownBlock(given.name);
+    std::size_t count = 0;
+    for (const GivenParameter& other : parameters_.given) {
+      if (!block.empty() && beginsWith(other.name, block) && asked_.count(other.name) == 0) {
+        note(other, KeyUse::Unknown, {});
+        ++count;
+      }
     }
     note(given, KeyUse::Unknown, {});
-    if (!given.isForAll) {  // what is for all nodes need not be for this one
-      const auto nearest =
-          ++hints > kMostHints ? std::nullopt : base::nearestName(given.name, known_);
-      tell(given.name, base::warning("nav2.unknown-key", {pathOf(given.name), nearest}));
+    if (given.isForAll) {  // what is for all nodes need not be for this one
+      continue;
+    }
+    const char* const distro = distroTitle(distro_);
+    if (block.empty()) {
+      const auto nearest = isHinted ? base::nearestName(given.name, namesBeside(given.name))
+                                    : std::optional<std::string>();
+      tell(given.name, base::warning("nav2.unknown-key", {pathOf(given.name), distro, nearest}));
+      continue;
+    }
+    const std::string name = block.substr(0, block.size() - 1);
+    const auto nearest =
+        isHinted ? base::nearestName(name, blocksBeside(name)) : std::optional<std::string>();
+    const std::string keys = std::to_string(count) + (count == 1 ? " key" : " keys");
+    tell(given.name, base::warning("nav2.unnamed-block", {pathOf(name), keys, distro, nearest}));
+  }
+}
+
+std::string NodeReader::unknownBlock(const std::string& name) const {
+  for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
+    const std::string block = name.substr(0, dot + 1);
+    const auto isWithin = [&block](const std::string& other) { return beginsWith(other, block); };
+    const auto asked = asked_.lower_bound(block);
+    const bool isAsked = asked != asked_.end() && isWithin(*asked);
+    if (!isAsked && std::none_of(known_.begin(), known_.end(), isWithin)) {
+      return block;
     }
   }
+  return {};
+}
+
+/// Known keys of the same block.
+std::vector<std::string> NodeReader::namesBeside(const std::string& name) const {
+  const std::size_t dot = name.rfind('.');
+  std::vector<std::string> names;
+  for (const std::string& known : known_) {
+    const std::size_t knownDot = known.rfind('.');
+    if (knownDot == dot && (dot == std::string::npos || known.compare(0, dot, name, 0, dot) == 0)) {
+      names.push_back(known);
+    }
+  }
+  return names;
+}
+
+/// Blocks of known keys that lie in the same block.
+std::vector<std::string> NodeReader::blocksBeside(const std::string& block) const {
+  const std::size_t dot = block.rfind('.');
+  const std::size_t begin = dot == std::string::npos ? 0 : dot + 1;
+  std::set<std::string> blocks;
+  for (const std::string& known : known_) {
+    const std::size_t end = known.find('.', begin);
+    if (end != std::string::npos && known.compare(0, begin, block, 0, begin) == 0) {
+      blocks.insert(known.substr(0, end));
+    }
+  }
+  return {blocks.begin(), blocks.end()};
 }
 
 }  // namespace sim2d::nav2

@@ -34,6 +34,11 @@ struct KeyNote {
   KeyUse use = KeyUse::Used;
   std::string why;  // of those without effect
 };
+/// Where a node stands in the file.
+struct NodeNote {
+  std::string node;
+  int line = 0;
+};
 /// A key that the file does not have: Nav2's code has this default, whatever its examples say.
 struct DefaultNote {
   std::string path, value;
@@ -49,6 +54,8 @@ struct KnownKey {
   bool isGiven = false;
 };
 struct ReadingNotes {
+  bool onlyKeys = false;  // unknown keys are not looked for
+  std::vector<NodeNote> nodes;
   std::vector<KeyNote> keys;
   std::vector<KnownKey> known;
   std::vector<DefaultNote> defaults;
@@ -103,12 +110,13 @@ class NodeReader {
   }
 
   /// Keys without effect: `name` itself, or with a '.' at the end all below it.
-  void know(const std::string& name, const std::string& why);
+  void know(const std::string& name, const std::string& why, unsigned distros = kEveryDistro);
   /// The problem, at the place of the parameter; at that of the node when it is absent.
   void tell(const std::string& name, base::Diagnostic problem);
   bool has(const std::string& name) const { return parameters_.find(name) != nullptr; }
 
-  /// Whatever has not been asked for is unknown, with the nearest name.
+  /// Whatever has not been asked for is unknown, with the nearest name of the same block. A block
+  /// of which nothing is known is one problem, not one per key.
   void finish();
 
  private:
@@ -125,6 +133,12 @@ class NodeReader {
         key.member);
   }
   void note(const GivenParameter& parameter, KeyUse use, std::string why);
+  void noteUnlisted();
+  void noteUnknown();
+  /// The outermost block round a key of which nothing is known, with a '.' at its end; or empty.
+  std::string unknownBlock(const std::string& name) const;
+  std::vector<std::string> namesBeside(const std::string& name) const;
+  std::vector<std::string> blocksBeside(const std::string& block) const;
   /// The value as the kind of the fallback; what does not fit is told.
   std::optional<Nav2Value> soundValue(const GivenParameter& given, const std::string& name,
                                       const Nav2Value& fallback);

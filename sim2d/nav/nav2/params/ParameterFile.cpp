@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/RepeatedKeys.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
 
 namespace sim2d::nav2 {
@@ -49,17 +51,34 @@ bool isTooLong(const YamlNode& value) {
          std::any_of(value.items.begin(), value.items.end(), isLong);
 }
 
-void flatten(const YamlNode& map, const std::string& prefix, std::size_t depth,
-             std::vector<GivenParameter>& to) {
-  for (const YamlNode& item : map.items) {
-    const std::string name = prefix + item.key;
-    if (item.isMap() && depth < kDeepest) {
-      flatten(item, name + ".", depth + 1, to);
-    } else {
-      put(to, {name, &item, false});
+/// `a.b: 1` and `a: {b: 2}` are the same parameter, as is a key that is repeated.
+class Flattening {
+ public:
+  Flattening(std::vector<GivenParameter>& to, const std::string& file, base::Diagnostics& problems)
+      : to_(to), file_(file), problems_(problems) {}
+
+  void add(const YamlNode& map, const std::string& prefix, std::size_t depth) {
+    for (const YamlNode& item : map.items) {
+      const std::string name = prefix + item.key;
+      if (item.isMap() && depth < kDeepest) {
+        add(item, name + ".", depth + 1);
+        continue;
+      }
+      const auto [before, isNew] = values_.emplace(name, &item);
+      if (!isNew) {
+        problems_.push_back(base::repeatedKey(name, item, *before->second, file_));
+        before->second = &item;
+      }
+      put(to_, {name, &item, false});
     }
   }
-}
+
+ private:
+  std::vector<GivenParameter>& to_;
+  const std::string& file_;
+  base::Diagnostics& problems_;
+  std::map<std::string, const YamlNode*> values_;
+};
 
 /// Finds the nodes below a map; `path` is the way to it, with '/' between.
 class NodeSearch {
@@ -121,7 +140,7 @@ class NodeSearch {
       refuseMasses(parameters);
       return;
     }
-    flatten(parameters, {}, 0, node.given);
+    Flattening(node.given, file_, problems_).add(parameters, {}, 0);
     for (GivenParameter& given : node.given) {
       given.isForAll = isForAll;
       if (isTooLong(*given.value)) {
@@ -162,7 +181,8 @@ const GivenParameter* NodeParameters::find(std::string_view name) const {
 
 base::Result<ParameterFile> ParameterFile::parse(std::string_view text, const std::string& file) {
   base::Diagnostics problems;
-  auto tree = std::make_shared<YamlNode>(base::parseYaml(text, file, problems));
+  auto tree = std::make_shared<YamlNode>(
+      base::parseYaml(text, file, base::RepeatedKeys::LastCounts, problems));
   if (base::hasErrors(problems)) {
     return problems;
   }

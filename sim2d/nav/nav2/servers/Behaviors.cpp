@@ -44,7 +44,7 @@ int sweepCycles(const BehaviorParameters& parameters) {
 }  // namespace
 
 DriveParameters driveDefaults(Distro distro) {
-  return distro == Distro::Main ? DriveParameters{2.5, -2.5, 0.10} : DriveParameters{};
+  return distro >= Distro::Kilted ? DriveParameters{2.5, -2.5, 0.10} : DriveParameters{};
 }
 
 const std::vector<Nav2Key<BehaviorParameters>>& behaviorKeys() {
@@ -66,10 +66,10 @@ const std::vector<Nav2Key<DriveParameters>>& driveKeys() {
   using P = DriveParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"acceleration_limit", &P::accelerationLimit, "m/s²", "Acceleration; 0: at once.",
-       kHumble | kMain},
+       kHumble | kSinceKilted},
       {"deceleration_limit", &P::decelerationLimit, "m/s²", "Deceleration, up to 0; 0: at once.",
-       kHumble | kMain},
-      {"minimum_speed", &P::minimumSpeed, "m/s", "Least speed.", kHumble | kMain},
+       kHumble | kSinceKilted},
+      {"minimum_speed", &P::minimumSpeed, "m/s", "Least speed.", kHumble | kSinceKilted},
   };
   return kKeys;
 }
@@ -102,13 +102,13 @@ base::Diagnostics problemsOf(const DriveParameters& parameters, const std::strin
 
 const std::vector<IdleKey>& idleBehaviorKeys() {
   static const std::vector<IdleKey> kKeys = {
-      {"local_costmap_topic", "behaviours read the published local costmap"},
-      {"global_costmap_topic", "behaviours read the published local costmap"},
-      {"costmap_topic", "behaviours read the published local costmap"},
-      {"local_footprint_topic", "the footprint is the costmap's"},
-      {"global_footprint_topic", "the footprint is the costmap's"},
-      {"footprint_topic", "the footprint is the costmap's"},
-      {"local_frame", "frames coincide here"},
+      {"local_costmap_topic", "behaviours read the published local costmap", kSinceJazzy},
+      {"global_costmap_topic", "behaviours read the published local costmap", kSinceJazzy},
+      {"costmap_topic", "behaviours read the published local costmap", kHumble},
+      {"local_footprint_topic", "the footprint is the costmap's", kSinceJazzy},
+      {"global_footprint_topic", "the footprint is the costmap's", kSinceJazzy},
+      {"footprint_topic", "the footprint is the costmap's", kHumble},
+      {"local_frame", "frames coincide here", kSinceJazzy},
       {"global_frame", "frames coincide here"},
       {"robot_base_frame", "frames coincide here"},
       {"transform_tolerance", "no TF here"},

@@ -68,6 +68,28 @@ bool isInRange(const VelocitySubPolygon& part, const BodyTwist& command, bool is
   return isIn;
 }
 
+/// The number of steps is only checked when both times can be some.
+void checkApproach(const MonitorPolygon& shape, base::Diagnostics& problems) {
+  constexpr double kShortestStep = 1e-3, kLongest = 1000.0, kMostSteps = 1000.0;
+  const bool isStep =
+      shape.simulationTimeStep >= kShortestStep && shape.simulationTimeStep <= kLongest;
+  const bool isTime = shape.timeBeforeCollision > 0.0 && shape.timeBeforeCollision <= kLongest;
+  if (!isStep) {
+    problems.push_back(base::error("nav2.bad-parameter",
+                                   {shape.name + ".simulation_time_step", "0.001 to 1000 s"}));
+  }
+  if (!isTime) {
+    problems.push_back(base::error(
+        "nav2.bad-parameter", {shape.name + ".time_before_collision", "above 0, up to 1000 s"}));
+  }
+  const double steps = shape.timeBeforeCollision / shape.simulationTimeStep;
+  if (isStep && isTime && steps > kMostSteps) {
+    problems.push_back(base::error(
+        "nav2.too-much-work", {shape.name + ".time_before_collision", shape.timeBeforeCollision,
+                               "simulation_time_step", steps, "steps", kMostSteps}));
+  }
+}
+
 void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
   const auto require = [&shape, &problems](bool isRight, const char* key, const char* wanted) {
     if (!isRight) {
@@ -75,8 +97,8 @@ void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
     }
   };
   require(isShapeWord(shape.type, kShapeTypes), "type", "polygon, circle or velocity_polygon");
-  require(isShapeWord(shape.actionType, kActionTypes) && shape.actionType != "none", "action_type",
-          "stop, slowdown, limit or approach");
+  require(isShapeWord(shape.actionType, kActionTypes), "action_type",
+          "stop, slowdown, limit, approach or none");
   if (shape.type == "circle") {
     require(shape.radius > 0.0, "radius", "above 0");
   }
@@ -92,12 +114,9 @@ void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
   require(
       shape.pointList.size() % 2 == 0 && (shape.pointList.empty() || shape.pointList.size() >= 6),
       "points", "pairs of numbers, three at least");
-  require(shape.simulationTimeStep > 0.0, "simulation_time_step", "above 0");
-  constexpr double kMostSteps = 1000.0;
-  const bool isLong = shape.simulationTimeStep > 0.0 &&
-                      !(shape.timeBeforeCollision <= kMostSteps * shape.simulationTimeStep);
-  require(shape.timeBeforeCollision > 0.0 && !isLong, "time_before_collision",
-          "above 0, up to 1000 simulation_time_steps");
+  if (shape.actionType == "approach") {
+    checkApproach(shape, problems);
+  }
 }
 
 }  // namespace
@@ -105,6 +124,7 @@ void checkShape(const MonitorPolygon& shape, base::Diagnostics& problems) {
 const std::vector<Nav2Key<CollisionMonitorParameters>>& collisionMonitorKeys() {
   using P = CollisionMonitorParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
+      {"enabled", &P::enabled, "", "Whether the node changes commands.", kSinceLyrical},
       {"source_timeout", &P::sourceTimeout, "s",
        "An older scan is none; since Jazzy the robot stops then; 0: it does not."},
       {"polygons", &P::polygons, "", "Names of the polygons, in the order of their test."},
@@ -123,14 +143,14 @@ const std::vector<Nav2Key<MonitorPolygon>>& monitorPolygonKeys() {
       {"radius", &P::radius, "m", "Radius of a circle."},
       {"action_type", &P::actionType, "", "stop, slowdown, limit or approach."},
       {"max_points", &P::maxPoints, "", "It acts above so many points.", kHumble},
-      {"min_points", &P::minPoints, "", "It acts from so many points on."},
+      {"min_points", &P::minPoints, "", "It acts from so many points on.", kSinceJazzy},
       {"slowdown_ratio", &P::slowdownRatio, "", "Share of the command that is left."},
       {"linear_limit", &P::linearLimit, "m/s", "Greatest speed.", kSinceJazzy},
       {"angular_limit", &P::angularLimit, "rad/s", "Greatest turning speed.", kSinceJazzy},
       {"time_before_collision", &P::timeBeforeCollision, "s", "Approach: how far ahead."},
       {"simulation_time_step", &P::simulationTimeStep, "s", "Approach: in which steps."},
       {"footprint_topic", &P::footprintTopic, "", "Whose footprint: here always the robot's."},
-      {"enabled", &P::enabled, "", "Whether it is tested.", kSinceJazzy},
+      {"enabled", &P::enabled, "", "Whether it is tested."},
       {"holonomic", &P::holonomic, "", "Whether directions of motion count.", kSinceJazzy},
       {"velocity_polygons", &P::velocityPolygons, "", "Names of its parts.", kSinceJazzy},
   };
@@ -157,7 +177,7 @@ const std::vector<Nav2Key<MonitorSource>>& monitorSourceKeys() {
   using P = MonitorSource;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"type", &P::type, "", "scan, pointcloud, range: here always the robot's lidar."},
-      {"enabled", &P::enabled, "", "Whether it is looked at.", kSinceJazzy},
+      {"enabled", &P::enabled, "", "Whether it is looked at."},
       {"source_timeout", &P::sourceTimeout, "s", "As that of the node, which counts without it.",
        kSinceJazzy},
   };
@@ -180,7 +200,17 @@ const std::vector<IdleKey>& idleCollisionMonitorKeys() {
       {"visualize", "for displays of ROS"},
       {"polygon_pub_topic", "for displays of ROS"},
       {"polygon_sub_topic", "polygons do not change here"},
-      {"trigger_consecutive_points", "counts as 1"},
+      {"trigger_consecutive_points", "counts as 1", kSinceLyrical},
+      {"release_consecutive_points", "counts as 1", kSinceLyrical},
+      {"polygon_subscribe_transient_local", "polygons do not change here"},
+      {"sources_names", "there is one lidar here"},
+      {"min_range", "the scan is the robot's"},
+      {"use_global_height", "the lidar is planar"},
+      {"sampling_distance", "polygons of other nodes are no sources here"},
+      {"obstacles_angle", "ultrasound and infrared sensors are no sources here"},
+      {"transport_type", "no topics here"},
+      {"collision_points_marker_3d", "for displays of ROS"},
+      {"use_realtime_priority", "time is simulated"},
       {"enable_stamped_cmd_vel", "no topics here"},
       {"use_sim_time", "time is simulated here"},
       {"introspection_mode", "no services of ROS here"},
@@ -215,7 +245,7 @@ CollisionMonitor::CollisionMonitor(const CollisionMonitorParameters& parameters,
   for (const MonitorPolygon& keys : parameters.shapes) {
     Shape shape;
     shape.keys = keys;
-    if (distro == Distro::Humble && keys.maxPoints >= 0) {
+    if (distro == Distro::Humble) {
       shape.keys.minPoints = std::min(keys.maxPoints, kMostPoints) + 1;
     }
     shape.isCircle = keys.type == "circle";
@@ -232,6 +262,9 @@ MonitoredCommand CollisionMonitor::filter(const BodyTwist& command,
                                           const Observation& observation) {
   MonitoredCommand result;
   result.twist = command;
+  if (!parameters_.enabled) {
+    return result;
+  }
   if (!gatherPoints(observation)) {
     return {BodyTwist{}, MonitorAction::Stop, "invalid source"};
   }

@@ -29,7 +29,7 @@ struct MonitorPolygon {
   double radius = 0.0;            // [m]
   std::string actionType;         // stop, slowdown, limit, approach
   int minPoints = 4;              // acts from so many points on
-  int maxPoints = -1;             // Humble's: acts above so many; below 0: not given
+  int maxPoints = 3;              // Humble: acts above so many
   double slowdownRatio = 0.5;
   double linearLimit = 0.5, angularLimit = 0.5;  // [m/s], [rad/s]
   double timeBeforeCollision = 2.0;              // [s]
@@ -49,6 +49,7 @@ struct MonitorSource {
 };
 
 struct CollisionMonitorParameters {
+  bool enabled = true;
   double sourceTimeout = 2.0;  // [s]
   std::vector<std::string> polygons, observationSources;
   std::vector<MonitorPolygon> shapes;  // no key: blocks of `polygons`, in that order

@@ -41,35 +41,61 @@ void checkAmount(const DwbParameters& p, base::Diagnostics& problems) {
   constexpr double kMostSteps = 10000.0, kMostSamples = 100000.0;
   constexpr double kMostPoses = 10000000.0;  // of all trajectories of a cycle
   const double steps = stepsOf(p);
-  if (!base::hasErrors(problems) && !(steps < kMostSteps)) {
-    problems.push_back(base::error("nav2.wrong-value",
-                                   {"sim_time", p.simTime, "short enough for its granularities"}));
+  if (!(steps < kMostSteps)) {
+    problems.push_back(base::error("nav2.too-much-work",
+                                   {"sim_time", p.simTime, "its granularities and velocities",
+                                    std::round(steps), "poses of a trajectory", kMostSteps}));
   }
+  const std::pair<const char*, int> counts[] = {{"vx_samples", p.vxSamples},
+                                                {"vy_samples", p.vySamples},
+                                                {"vtheta_samples", p.vthetaSamples}};
   double samples = 1.0;
-  for (const int count : {p.vxSamples, p.vySamples, p.vthetaSamples}) {
-    samples *= std::max(2, count);  // fewer are none
+  auto most = counts[0];
+  for (const auto& count : counts) {
+    samples *= std::max(2, count.second);  // fewer are none
+    most = count.second > most.second ? count : most;
   }
   if (samples > kMostSamples) {
     problems.push_back(
-        base::error("nav2.wrong-value", {"vx_samples", p.vxSamples, "a product below 100000"}));
-  } else if (samples * steps > kMostPoses) {
-    problems.push_back(base::error("nav2.wrong-value",
-                                   {"sim_time", p.simTime, "short enough for so many samples"}));
+        base::error("nav2.too-much-work", {most.first, most.second, "the samples of the other axes",
+                                           samples, "trajectories", kMostSamples}));
+  } else if (steps < kMostSteps && samples * steps > kMostPoses) {
+    problems.push_back(base::error("nav2.too-much-work",
+                                   {"sim_time", p.simTime, "its granularities and samples",
+                                    std::round(samples * steps), "poses in a cycle", kMostPoses}));
   }
 }
 
-/// Numbers without which no trajectory can be made, or too many of them.
+/// A number that has to lie in a range by itself, whatever the others are.
+struct DwbLimit {
+  const char* key;
+  double value, low, high;
+  const char* wanted;
+};
+
+/// Limits that are computed from several numbers are only checked when each of these is one.
 void checkDwbNumbers(const DwbParameters& p, base::Diagnostics& problems) {
-  const std::pair<const char*, double> positive[] = {{"sim_time", p.simTime},
-                                                     {"time_granularity", p.timeGranularity},
-                                                     {"linear_granularity", p.linearGranularity},
-                                                     {"angular_granularity", p.angularGranularity}};
-  for (const auto& [key, value] : positive) {
-    if (!(value > 0.0 && std::isfinite(value))) {
-      problems.push_back(base::error("nav2.wrong-value", {key, value, "above 0"}));
+  constexpr double kFine = 1e-4, kFast = 1000.0;
+  const DwbLimit limits[] = {
+      {"sim_time", p.simTime, kFine, 1000.0, "0.0001 to 1000 s"},
+      {"time_granularity", p.timeGranularity, kFine, 1000.0, "0.0001 to 1000 s"},
+      {"linear_granularity", p.linearGranularity, kFine, 1000.0, "0.0001 to 1000 m"},
+      {"angular_granularity", p.angularGranularity, kFine, 1000.0, "0.0001 to 1000 rad"},
+      {"min_vel_x", p.minVelX, -kFast, kFast, "within 1000 m/s"},
+      {"max_vel_x", p.maxVelX, -kFast, kFast, "within 1000 m/s"},
+      {"min_vel_y", p.minVelY, -kFast, kFast, "within 1000 m/s"},
+      {"max_vel_y", p.maxVelY, -kFast, kFast, "within 1000 m/s"},
+      {"max_vel_theta", p.maxVelTheta, -kFast, kFast, "within 1000 rad/s"}};
+  bool isSound = true;
+  for (const DwbLimit& limit : limits) {
+    if (!(limit.value >= limit.low && limit.value <= limit.high)) {
+      problems.push_back(base::error("nav2.wrong-value", {limit.key, limit.value, limit.wanted}));
+      isSound = false;
     }
   }
-  checkAmount(p, problems);
+  if (isSound) {
+    checkAmount(p, problems);
+  }
 }
 
 /// Main turns them round; before, Nav2 takes them as they are.
@@ -130,7 +156,7 @@ base::Result<std::unique_ptr<Controller>> makeDwb(const ControllerSetup& setup) 
   made.parameters = filled(DwbParameters(), dwbKeys(), setup.block, setup.distro, problems);
   made.distro = setup.distro;
   made.frequency = setup.frequency;
-  if (setup.distro == Distro::Main) {
+  if (setup.distro >= Distro::Lyrical) {
     mendDecelerations(made.parameters, problems);
   }
   checkDwbNumbers(made.parameters, problems);

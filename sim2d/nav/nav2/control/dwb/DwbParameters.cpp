@@ -47,11 +47,11 @@ const std::vector<Nav2Key<DwbParameters>>& dwbKeys() {
        "slower counts as standing (RotateToGoal)"},
       {"xy_goal_tolerance", &P::xyGoalTolerance, "m",
        "so near the goal it brakes and turns (RotateToGoal)"},
-      {"prune_plan", &P::prunesPlan, "", "passed poses are erased", kUntilJazzy},
-      {"prune_distance", &P::pruneDistance, "m", "the path counts from so near on", kUntilJazzy},
-      {"forward_prune_distance", &P::forwardPruneDistance, "m", "and so far ahead", kUntilJazzy},
+      {"prune_plan", &P::prunesPlan, "", "passed poses are erased", kUntilKilted},
+      {"prune_distance", &P::pruneDistance, "m", "the path counts from so near on", kUntilKilted},
+      {"forward_prune_distance", &P::forwardPruneDistance, "m", "and so far ahead", kUntilKilted},
       {"shorten_transformed_plan", &P::shortensPlan, "", "it counts no farther than that",
-       kUntilJazzy},
+       kUntilKilted},
   };
   return kKeys;
 }
@@ -59,14 +59,16 @@ const std::vector<Nav2Key<DwbParameters>>& dwbKeys() {
 const std::vector<IdleKey>& dwbIdleKeys() {
   static const std::vector<IdleKey> kKeys = {
       {"debug_trajectory_details", "no log here: trajectories are shown"},
-      {"transform_tolerance", "no TF here"},
+      {"transform_tolerance", "no TF here", kUntilKilted},
       {"publish_evaluation", "no topics here"},
-      {"publish_global_plan", "no topics here"},
-      {"publish_transformed_plan", "no topics here"},
+      {"publish_global_plan", "no topics here", kUntilKilted},
+      {"publish_transformed_plan", "no topics here", kUntilKilted},
       {"publish_local_plan", "no topics here"},
       {"publish_trajectories", "no topics here"},
       {"publish_cost_grid_pc", "no topics here"},
       {"marker_lifetime", "no topics here"},
+      {"odom_topic", "no topics here", kUntilKilted},
+      {"controller_frequency", "that of the server counts", kSinceLyrical},
   };
   return kKeys;
 }

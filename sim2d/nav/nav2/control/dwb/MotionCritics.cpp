@@ -28,7 +28,7 @@ class RotateToGoalCritic final : public DwbCritic {
   void prepare(const DwbScene& scene) override {
     const Pose2& robot = scene.input.robot;
     const double squared = (robot.position - scene.goal.position).squaredNorm();
-    const bool isLong = distro_ == Distro::Main && pathLength(scene.plan) > kPathLengthTolerance;
+    const bool isLong = distro_ >= Distro::Lyrical && pathLength(scene.plan) > kPathLengthTolerance;
     isInWindow_ = isInWindow_ || (squared <= tolerance_ * tolerance_ && !isLong);
     speedSquared_ = squaredSpeed(scene.input.speed);
     isRotating_ = isRotating_ || (isInWindow_ && speedSquared_ <= stopped_ * stopped_);

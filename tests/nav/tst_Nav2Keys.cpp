@@ -1,0 +1,300 @@
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QtTest>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/DistroGuess.h"
+#include "sim2d/nav/nav2/params/Nav2Parameters.h"
+
+/// Every parameter that Nav2 declares, against the tables of this program: which branches read it,
+/// and its default. The table in tests/data/nav2/keys.csv was made from Nav2's sources, not by this
+/// program.
+class Nav2KeysTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void eachKey_isReadByItsBranches_data();
+  void eachKey_isReadByItsBranches();
+  void eachDefault_isThatOfTheCode_data();
+  void eachDefault_isThatOfTheCode();
+  void eachComponent_isInTheTable();
+};
+
+namespace {
+
+using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
+
+struct DeclaredKey {
+  std::string name;
+  std::vector<std::string> defaults;  // by branch; "-": not declared, "*": not compared
+};
+using Declared = std::map<std::string, std::vector<DeclaredKey>>;  // by component
+
+const Declared& declaredKeys() {
+  static const Declared kKeys = [] {
+    Declared keys;
+    const auto text = base::readTextFile(SOURCE_DIR "/tests/data/nav2/keys.csv");
+    bool isHeader = true;
+    for (const std::string& line : base::split(text ? *text : std::string(), '\n')) {
+      if (line.empty() || line.front() == '#' || std::exchange(isHeader, false)) {
+        continue;
+      }
+      std::vector<std::string> cells = base::split(line, ';');
+      keys[cells.at(0)].push_back({cells.at(1), {cells.begin() + 2, cells.end()}});
+    }
+    return keys;
+  }();
+  return kKeys;
+}
+
+/// Where the keys of a component stand: the head of a file that loads it, and the path of its block
+/// ("controller_server.FollowPath.").
+struct Place {
+  std::string head, path;
+  int indent = 4;
+};
+
+std::string controllerHead(const std::string& plugin, const std::string& more = {}) {
+  return "controller_server:\n  ros__parameters:\n    controller_plugins: [FollowPath]\n"
+         "    FollowPath:\n      plugin: \"" +
+         plugin + "\"\n" + more;
+}
+
+std::string pluginHead(const std::string& node, const std::string& list,
+                       const std::string& plugin) {
+  return node + ":\n  ros__parameters:\n    " + list + ": [It]\n    It:\n      plugin: \"" +
+         plugin + "\"\n";
+}
+
+Place layerPlace(const std::string& plugin, const char* list = "plugins") {
+  return {std::string("local_costmap:\n  local_costmap:\n    ros__parameters:\n      ") + list +
+              ": [It]\n      It:\n        plugin: \"nav2_costmap_2d::" + plugin + "\"\n",
+          "local_costmap.It.", 8};
+}
+
+const std::string kMppi = "nav2_mppi_controller::MPPIController";
+const std::string kDwb = "dwb_core::DWBLocalPlanner";
+
+std::map<std::string, Place> nodePlaces() {
+  std::map<std::string, Place> places;
+  for (const char* const node :
+       {"controller_server", "planner_server", "smoother_server", "behavior_server", "bt_navigator",
+        "velocity_smoother", "collision_monitor", "amcl", "docking_server", "route_server",
+        "map_server", "waypoint_follower", "lifecycle_manager", "loopback_simulator",
+        "following_server"}) {
+    places[node] = {std::string(node) + ":\n  ros__parameters:\n", std::string(node) + "."};
+  }
+  places["costmap"] = {"local_costmap:\n  local_costmap:\n    ros__parameters:\n", "local_costmap.",
+                       6};
+  return places;
+}
+
+void addControllers(std::map<std::string, Place>& places) {
+  const auto add = [&](const char* component, const std::string& plugin) {
+    places[component] = {controllerHead(plugin), "controller_server.FollowPath.", 6};
+  };
+  add("regulated_pure_pursuit",
+      "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController");
+  add("graceful", "nav2_graceful_controller::GracefulController");
+  add("rotation_shim", "nav2_rotation_shim_controller::RotationShimController");
+  add("dwb", kDwb);
+  add("mppi", kMppi);
+  for (const auto& [component, keys] : declaredKeys()) {
+    for (const auto& [prefix, plugin] :
+         {std::pair<std::string, std::string>("mppi_", kMppi), {"dwb_", kDwb}}) {
+      if (component.compare(0, prefix.size(), prefix) == 0) {
+        const std::string critic = component.substr(prefix.size());
+        places[component] = {
+            controllerHead(plugin, "      critics: [" + critic + "]\n      " + critic + ":\n"),
+            "controller_server.FollowPath." + critic + ".", 8};
+      }
+    }
+  }
+  places["path_handler"] = {pluginHead("controller_server", "path_handler_plugins",
+                                       "nav2_controller::FeasiblePathHandler"),
+                            "controller_server.It.", 6};
+  for (const auto& [component, plugin] :
+       {std::pair("simple_goal_checker", "SimpleGoalChecker"),
+        std::pair("stopped_goal_checker", "StoppedGoalChecker"),
+        std::pair("position_goal_checker", "PositionGoalChecker")}) {
+    places[component] = {pluginHead("controller_server", "goal_checker_plugins",
+                                    std::string("nav2_controller::") + plugin),
+                         "controller_server.It.", 6};
+  }
+  for (const auto& [component, plugin] :
+       {std::pair("simple_progress_checker", "SimpleProgressChecker"),
+        std::pair("pose_progress_checker", "PoseProgressChecker")}) {
+    const std::string head = pluginHead("controller_server", "progress_checker_plugins",
+                                        std::string("nav2_controller::") + plugin);
+    places[component] = {head, "controller_server.It.", 6};
+  }
+}
+
+void addMotions(std::map<std::string, Place>& places) {
+  places["drive_behavior"] = {
+      pluginHead("behavior_server", "behavior_plugins", "nav2_behaviors::BackUp"),
+      "behavior_server.It.", 6};
+  places["monitor_polygon"] = {
+      "collision_monitor:\n  ros__parameters:\n    polygons: [It]\n    It:\n",
+      "collision_monitor.It.", 6};
+  places["monitor_source"] = {
+      "collision_monitor:\n  ros__parameters:\n    observation_sources: [It]\n    It:\n",
+      "collision_monitor.It.", 6};
+  places["velocity_polygon"] = {
+      "collision_monitor:\n  ros__parameters:\n    polygons: [P]\n    P:\n"
+      "      type: velocity_polygon\n      velocity_polygons: [It]\n      It:\n",
+      "collision_monitor.P.It.", 8};
+}
+
+const std::map<std::string, Place>& placesOfComponents() {
+  static const std::map<std::string, Place> kPlaces = [] {
+    std::map<std::string, Place> places = nodePlaces();
+    for (const auto& [component, plugin] :
+         {std::pair("static_layer", "StaticLayer"), std::pair("obstacle_layer", "ObstacleLayer"),
+          std::pair("voxel_layer", "VoxelLayer"), std::pair("inflation_layer", "InflationLayer")}) {
+      places[component] = layerPlace(plugin);
+    }
+    places["keepout_filter"] = layerPlace("KeepoutFilter", "filters");
+    places["speed_filter"] = layerPlace("SpeedFilter", "filters");
+    places["observation_source"] = layerPlace("ObstacleLayer");
+    places["observation_source"].head += "        observation_sources: scan\n        scan:\n";
+    places["observation_source"].path += "scan.";
+    places["observation_source"].indent = 10;
+    for (const auto& [component, plugin] :
+         {std::pair("navfn", "nav2_navfn_planner::NavfnPlanner"),
+          std::pair("theta_star", "nav2_theta_star_planner::ThetaStarPlanner"),
+          std::pair("smac_2d", "nav2_smac_planner::SmacPlanner2D"),
+          std::pair("smac_hybrid", "nav2_smac_planner::SmacPlannerHybrid")}) {
+      places[component] = {pluginHead("planner_server", "planner_plugins", plugin),
+                           "planner_server.It.", 6};
+    }
+    for (const auto& [component, plugin] :
+         {std::pair("simple_smoother", "nav2_smoother::SimpleSmoother"),
+          std::pair("savitzky_golay", "nav2_smoother::SavitzkyGolaySmoother")}) {
+      places[component] = {pluginHead("smoother_server", "smoother_plugins", plugin),
+                           "smoother_server.It.", 6};
+    }
+    addControllers(places);
+    addMotions(places);
+    return places;
+  }();
+  return kPlaces;
+}
+
+/// A file with one key of a component, and what became of it in a branch.
+Nav2Reading readingOf(const Place& place, const std::string& key, const std::string& value,
+                      Distro distro) {
+  std::string text = place.head;
+  if (!key.empty()) {
+    text += std::string(static_cast<std::size_t>(place.indent), ' ') + key + ": " + value + "\n";
+  }
+  const auto file = ParameterFile::parse(text, "p.yaml");
+  return file ? readNav2Parameters(*file, {distro, {}, true}) : Nav2Reading();
+}
+
+void addComponents() {
+  QTest::addColumn<QString>("component");
+  for (const auto& [component, keys] : declaredKeys()) {
+    QTest::newRow(component.c_str()) << QString::fromStdString(component);
+  }
+}
+
+/// Lists name plugins that the file does not have, and change which keys there are.
+bool isList(const std::string& key) {
+  const auto endsWith = [&key](const std::string& end) {
+    return key.size() >= end.size() && key.compare(key.size() - end.size(), end.size(), end) == 0;
+  };
+  return endsWith("plugins") || endsWith("progress_checker_plugin") || key == "polygons" ||
+         key == "filters" || key == "critics" || key == "observation_sources";
+}
+
+std::optional<KeyUse> useOf(const Nav2Reading& reading, const std::string& path) {
+  for (const KeyNote& note : reading.parameters.notes.keys) {
+    if (note.path == path) {
+      return note.use;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void Nav2KeysTest::eachKey_isReadByItsBranches_data() {
+  addComponents();
+}
+
+/// A key is used, or known to have no effect, in each branch that declares it, and is used in no
+/// other.
+void Nav2KeysTest::eachKey_isReadByItsBranches() {
+  QFETCH(QString, component);
+  QStringList wrong;
+  const Place& place = placesOfComponents().at(component.toStdString());
+  for (const DeclaredKey& key : declaredKeys().at(component.toStdString())) {
+    if (isList(key.name)) {
+      continue;
+    }
+    for (const Distro distro : kEachDistro) {
+      const std::string& own = key.defaults.at(static_cast<std::size_t>(distro));
+      std::string value = own;
+      for (const std::string& other : key.defaults) {
+        value = value == "-" || value == "*" ? other : value;
+      }
+      value = value == "-" || value == "*" ? "\"word\"" : value;
+      const auto use = useOf(readingOf(place, key.name, value, distro), place.path + key.name);
+      const bool isRead = use == KeyUse::Used || use == KeyUse::Idle;
+      if (own == "-" ? use == KeyUse::Used : !isRead) {
+        wrong << QStringLiteral("%1 in %2")
+                     .arg(QString::fromStdString(key.name), QLatin1String(distroTitle(distro)));
+      }
+    }
+  }
+  QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QStringLiteral(", "))));
+}
+
+void Nav2KeysTest::eachDefault_isThatOfTheCode_data() {
+  addComponents();
+}
+
+void Nav2KeysTest::eachDefault_isThatOfTheCode() {
+  QFETCH(QString, component);
+  QStringList wrong;
+  const Place& place = placesOfComponents().at(component.toStdString());
+  for (const Distro distro : kEachDistro) {
+    const Nav2Reading reading = readingOf(place, {}, {}, distro);
+    for (const KnownKey& known : reading.parameters.notes.known) {
+      for (const DeclaredKey& key : declaredKeys().at(component.toStdString())) {
+        const std::string& declared = key.defaults.at(static_cast<std::size_t>(distro));
+        if (known.path != place.path + key.name || declared == "*" || declared == "-") {
+          continue;
+        }
+        const auto number = base::parseDouble(declared), ours = base::parseDouble(known.fallback);
+        const bool isSame =
+            number && ours ? std::abs(*number - *ours) < 1e-6 : known.fallback == declared;
+        if (!isSame) {
+          wrong << QStringLiteral("%1 in %2: %3, not %4")
+                       .arg(QString::fromStdString(key.name), QLatin1String(distroTitle(distro)),
+                            QString::fromStdString(known.fallback),
+                            QString::fromStdString(declared));
+        }
+      }
+    }
+  }
+  QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QStringLiteral(", "))));
+}
+
+void Nav2KeysTest::eachComponent_isInTheTable() {
+  QVERIFY(declaredKeys().size() >= 60);
+  for (const auto& [component, place] : placesOfComponents()) {
+    QVERIFY2(declaredKeys().count(component) == 1, component.c_str());
+  }
+  for (const auto& [component, keys] : declaredKeys()) {
+    QVERIFY2(placesOfComponents().count(component) == 1, component.c_str());
+  }
+}
+
+QTEST_GUILESS_MAIN(Nav2KeysTest)
+#include "tst_Nav2Keys.moc"
