@@ -133,7 +133,8 @@ base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch) {
     const bool isTold = std::any_of(told.begin(), told.end(), [&](const base::Diagnostic& each) {
       return each.code == problem.code && each.line == problem.line;
     });
-    if (!isTold && problem.code != "nav2.no-map") {  // scenarios bring maps
+    const bool isElsewhere = reading.parameters.isPartial && problem.line == 0;  // in another file
+    if (!isTold && !isElsewhere && problem.code != "nav2.no-map") {  // scenarios bring maps
       found.push_back(problem);
     }
   }

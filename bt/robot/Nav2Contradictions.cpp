@@ -78,14 +78,17 @@ class Contradictions {
         parameters_, name + (isMain ? ".primary_controller.plugin" : ".primary_controller"), "");
   }
 
-  /// At the place of the key, if the file has it.
+  /// At the place of the key, else of its plugin.
   void add(const std::string& path, const char* code, base::ProblemValues values,
            base::Severity severity = base::Severity::Warning) {
     base::Diagnostic problem = base::problem(severity, code, std::move(values), parameters_.file);
-    for (const KeyNote& key : parameters_.notes.keys) {
-      if (key.path == path && key.line > 0) {
-        problem.line = key.line;
-        problem.column = key.column;
+    const std::string plugin = path.substr(0, path.rfind('.')) + ".plugin";
+    for (const std::string& place : {plugin, path}) {
+      for (const KeyNote& key : parameters_.notes.keys) {
+        if (key.path == place && key.line > 0) {
+          problem.line = key.line;
+          problem.column = key.column;
+        }
       }
     }
     found_.push_back(std::move(problem));

@@ -6,8 +6,8 @@
 #include <QtTest>
 
 #include "sim2d/nav/nav2/params/DistroGuess.h"
-#include "sim2d/nav/nav2/params/Nav2Parameters.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
+#include "tests/nav/ParamsFiles.h"
 
 /// Reading of nav2_params.yaml: as ROS 2 and Nav2 read it, every key told apart.
 class Nav2ParamsTest : public QObject {
@@ -29,22 +29,8 @@ class Nav2ParamsTest : public QObject {
   void read_everyProblem_isToldAtOnce();
   void read_absentKey_takesTheCodesDefault();
   void read_unknownKey_tellsTheNearest();
-  void read_unknownKey_isComparedWithItsOwnBlock();
-  void read_blockThatNothingNames_isOneProblem();
-  void read_keyOfAnotherDistro_isNotUsed();
-  void read_unknownPlugin_tellsTheNearest();
-  void read_unsupportedLayer_countsOnlyWhenSwitchedOn();
-  void read_wordOfLaunchFiles_switchesAFilterOff();
-  void read_pluginBlocks_goByTheirNames();
-  void read_sources_areThoseThatTheLayerNames();
   void read_otherNodes_areIdleOrUnknown();
   void read_recoveriesServer_isTheBehaviorServer();
-  void guess_signs_data();
-  void guess_signs();
-  void guess_reasons_speakForIt();
-  void read_partialFile_isNotAnError_data();
-  void read_partialFile_isNotAnError();
-  void read_disabledMonitor_isKept();
   void read_hugeCount_isOutOfRange();
   void set_value_integersPassForDoubles();
   void set_unknownPath_tellsTheNearest();
@@ -53,53 +39,7 @@ class Nav2ParamsTest : public QObject {
   void shipped_files_haveNoProblems();
 };
 
-namespace {
-
-using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
-
-ParameterFile parsed(const std::string& text) {
-  auto file = ParameterFile::parse(text, "p.yaml");
-  return file ? *file : ParameterFile();
-}
-
-Nav2Reading readOf(const std::string& text, Distro distro = Distro::Jazzy) {
-  return readNav2Parameters(parsed(text), {distro, {}});
-}
-
-/// A controller that takes few keys; the rest are Nav2's defaults.
-const std::string kPursuit = R"(controller_server:
-  ros__parameters:
-    FollowPath:
-      plugin: "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController"
-)";
-
-std::string texts(const base::Diagnostics& problems) {
-  std::string all;
-  for (const base::Diagnostic& problem : problems) {
-    all += problem.text() + "\n";
-  }
-  return all;
-}
-
-const base::Diagnostic* problemOf(const base::Diagnostics& problems, const std::string& code) {
-  const auto found = std::find_if(problems.begin(), problems.end(),
-                                  [&](const base::Diagnostic& each) { return each.code == code; });
-  return found == problems.end() ? nullptr : &*found;
-}
-
-const KeyNote* noteOf(const Nav2Reading& reading, const std::string& path) {
-  const auto& keys = reading.parameters.notes.keys;
-  const auto found =
-      std::find_if(keys.begin(), keys.end(), [&](const KeyNote& key) { return key.path == path; });
-  return found == keys.end() ? nullptr : &*found;
-}
-
-std::string valueOf(const NodeParameters& node, const std::string& name) {
-  const GivenParameter* const given = node.find(name);
-  return given == nullptr ? "-" : given->value->text;
-}
-
-}  // namespace
+using namespace nav2test;  // NOLINT: this file is about nothing else
 
 void Nav2ParamsTest::rosType_text_decides_data() {
   QTest::addColumn<QString>("yaml");
@@ -307,136 +247,6 @@ void Nav2ParamsTest::read_unknownKey_tellsTheNearest() {
   QCOMPARE(noteOf(reading, "controller_server.FollowPath.lookahaed_dist")->use, KeyUse::Unknown);
 }
 
-/// A key of another plugin is no advice, however near its name is.
-void Nav2ParamsTest::read_unknownKey_isComparedWithItsOwnBlock() {
-  const Nav2Reading reading = readOf(R"(local_costmap:
-  local_costmap:
-    ros__parameters:
-      plugins: ["obstacle_layer", "inflation_layer"]
-      obstacle_layer: {plugin: "nav2_costmap_2d::ObstacleLayer", inflation_radiu: 0.5}
-      inflation_layer: {plugin: "nav2_costmap_2d::InflationLayer"}
-)" + kPursuit);
-  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-key");
-  QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
-  QCOMPARE(
-      problem->message,
-      std::string("unknown key 'local_costmap.obstacle_layer.inflation_radiu': Nav2 Jazzy does "
-                  "not read it"));
-}
-
-void Nav2ParamsTest::read_blockThatNothingNames_isOneProblem() {
-  const Nav2Reading reading = readOf(kPursuit + R"(local_costmap:
-  local_costmap:
-    ros__parameters:
-      plugins: ["obstacle_layer"]
-      obstacle_layer:
-        plugin: "nav2_costmap_2d::ObstacleLayer"
-        observation_sources: scan
-        scan: {topic: /scan}
-        camera: {topic: /points, marking: true, clearing: true}
-)");
-  int count = 0;
-  for (const base::Diagnostic& problem : reading.problems) {
-    count += problem.code == "nav2.unknown-key" || problem.code == "nav2.unnamed-block" ? 1 : 0;
-  }
-  QCOMPARE(count, 1);
-  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unnamed-block");
-  QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
-  QCOMPARE(problem->line, 13);
-  QVERIFY(problem->message.find("obstacle_layer.camera' has no effect (3 keys)") !=
-          std::string::npos);
-  QCOMPARE(noteOf(reading, "local_costmap.obstacle_layer.camera.marking")->use, KeyUse::Unknown);
-}
-
-void Nav2ParamsTest::read_keyOfAnotherDistro_isNotUsed() {
-  const std::string text = kPursuit + "      use_fixed_curvature_lookahead: true\n";
-  const Nav2Reading humble = readOf(text, Distro::Humble);
-  QCOMPARE(noteOf(humble, "controller_server.FollowPath.use_fixed_curvature_lookahead")->use,
-           KeyUse::OtherDistro);
-  const Nav2Reading jazzy = readOf(text, Distro::Jazzy);
-  QCOMPARE(noteOf(jazzy, "controller_server.FollowPath.use_fixed_curvature_lookahead")->use,
-           KeyUse::Used);
-}
-
-void Nav2ParamsTest::read_unknownPlugin_tellsTheNearest() {
-  const Nav2Reading reading = readOf(R"(planner_server:
-  ros__parameters:
-    planner_plugins: ["Mine"]
-    Mine:
-      plugin: "nav2_navfn_planner::NavfnPlaner"
-)");
-  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-plugin");
-  QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
-  QCOMPARE(problem->line, 5);
-  QVERIFY(problem->message.find("NavfnPlanner") != std::string::npos);
-}
-
-void Nav2ParamsTest::read_unsupportedLayer_countsOnlyWhenSwitchedOn() {
-  const auto text = [](const char* enabled) {
-    return std::string(R"(local_costmap:
-  local_costmap:
-    ros__parameters:
-      plugins: ["stvl_layer"]
-      stvl_layer:
-        plugin: "spatio_temporal_voxel_layer/SpatioTemporalVoxelLayer"
-        enabled: )") +
-           enabled + "\n" + kPursuit;
-  };
-  QVERIFY(!readOf(text("true")).ok());
-  const Nav2Reading off = readOf(text("false"));
-  QVERIFY2(off.ok(), texts(off.problems).c_str());
-}
-
-void Nav2ParamsTest::read_wordOfLaunchFiles_switchesAFilterOff() {
-  const Nav2Reading reading = readOf(R"(global_costmap:
-  global_costmap:
-    ros__parameters:
-      filters: ["keepout_filter"]
-      keepout_filter:
-        plugin: "nav2_costmap_2d::KeepoutFilter"
-        enabled: KEEPOUT_ZONE_ENABLED
-)" + kPursuit);
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QVERIFY(problemOf(reading.problems, "nav2.launch-word"));
-  QVERIFY(reading.parameters.globalCostmap.filters.empty());
-}
-
-void Nav2ParamsTest::read_pluginBlocks_goByTheirNames() {
-  const Nav2Reading reading = readOf(R"(planner_server:
-  ros__parameters:
-    planner_plugins: ["Fast", "Far"]
-    Fast: {plugin: "nav2_navfn_planner::NavfnPlanner", tolerance: 0.75}
-    Far: {plugin: "nav2_theta_star_planner::ThetaStarPlanner", w_euc_cost: 2.5}
-    Other: {plugin: "nav2_navfn_planner::NavfnPlanner"}
-)" + kPursuit);
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  const auto& planners = reading.parameters.planners;
-  QCOMPARE(planners.size(), std::size_t{2});
-  QCOMPARE(planners[0].first, std::string("Fast"));
-  QCOMPARE(std::get<NavfnParameters>(planners[0].second).tolerance, 0.75);
-  QCOMPARE(std::get<ThetaStarParameters>(planners[1].second).eucCost, 2.5);
-}
-
-void Nav2ParamsTest::read_sources_areThoseThatTheLayerNames() {
-  const Nav2Reading reading = readOf(R"(local_costmap:
-  local_costmap:
-    ros__parameters:
-      plugins: ["obstacle_layer"]
-      obstacle_layer:
-        plugin: "nav2_costmap_2d::ObstacleLayer"
-        observation_sources: front rear
-        front: {topic: /f, clearing: true, max_obstacle_height: 2.0, obstacle_max_range: 4.5}
-        rear: {topic: /r}
-)" + kPursuit);
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  const auto& layer =
-      std::get<ObstacleLayerParameters>(reading.parameters.localCostmap.plugins[0].parameters);
-  QCOMPARE(layer.sources.size(), std::size_t{2});
-  QCOMPARE(layer.sources[0].obstacleMaxRange, 4.5);
-  QVERIFY(layer.sources[0].clearing && !layer.sources[1].clearing);
-  QCOMPARE(layer.sources[1].maxObstacleHeight, 0.0);
-}
-
 void Nav2ParamsTest::read_otherNodes_areIdleOrUnknown() {
   const Nav2Reading reading = readOf(R"(amcl:
   ros__parameters: {alpha1: 0.2}
@@ -459,44 +269,6 @@ void Nav2ParamsTest::read_recoveriesServer_isTheBehaviorServer() {
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
   QCOMPARE(reading.parameters.behaviors.server.cycleFrequency, 5.0);
   QVERIFY(reading.parameters.behaviors.hasSpin && !reading.parameters.behaviors.hasWait);
-}
-
-void Nav2ParamsTest::guess_signs_data() {
-  QTest::addColumn<QString>("text");
-  QTest::addColumn<int>("distro");
-  QTest::newRow("slash") << "planner_server:\n  ros__parameters:\n    G: {plugin: a/B}\n" << 0;
-  QTest::newRow("colons") << "planner_server:\n  ros__parameters:\n    G: {plugin: 'a::B'}\n" << 1;
-  QTest::newRow("checker")
-      << "controller_server:\n  ros__parameters: {progress_checker_plugin: p}\n"
-      << 0;
-  QTest::newRow("checkers")
-      << "controller_server:\n  ros__parameters: {progress_checker_plugins: [p]}\n"
-      << 1;
-  QTest::newRow("handlers")
-      << "controller_server:\n  ros__parameters: {path_handler_plugins: [p]}\n"
-      << 3;
-  QTest::newRow("prefixes") << "bt_navigator:\n  ros__parameters: {error_code_name_prefixes: [p]}\n"
-                            << 2;
-  QTest::newRow("prefixes and directories")
-      << "bt_navigator:\n  ros__parameters: {error_code_name_prefixes: [p], "
-         "bt_search_directories: [d]}\n"
-      << 3;
-  QTest::newRow("code names") << "bt_navigator:\n  ros__parameters: {error_code_names: [p]}\n" << 1;
-  QTest::newRow("route server") << "route_server:\n  ros__parameters: {max_iterations: 0}\n" << 1;
-  QTest::newRow("enabled monitor") << "collision_monitor:\n  ros__parameters: {enabled: true}\n"
-                                   << 3;
-  QTest::newRow("monitor")
-      << "collision_monitor:\n  ros__parameters: {polygons: [Stop], Stop: {max_points: 3}}\n"
-      << 0;
-  QTest::newRow("any monitor") << "collision_monitor:\n  ros__parameters: {polygons: [Stop]}\n"
-                               << 1;
-  QTest::newRow("nothing") << "controller_server:\n  ros__parameters: {a: 1}\n" << 1;
-}
-
-void Nav2ParamsTest::guess_signs() {
-  QFETCH(QString, text);
-  QFETCH(int, distro);
-  QCOMPARE(static_cast<int>(guessDistro(parsed(text.toStdString())).distro), distro);
 }
 
 void Nav2ParamsTest::read_otherNamespace_isNoted_data() {
@@ -526,53 +298,6 @@ void Nav2ParamsTest::read_otherNamespace_isNoted() {
   QVERIFY(other != nullptr);
   QVERIFY(other->use == KeyUse::Idle);
   QVERIFY(noteOf(reading, "velocity_smoother.smoothing_frequency")->use == KeyUse::Used);
-}
-
-/// Two signs of Jazzy and one of Humble: that one is no reason.
-void Nav2ParamsTest::guess_reasons_speakForIt() {
-  const DistroGuess guess =
-      guessDistro(parsed("controller_server:\n  ros__parameters:\n    progress_checker_plugin: p\n"
-                         "    costmap_update_timeout: 0.3\n    FollowPath: {plugin: "
-                         "\"nav2_mppi_controller::MPPIController\", critics: [GoalCritic], "
-                         "ax_max: 3.0}\n"));
-  QCOMPARE(static_cast<int>(guess.distro), 1);
-  QCOMPARE(guess.reasons,
-           (std::vector<std::string>{"line 4: key costmap_update_timeout", "line 5: key ax_max"}));
-}
-
-void Nav2ParamsTest::read_partialFile_isNotAnError_data() {
-  QTest::addColumn<QString>("text");
-  QTest::addColumn<QString>("held");
-  QTest::newRow("amcl") << "amcl:\n  ros__parameters: {alpha1: 0.2}\n"
-                        << "only amcl:";
-  QTest::newRow("overlay") << "controller_server:\n  ros__parameters:\n"
-                              "    controller_frequency: 10.0\n"
-                              "    FollowPath: {desired_linear_vel: 0.3}\n"
-                              "velocity_smoother:\n  ros__parameters: {odom_duration: 0.2}\n"
-                           << "only controller_server, velocity_smoother:";
-}
-
-/// Some nodes of a file, or values for the plugins of another one.
-void Nav2ParamsTest::read_partialFile_isNotAnError() {
-  QFETCH(QString, text);
-  QFETCH(QString, held);
-  const Nav2Reading reading = readOf(text.toStdString());
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(reading.problems.size(), std::size_t{1});
-  QCOMPARE(reading.problems.front().code, std::string_view("nav2.partial-file"));
-  QVERIFY2(reading.problems.front().message.find(held.toStdString()) != std::string::npos,
-           texts(reading.problems).c_str());
-  QVERIFY(reading.parameters.isPartial);
-  QVERIFY(!readOf(kPursuit).parameters.isPartial);
-}
-
-void Nav2ParamsTest::read_disabledMonitor_isKept() {
-  const auto file = ParameterFile::read(SOURCE_DIR "/tests/data/nav2/nav2_monitor_disabled.yaml");
-  QVERIFY(file);
-  const Nav2Reading reading = readNav2Parameters(*file);
-  QVERIFY2(reading.problems.empty(), texts(reading.problems).c_str());
-  QVERIFY(reading.parameters.distro >= Distro::Lyrical);
-  QVERIFY(reading.parameters.collisionMonitor && !reading.parameters.collisionMonitor->enabled);
 }
 
 /// Counts beyond what fits are no counts, whatever their sign.

@@ -457,7 +457,6 @@ void Nav2RunsTest::badInput_isToldNotRun() {
 void Nav2RunsTest::monitor_thatIsDisabled_changesNothing() {
   app::RunOptions options = optionsOf(boxScenario(0.0, false), "generic");
   options.nav2Params = SOURCE_DIR "/tests/data/nav2/nav2_monitor_disabled.yaml";
-  options.nav2Tree.reset();
   const Driven driven = drive(options, 12.0);
   QVERIFY2(!driven.places.empty() && driven.places.back().x() > 2.0,
            (driven.problems + driven.failure).c_str());

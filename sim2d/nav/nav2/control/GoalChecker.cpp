@@ -1,5 +1,6 @@
 #include "sim2d/nav/nav2/control/GoalChecker.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -67,13 +68,37 @@ class StockGoalChecker final : public GoalChecker {
 struct GoalCheckerType {
   const char* plugin;
   StockGoalChecker::Kind kind;
-  unsigned distros;
 };
 constexpr GoalCheckerType kGoalCheckers[] = {
-    {"nav2_controller::SimpleGoalChecker", StockGoalChecker::Kind::Simple, kEveryDistro},
-    {"nav2_controller::StoppedGoalChecker", StockGoalChecker::Kind::Stopped, kEveryDistro},
-    {"nav2_controller::PositionGoalChecker", StockGoalChecker::Kind::Position, kEveryDistro},
+    {"nav2_controller::SimpleGoalChecker", StockGoalChecker::Kind::Simple},
+    {"nav2_controller::StoppedGoalChecker", StockGoalChecker::Kind::Stopped},
+    {"nav2_controller::PositionGoalChecker", StockGoalChecker::Kind::Position},
+    {"dwb_plugins::SimpleGoalChecker", StockGoalChecker::Kind::Simple},
+    {"dwb_plugins::StoppedGoalChecker", StockGoalChecker::Kind::Stopped},
 };
+
+/// A checker that is not re-implemented, and the one that is used instead.
+struct CheckerSubstitute {
+  const char* plugin;
+  const char* substitute;
+  const char* toleranceKey;
+  double tolerance;  // without the key [m]
+  const char* why;
+};
+constexpr CheckerSubstitute kCheckerSubstitutes[] = {
+    {"nav2_controller::AxisGoalChecker", "nav2_controller::PositionGoalChecker",
+     "along_path_tolerance", 0.25, "one tolerance counts in all directions"},
+    {"nav2_controller::AdaptiveToleranceGoalChecker", "nav2_controller::SimpleGoalChecker",
+     "fine_xy_goal_tolerance", 0.10, "the fine tolerance always counts"}};
+
+const CheckerSubstitute* substituteOfChecker(const std::string& plugin) {
+  for (const CheckerSubstitute& each : kCheckerSubstitutes) {
+    if (pluginName(plugin) == each.plugin) {
+      return &each;
+    }
+  }
+  return nullptr;
+}
 
 }  // namespace
 
@@ -101,20 +126,72 @@ const std::vector<IdleKey>& goalCheckerIdleKeys() {
   return kKeys;
 }
 
-std::vector<std::string> goalCheckerPlugins(Distro distro) {
+Nav2Keys goalCheckerKeysOf(const std::string& plugin) {
+  static const std::vector<std::pair<std::string, std::vector<std::string>>> kUnread = {
+      {"SimpleGoalChecker", {"rot_stopped_velocity", "trans_stopped_velocity"}},
+      {"StoppedGoalChecker", {}},
+      {"PositionGoalChecker",
+       {"yaw_goal_tolerance", "symmetric_yaw_tolerance", "rot_stopped_velocity",
+        "trans_stopped_velocity"}},
+      {"AxisGoalChecker",
+       {"xy_goal_tolerance", "yaw_goal_tolerance", "stateful", "symmetric_yaw_tolerance",
+        "rot_stopped_velocity", "trans_stopped_velocity"}},
+      {"AdaptiveToleranceGoalChecker",
+       {"xy_goal_tolerance", "rot_stopped_velocity", "trans_stopped_velocity"}}};
+  Nav2Keys keys;
+  addRows(keys, goalCheckerKeys(), GoalCheckerParameters());
+  addIdle(keys, goalCheckerIdleKeys());
+  const std::string name = pluginName(plugin);
+  const CheckerSubstitute* const known = substituteOfChecker(plugin);
+  for (const auto& [type, unread] : kUnread) {
+    const std::string end = "::" + type;
+    if (name.size() < end.size() || name.compare(name.size() - end.size(), end.size(), end) != 0) {
+      continue;
+    }
+    keys.rows.erase(std::remove_if(keys.rows.begin(), keys.rows.end(),
+                                   [&unread = unread](const Nav2Keys::Row& row) {
+                                     return std::find(unread.begin(), unread.end(), row.name) !=
+                                            unread.end();
+                                   }),
+                    keys.rows.end());
+  }
+  if (known != nullptr) {
+    keys.rows.push_back(
+        {known->toleranceKey, Nav2Value(known->tolerance), "m", known->why, kSinceLyrical});
+    for (const char* const key :
+         {"cross_track_tolerance", "is_overshoot_valid", "direction_estimation_distance",
+          "coarse_xy_goal_tolerance", "required_stagnation_cycles", "rot_stopped_velocity",
+          "trans_stopped_velocity"}) {
+      keys.idle.push_back({key, known->why, kSinceLyrical});
+    }
+  }
+  return keys;
+}
+
+std::vector<std::string> goalCheckerPlugins(Distro /*distro*/) {
   std::vector<std::string> names;
   for (const GoalCheckerType& type : kGoalCheckers) {
-    if (isIn(type.distros, distro)) {
-      names.emplace_back(type.plugin);
-    }
+    names.emplace_back(type.plugin);
   }
   return names;
 }
 
 base::Result<std::unique_ptr<GoalChecker>> makeGoalChecker(const std::string& plugin, Distro distro,
                                                            const Nav2Block& block) {
+  if (const CheckerSubstitute* const known = substituteOfChecker(plugin)) {
+    Nav2Block values = block;
+    const auto tolerance = block.find(known->toleranceKey);
+    values["xy_goal_tolerance"] =
+        tolerance != block.end() ? tolerance->second : Nav2Value(known->tolerance);
+    auto made = makeGoalChecker(known->substitute, distro, values);
+    base::Diagnostics problems = {
+        base::warning("nav2.treated-as", {"goal checker", plugin, known->substitute, known->why})};
+    base::append(problems, made.diagnostics());
+    return made ? base::Result<std::unique_ptr<GoalChecker>>(*std::move(made), std::move(problems))
+                : base::Result<std::unique_ptr<GoalChecker>>(std::move(problems));
+  }
   for (const GoalCheckerType& type : kGoalCheckers) {
-    if (pluginName(plugin) != type.plugin || !isIn(type.distros, distro)) {
+    if (pluginName(plugin) != type.plugin) {
       continue;
     }
     base::Diagnostics problems;

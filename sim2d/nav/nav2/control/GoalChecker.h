@@ -40,6 +40,8 @@ struct GoalCheckerParameters {
 };
 const std::vector<Nav2Key<GoalCheckerParameters>>& goalCheckerKeys();
 const std::vector<IdleKey>& goalCheckerIdleKeys();
+/// Those that the class of a plugin reads; of an unknown class all.
+Nav2Keys goalCheckerKeysOf(const std::string& plugin);
 
 /// By its plugin, "nav2_controller::SimpleGoalChecker" and so on; an error tells what comes
 /// nearest.

@@ -1,11 +1,14 @@
 #include "sim2d/nav/nav2/params/CostmapReading.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/PluginBlocks.h"
@@ -83,26 +86,122 @@ std::string usualClass(const NodeReader& node, const std::string& name) {
   return {};
 }
 
-std::optional<CostmapPlugin> readLayer(NodeReader& node, const std::string& name) {
+/// A layer that is not re-implemented; without a substitute it is left out.
+struct LayerSubstitute {
+  const char* type;
+  const char* substitute;
+  const char* why;
+};
+constexpr const char* kVoxelLayer = "nav2_costmap_2d::VoxelLayer";
+constexpr const char* kInflationLayer = "nav2_costmap_2d::InflationLayer";
+constexpr const char* kContainer = "nav2_costmap_2d::PluginContainerLayer";
+constexpr std::array<LayerSubstitute, 7> kSubstitutes = {
+    {{"spatio_temporal_voxel_layer::SpatioTemporalVoxelLayer", kVoxelLayer,
+      "voxels are cleared by rays, they do not decay"},
+     {"nav2_costmap_2d::LegacyInflationLayer", kInflationLayer, "costs are the same"},
+     {"nav2_costmap_2d::AsymmetricInflationLayer", kInflationLayer,
+      "both sides of a path are inflated with the mean of the two factors"},
+     {"nav2_costmap_2d::DenoiseLayer", nullptr, "scans have no lone points to remove"},
+     {"nav2_costmap_2d::RangeSensorLayer", nullptr, "robots have no range sensors"},
+     {"nav2_costmap_2d::BinaryFilter", nullptr, "it publishes a state and no costs"},
+     {"nav2_costmap_2d::ZoneParameterFilter", nullptr, "parameters of nodes do not change"}}};
+
+const LayerSubstitute* substituteOf(const std::string& type) {
+  const auto* const found =
+      std::find_if(kSubstitutes.begin(), kSubstitutes.end(),
+                   [&](const LayerSubstitute& each) { return type == each.type; });
+  return found == kSubstitutes.end() ? nullptr : found;
+}
+
+/// A number that is given below a layer.
+std::optional<double> numberAt(const NodeReader& node, const std::string& prefix,
+                               const std::string& key) {
+  const Nav2Block block = node.given(prefix);
+  const auto found = block.find(key);
+  const double* const value = found == block.end() ? nullptr : std::get_if<double>(&found->second);
+  return value != nullptr ? std::optional<double>(*value) : std::nullopt;
+}
+
+/// What a substitute needs that its table does not read.
+void adapt(NodeReader& node, const std::string& prefix, LayerParameters& layer) {
+  if (auto* const voxels = std::get_if<VoxelLayerParameters>(&layer)) {
+    voxels->markThreshold = 0;  // counts voxels that are not here
+    for (ObservationSource& source : voxels->sources) {
+      const auto range = numberAt(node, prefix + source.name + ".", "obstacle_range");
+      source.obstacleMaxRange = range.value_or(source.obstacleMaxRange);
+      source.raytraceMaxRange = range.value_or(source.raytraceMaxRange);
+    }
+  }
+  if (auto* const inflation = std::get_if<InflationLayerParameters>(&layer)) {
+    const auto left = numberAt(node, prefix, "cost_scaling_factor_left");
+    const auto right = numberAt(node, prefix, "cost_scaling_factor_right");
+    if (left || right) {
+      constexpr double kUsual = 4.0;  // of the asymmetric layer
+      inflation->costScalingFactor = 0.5 * (left.value_or(kUsual) + right.value_or(kUsual));
+    }
+  }
+}
+
+void readLayer(NodeReader& node, const std::string& name, std::vector<CostmapPlugin>& to);
+
+/// Its plugins are merged into the costmap one by one.
+void readContainer(NodeReader& node, const std::string& name, std::vector<CostmapPlugin>& to) {
+  const auto names = node.value<std::vector<std::string>>(name + ".plugins");
+  tellSubstitute(node, name, kContainer, "its plugins",
+                 "they are merged into the costmap one by one");
+  for (const std::string& inner :
+       pluginNames(node, name + ".plugins", names.value_or(std::vector<std::string>()))) {
+    readLayer(node, name + "." + inner, to);
+  }
+  node.know(name + ".enabled", "it is switched on");
+  node.know(name + ".combination_method", "its plugins have their own");
+}
+
+/// A class of another package has no effect, unless its name is misspelt.
+void readMissing(NodeReader& node, const std::string& name, const std::string& type) {
+  const LayerSubstitute* const known = substituteOf(pluginName(type));
+  if (known != nullptr) {
+    tellLeftOut(node, name, type, known->why);
+  } else if (base::nearestName(pluginName(type), layerTypes())) {
+    tellUnknownPlugin(node, name, type, layerTypes());
+  } else {
+    tellLeftOut(node, name, type, "there is no class of this name here");
+  }
+}
+
+void readLayer(NodeReader& node, const std::string& name, std::vector<CostmapPlugin>& to) {
   const std::string type = pluginClass(node, name, usualClass(node, name));
   const bool isOff = isSwitchedOff(node, name);
-  std::optional<LayerParameters> layer = layerOfType(pluginName(type));
+  const LayerSubstitute* const known = substituteOf(pluginName(type));
+  const bool isReplaced = known != nullptr && known->substitute != nullptr;
+  std::optional<LayerParameters> layer =
+      layerOfType(isReplaced ? known->substitute : pluginName(type));
+  if (pluginName(type) == kContainer && !isOff) {
+    readContainer(node, name, to);
+    return;
+  }
   if (!layer || isPlaceholder(node, name)) {
     if (!isOff && !type.empty()) {
-      tellUnknownPlugin(node, name, type, layerTypes());
+      readMissing(node, name, type);
     }
     node.know(name + ".", isOff ? "the layer is switched off" : "its class is not here");
-    return std::nullopt;
+    return;
   }
+  const std::string prefix = name + ".";
   std::visit(
       [&](auto& held) {
-        held = node.read(name + ".", keysOf(held), idleLayerKeys(), held);
+        held = node.read(prefix, keysOf(held), idleLayerKeys(), held);
         if constexpr (std::is_base_of_v<ObstacleLayerParameters, std::decay_t<decltype(held)>>) {
-          readSources(node, name + ".", held);
+          readSources(node, prefix, held);
         }
       },
       *layer);
-  return CostmapPlugin{name, *std::move(layer)};
+  if (isReplaced) {
+    tellSubstitute(node, name, type, known->substitute, known->why);
+    adapt(node, prefix, *layer);
+    node.know(prefix, "a key of " + type);
+  }
+  to.push_back({name, *std::move(layer)});
 }
 
 }  // namespace
@@ -111,14 +210,10 @@ CostmapSettings readCostmap(NodeReader& node) {
   CostmapSettings settings;
   settings.parameters = node.read({}, costmapKeys(), idleCostmapKeys(), CostmapParameters());
   for (const std::string& name : pluginNames(node, "plugins", settings.parameters.plugins)) {
-    if (auto plugin = readLayer(node, name)) {
-      settings.plugins.push_back(*std::move(plugin));
-    }
+    readLayer(node, name, settings.plugins);
   }
   for (const std::string& name : pluginNames(node, "filters", settings.parameters.filters)) {
-    if (auto plugin = readLayer(node, name)) {
-      settings.filters.push_back(*std::move(plugin));
-    }
+    readLayer(node, name, settings.filters);
   }
   return settings;
 }

@@ -114,7 +114,10 @@ class FileReader {
       const std::string type =
           pluginClass(node, name, isUsual ? "nav2_navfn_planner::NavfnPlanner" : "");
       if (!type.empty()) {
-        readAnswered(node, name, globalPlannerPlugin(type, to_.distro), globalPlannerPluginNames(),
+        const auto find = [&](const std::string& plugin) {
+          return globalPlannerPlugin(plugin, to_.distro);
+        };
+        readAnswered(node, name, type, find, SubstituteKeys::Read, globalPlannerPluginNames(),
                      to_.planners);
       }
     }
@@ -131,7 +134,10 @@ class FileReader {
       const std::string type =
           pluginClass(node, name, isUsual ? "nav2_smoother::SimpleSmoother" : "");
       if (!type.empty()) {
-        readAnswered(node, name, pathSmootherPlugin(type, to_.distro), pathSmootherPluginNames(),
+        const auto find = [&](const std::string& plugin) {
+          return pathSmootherPlugin(plugin, to_.distro);
+        };
+        readAnswered(node, name, type, find, SubstituteKeys::Ignored, pathSmootherPluginNames(),
                      to_.smoothers);
       }
     }

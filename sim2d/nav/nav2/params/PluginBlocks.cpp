@@ -39,6 +39,16 @@ void tellUnknownPlugin(NodeReader& node, const std::string& name, const std::str
   node.tell(name + ".plugin", unknownPlugin(found, known));
 }
 
+void tellSubstitute(NodeReader& node, const std::string& name, const std::string& found,
+                    const std::string& substitute, const std::string& why) {
+  node.tell(name + ".plugin", base::warning("nav2.treated-as", {name, found, substitute, why}));
+}
+
+void tellLeftOut(NodeReader& node, const std::string& name, const std::string& found,
+                 const std::string& why) {
+  node.tell(name + ".plugin", base::warning("nav2.left-out", {name, found, why}));
+}
+
 void tellAt(NodeReader& node, const base::Diagnostics& problems) {
   for (const base::Diagnostic& problem : problems) {
     const std::string where = problem.value("where");

@@ -24,27 +24,42 @@ void tellUnknownPlugin(NodeReader& node, const std::string& name, const std::str
 /// Problems of a server told at the places of the keys that they name, else at the plugin's class.
 void tellAt(NodeReader& node, const base::Diagnostics& problems);
 
-/// By a class, `find(class)` gives something like PluginAnswer; its keys are read into it.
-template <class Answer, class Variant>
-void readAnswered(NodeReader& node, const std::string& name, Answer answer,
-                  const std::vector<std::string>& known,
+/// A class that is not re-implemented, with what is used instead of it, and why.
+void tellSubstitute(NodeReader& node, const std::string& name, const std::string& found,
+                    const std::string& substitute, const std::string& why);
+/// A class without which the rest works, and why it is not here.
+void tellLeftOut(NodeReader& node, const std::string& name, const std::string& found,
+                 const std::string& why);
+
+/// Whether the keys of a class that is not here are read by the one that is used instead.
+enum class SubstituteKeys { Read, Ignored };
+
+/// By the class `type`: `find(type)` gives something like PluginAnswer; its keys are read into it.
+/// A class of Nav2 that is not here is replaced by the nearest one, with a warning.
+template <class Find, class Variant>
+void readAnswered(NodeReader& node, const std::string& name, const std::string& type,
+                  const Find& find, SubstituteKeys keys, const std::vector<std::string>& known,
                   std::vector<std::pair<std::string, Variant>>& to) {
+  auto answer = find(type);
+  const std::string prefix = name + ".";
+  const bool isReplaced = !answer.parameters && !answer.why.empty() && !answer.name.empty();
+  if (isReplaced) {
+    tellSubstitute(node, name, type, answer.name, answer.why);
+    answer = find(answer.name);
+  }
   if (!answer.parameters) {
-    const GivenParameter* const given = node.parameters().find(name + ".plugin");
-    const std::string found = given != nullptr ? given->value->text : answer.name;
-    if (answer.why.empty()) {
-      tellUnknownPlugin(node, name, found, known);
-    } else {
-      node.tell(name + ".plugin", base::error("nav2.unsupported-plugin", {found, answer.why}));
-    }
-    node.know(name + ".", "its class is not here");
+    tellUnknownPlugin(node, name, type, known);
+    node.know(prefix, "its class is not here");
     return;
   }
   Variant parameters = *std::move(answer.parameters);
-  std::visit(
-      [&](auto& held) { held = node.read(name + ".", keysOf(held), idleKeysOf(held), held); },
-      parameters);
-  const std::string prefix = name + ".";
+  if (!isReplaced || keys == SubstituteKeys::Read) {
+    std::visit([&](auto& held) { held = node.read(prefix, keysOf(held), idleKeysOf(held), held); },
+               parameters);
+  }
+  if (isReplaced) {
+    node.know(prefix, "a key of " + type);
+  }
   for (const std::string& complaint : complaintsAbout(parameters)) {
     const std::string key = complaint.substr(0, complaint.find(' '));
     node.tell(prefix + key, base::error("nav2.bad-value", {prefix + complaint}));

@@ -1,0 +1,236 @@
+#include <algorithm>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <QtTest>
+
+#include "sim2d/nav/nav2/params/DistroGuess.h"
+#include "tests/nav/ParamsFiles.h"
+
+/// Plugins of a nav2_params.yaml: which are read, replaced, left out.
+class Nav2PluginsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void read_unknownPlugin_tellsTheNearest();
+  void read_layerThatIsNotHere_refusesNoFile_data();
+  void read_layerThatIsNotHere_refusesNoFile();
+  void read_layerThatIsReplaced_keepsItsNumbers();
+  void read_container_isItsPlugins();
+  void read_plannerThatIsNotHere_isReplaced();
+  void read_goalChecker_readsItsOwnKeys();
+  void read_wordOfLaunchFiles_switchesAFilterOff();
+  void read_pluginBlocks_goByTheirNames();
+  void read_sources_areThoseThatTheLayerNames();
+};
+
+using namespace nav2test;  // NOLINT: this file is about nothing else
+
+void Nav2PluginsTest::read_unknownPlugin_tellsTheNearest() {
+  const Nav2Reading reading = readOf(R"(planner_server:
+  ros__parameters:
+    planner_plugins: ["Mine"]
+    Mine:
+      plugin: "nav2_navfn_planner::NavfnPlaner"
+)");
+  const base::Diagnostic* const problem = problemOf(reading.problems, "nav2.unknown-plugin");
+  QVERIFY2(problem != nullptr, texts(reading.problems).c_str());
+  QCOMPARE(problem->line, 5);
+  QVERIFY(problem->message.find("NavfnPlanner") != std::string::npos);
+}
+
+void Nav2PluginsTest::read_layerThatIsNotHere_refusesNoFile_data() {
+  QTest::addColumn<QString>("plugin");
+  QTest::addColumn<QString>("code");
+  QTest::addColumn<QString>("as");  // the class that is used; empty: none
+  QTest::newRow("voxels that decay") << "spatio_temporal_voxel_layer/SpatioTemporalVoxelLayer"
+                                     << "nav2.treated-as"
+                                     << "nav2_costmap_2d::VoxelLayer";
+  QTest::newRow("legacy") << "nav2_costmap_2d::LegacyInflationLayer"
+                          << "nav2.treated-as"
+                          << "nav2_costmap_2d::InflationLayer";
+  QTest::newRow("asymmetric") << "nav2_costmap_2d::AsymmetricInflationLayer"
+                              << "nav2.treated-as"
+                              << "nav2_costmap_2d::InflationLayer";
+  for (const char* const plugin :
+       {"nav2_costmap_2d::DenoiseLayer", "nav2_costmap_2d::RangeSensorLayer",
+        "nav2_costmap_2d::BinaryFilter", "my_robot::CarpetMemory"}) {
+    QTest::newRow(plugin) << plugin << "nav2.left-out"
+                          << "";
+  }
+}
+
+void Nav2PluginsTest::read_layerThatIsNotHere_refusesNoFile() {
+  QFETCH(QString, plugin);
+  QFETCH(QString, code);
+  QFETCH(QString, as);
+  const auto read = [&](const char* enabled) {
+    return readOf(kPursuit + R"(local_costmap:
+  local_costmap:
+    ros__parameters:
+      plugins: ["it"]
+      it: {plugin: ")" +
+                  plugin.toStdString() + "\", some_key: 2, enabled: " + enabled + "}\n");
+  };
+  const Nav2Reading on = read("true");
+  QVERIFY2(on.ok(), texts(on.problems).c_str());
+  QCOMPARE(on.problems.size(), std::size_t{1});
+  QCOMPARE(on.problems.front().code, std::string_view(code.toLatin1().constData()));
+  QCOMPARE(on.problems.front().line, 9);
+  QVERIFY(noteOf(on, "local_costmap.it.some_key")->use == KeyUse::Idle);
+  const auto& plugins = on.parameters.localCostmap.plugins;
+  QCOMPARE(plugins.size(), std::size_t{as.isEmpty() ? 0U : 1U});
+  if (!as.isEmpty()) {
+    QCOMPARE(std::string(typeOf(plugins.front().parameters)), as.toStdString());
+  }
+  if (as.isEmpty()) {  // switched off it is not missed
+    QVERIFY2(read("false").problems.empty(), texts(read("false").problems).c_str());
+  }
+}
+
+/// Ranges of its sources have an older name; the factors of both sides are averaged.
+void Nav2PluginsTest::read_layerThatIsReplaced_keepsItsNumbers() {
+  const Nav2Reading reading = readOf(kPursuit + R"(local_costmap:
+  local_costmap:
+    ros__parameters:
+      plugins: ["stvl", "sides"]
+      stvl:
+        plugin: "spatio_temporal_voxel_layer/SpatioTemporalVoxelLayer"
+        voxel_decay: 15.0
+        mark_threshold: 2
+        observation_sources: scan
+        scan: {topic: /scan, obstacle_range: 4.5, marking: true, clearing: true,
+               max_obstacle_height: 2.0}
+      sides:
+        plugin: "nav2_costmap_2d::AsymmetricInflationLayer"
+        cost_scaling_factor_left: 2.0
+        cost_scaling_factor_right: 3.0
+        inflation_radius: 1.5
+)");
+  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+  const auto& plugins = reading.parameters.localCostmap.plugins;
+  QCOMPARE(plugins.size(), std::size_t{2});
+  const auto& voxels = std::get<VoxelLayerParameters>(plugins[0].parameters);
+  QCOMPARE(voxels.markThreshold, 0);
+  QCOMPARE(voxels.sources.front().obstacleMaxRange, 4.5);
+  QCOMPARE(voxels.sources.front().raytraceMaxRange, 4.5);
+  const auto& inflation = std::get<InflationLayerParameters>(plugins[1].parameters);
+  QCOMPARE(inflation.costScalingFactor, 2.5);
+  QCOMPARE(inflation.inflationRadius, 1.5);
+}
+
+void Nav2PluginsTest::read_container_isItsPlugins() {
+  const Nav2Reading reading = readOf(kPursuit + R"(local_costmap:
+  local_costmap:
+    ros__parameters:
+      plugins: ["both", "inflation_layer"]
+      both:
+        plugin: "nav2_costmap_2d::PluginContainerLayer"
+        plugins: ["one", "two"]
+        one: {plugin: "nav2_costmap_2d::StaticLayer"}
+        two: {plugin: "nav2_costmap_2d::ObstacleLayer", observation_sources: scan,
+              scan: {topic: /scan}}
+      inflation_layer: {plugin: "nav2_costmap_2d::InflationLayer"}
+)");
+  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+  std::vector<std::string> names;
+  for (const CostmapPlugin& plugin : reading.parameters.localCostmap.plugins) {
+    names.push_back(plugin.name);
+  }
+  QCOMPARE(names, (std::vector<std::string>{"both.one", "both.two", "inflation_layer"}));
+  QVERIFY(problemOf(reading.problems, "nav2.treated-as"));
+  QVERIFY(!problemOf(reading.problems, "nav2.unknown-key"));
+}
+
+void Nav2PluginsTest::read_plannerThatIsNotHere_isReplaced() {
+  const Nav2Reading reading = readOf(kPursuit + R"(planner_server:
+  ros__parameters:
+    planner_plugins: ["GridBased"]
+    GridBased: {plugin: "nav2_smac_planner::SmacPlannerLattice", tolerance: 0.5,
+                lattice_filepath: "x.json", rotation_penalty: 5.0}
+smoother_server:
+  ros__parameters:
+    smoother_plugins: ["smoother"]
+    smoother: {plugin: "nav2_constrained_smoother/ConstrainedSmoother", w_smooth: 2000000.0}
+)");
+  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+  QCOMPARE(std::get<SmacHybridParameters>(reading.parameters.planners.front().second).tolerance,
+           0.5);
+  QCOMPARE(std::get<SimpleSmootherParameters>(reading.parameters.smoothers.front().second).wSmooth,
+           0.3);
+  QCOMPARE(reading.problems.size(), std::size_t{2});
+  QVERIFY(reading.problems.front().message.find(
+              "treated as nav2_smac_planner::SmacPlannerHybrid") != std::string::npos);
+}
+
+void Nav2PluginsTest::read_goalChecker_readsItsOwnKeys() {
+  const auto use = [](const char* plugin, const char* key) {
+    const std::string text = std::string("    goal_checker_plugins: [It]\n    It: {plugin: \"") +
+                             plugin + "\", " + key + ": 0.1}\n";
+    const Nav2Reading reading = readOf(kPursuit + text, Distro::Main);
+    const KeyNote* const note = noteOf(reading, std::string("controller_server.It.") + key);
+    return reading.ok() && note != nullptr && note->use == KeyUse::Used;
+  };
+  QVERIFY(use("nav2_controller::SimpleGoalChecker", "yaw_goal_tolerance"));
+  QVERIFY(!use("nav2_controller::SimpleGoalChecker", "rot_stopped_velocity"));
+  QVERIFY(use("nav2_controller::StoppedGoalChecker", "rot_stopped_velocity"));
+  QVERIFY(!use("nav2_controller::PositionGoalChecker", "yaw_goal_tolerance"));
+  QVERIFY(use("nav2_controller::AxisGoalChecker", "along_path_tolerance"));
+  QVERIFY(!use("nav2_controller::SimpleGoalChecker", "along_path_tolerance"));
+  QVERIFY(use("nav2_controller::AdaptiveToleranceGoalChecker", "fine_xy_goal_tolerance"));
+  QVERIFY(use("dwb_plugins::StoppedGoalChecker", "trans_stopped_velocity"));
+}
+
+void Nav2PluginsTest::read_wordOfLaunchFiles_switchesAFilterOff() {
+  const Nav2Reading reading = readOf(R"(global_costmap:
+  global_costmap:
+    ros__parameters:
+      filters: ["keepout_filter"]
+      keepout_filter:
+        plugin: "nav2_costmap_2d::KeepoutFilter"
+        enabled: KEEPOUT_ZONE_ENABLED
+)" + kPursuit);
+  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+  QVERIFY(problemOf(reading.problems, "nav2.launch-word"));
+  QVERIFY(reading.parameters.globalCostmap.filters.empty());
+}
+
+void Nav2PluginsTest::read_pluginBlocks_goByTheirNames() {
+  const Nav2Reading reading = readOf(R"(planner_server:
+  ros__parameters:
+    planner_plugins: ["Fast", "Far"]
+    Fast: {plugin: "nav2_navfn_planner::NavfnPlanner", tolerance: 0.75}
+    Far: {plugin: "nav2_theta_star_planner::ThetaStarPlanner", w_euc_cost: 2.5}
+    Other: {plugin: "nav2_navfn_planner::NavfnPlanner"}
+)" + kPursuit);
+  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+  const auto& planners = reading.parameters.planners;
+  QCOMPARE(planners.size(), std::size_t{2});
+  QCOMPARE(planners[0].first, std::string("Fast"));
+  QCOMPARE(std::get<NavfnParameters>(planners[0].second).tolerance, 0.75);
+  QCOMPARE(std::get<ThetaStarParameters>(planners[1].second).eucCost, 2.5);
+}
+
+void Nav2PluginsTest::read_sources_areThoseThatTheLayerNames() {
+  const Nav2Reading reading = readOf(R"(local_costmap:
+  local_costmap:
+    ros__parameters:
+      plugins: ["obstacle_layer"]
+      obstacle_layer:
+        plugin: "nav2_costmap_2d::ObstacleLayer"
+        observation_sources: front rear
+        front: {topic: /f, clearing: true, max_obstacle_height: 2.0, obstacle_max_range: 4.5}
+        rear: {topic: /r}
+)" + kPursuit);
+  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+  const auto& layer =
+      std::get<ObstacleLayerParameters>(reading.parameters.localCostmap.plugins[0].parameters);
+  QCOMPARE(layer.sources.size(), std::size_t{2});
+  QCOMPARE(layer.sources[0].obstacleMaxRange, 4.5);
+  QVERIFY(layer.sources[0].clearing && !layer.sources[1].clearing);
+  QCOMPARE(layer.sources[1].maxObstacleHeight, 0.0);
+}
+
+QTEST_GUILESS_MAIN(Nav2PluginsTest)
+#include "tst_Nav2Plugins.moc"
