@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* kAtMost = "max";
 constexpr int kMostPort = 65535;
+constexpr std::chrono::seconds kNoViewerAfter(5);
 
 std::string wrongSpeed(const std::string& word) {
   const std::optional<double> speed = base::parseDouble(word);
@@ -141,6 +142,25 @@ std::unique_ptr<groot::GrootRun> openGroot(const RunOptions& options, const Bund
   printError("tree of " + person->name + " at 127.0.0.1:" + std::to_string((*opened)->port()) +
              " (Groot2: Monitor, Connect)");
   return *std::move(opened);
+}
+
+void NoViewerCheck::look() {
+  if (isOver_ || std::chrono::steady_clock::now() - begin_ < kNoViewerAfter) {
+    return;
+  }
+  isOver_ = true;
+  const auto seconds = kNoViewerAfter.count();
+  if (live_ != nullptr && !live_->wasWatched()) {
+    const std::string& address = options_.live.address;
+    printDiagnostics(
+        {isOfThisMachine(address)
+             ? base::warning("live.no-client-here", {live_->port(), seconds})
+             : base::warning("live.no-client", {urlOf(address, live_->port()), seconds})});
+  }
+  if (groot_ != nullptr && !groot_->wasWatched()) {
+    const int port = groot_->port();
+    printDiagnostics({base::warning("groot.no-client", {port, seconds, port + 1})});
+  }
 }
 
 }  // namespace app

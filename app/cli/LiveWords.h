@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -27,5 +28,22 @@ std::unique_ptr<live::LiveRun> openLive(const RunOptions& options, const Bundle&
 /// The same for Groot2. Ends the command also when nobody has that name, or no tree.
 std::unique_ptr<groot::GrootRun> openGroot(const RunOptions& options, const Bundle& bundle,
                                            sim2d::World& world);
+
+/// What was opened for others to watch, and nobody does: reported once, after the first seconds.
+class NoViewerCheck {
+ public:
+  /// Null: not opened. Both must outlive this.
+  NoViewerCheck(const RunOptions& options, const live::LiveRun* live, const groot::GrootRun* groot)
+      : options_(options), live_(live), groot_(groot) {}
+  /// Each state; what is due goes to standard error.
+  void look();
+
+ private:
+  const RunOptions& options_;
+  const live::LiveRun* live_;
+  const groot::GrootRun* groot_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  bool isOver_ = false;
+};
 
 }  // namespace app

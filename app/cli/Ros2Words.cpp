@@ -42,7 +42,11 @@ CLI::Validator namespaceName() {
 }
 
 void addRos2Options(CLI::App& command, Ros2Words& words, const std::string& help) {
-  CLI::Option* const ros2 = command.add_flag("--ros2", words.ros2, help);
+  CLI::Option* const ros2 =
+      command.add_flag("--ros2", words.ros2,
+                       help +
+                           ". Nodes are found on the loopback interface alone unless --network is "
+                           "given, and in one domain: --domain or ROS_DOMAIN_ID");
   command.add_option("--domain", words.domain, "ROS_DOMAIN_ID; else the variable, or 0")
       ->check(CLI::Range(0, bridge::kLastDomain))
       ->needs(ros2);
@@ -56,7 +60,9 @@ void addRos2Options(CLI::App& command, Ros2Words& words, const std::string& help
                   "humble, or jazzy for Iron and all later; else ROS_DISTRO")
       ->check(oneOf({"humble", "jazzy"}))
       ->needs(ros2);
-  command.add_flag("--network", words.network, "Also other machines; else this one alone")
+  command
+      .add_flag("--network", words.network,
+                "On all interfaces, so that other machines are found too; else on loopback alone")
       ->needs(ros2);
 }
 

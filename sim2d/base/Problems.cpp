@@ -611,6 +611,13 @@ constexpr ProblemText kTexts[] = {
      "no /cmd_vel came within {wait} s of a step: the run went on without one and may come out "
      "otherwise next time"},
     {"ros2.bad-domain", "ROS_DOMAIN_ID is '{found}', a domain is 0 to 232"},
+    {"ros2.no-peer-here",
+     "no other participant of domain {domain} was found within {seconds} s: this side uses the "
+     "loopback interface alone (--network adds the others), or the other programs use another "
+     "interface or ROS_DOMAIN_ID"},
+    {"ros2.no-peer-on-network",
+     "no other participant of domain {domain} was found within {seconds} s: the other programs use "
+     "another interface or ROS_DOMAIN_ID, or multicast does not reach them"},
     {"ros2.no-participant", "DDS cannot take part in domain {domain}"},
     {"ros2.endpoint-refused", "DDS refuses an endpoint for {name}"},
     {"ros2.other-type", "{name} has the type {found} here already, not {wanted}"},
@@ -642,11 +649,18 @@ constexpr ProblemText kTexts[] = {
     {"live.no-port", "nothing can connect to {address}, port {port}: {reason}"},
     {"live.no-address", "'{found}' is no address in digits, such as 127.0.0.1 or ::1"},
     {"live.not-local", "whoever reaches {address} can watch this run and steer it"},
+    {"live.no-client", "no client has connected to {address} within {seconds} s"},
+    {"live.no-client-here",
+     "no client has connected to port {port} within {seconds} s (it listens for this machine "
+     "alone; from another one: ssh -L {port}:localhost:{port} HOST, or --foxglove-address)"},
     {"live.page-refused",
      "a page of {origin} wanted to connect and was refused (--foxglove-origin {origin} lets it)"},
 
     {"groot.no-person",
      "there is no person{found? '%'} whose tree Groot2 could watch{nearest? (did you mean '%'?)}"},
+    {"groot.no-client",
+     "Groot2 has not connected to port {port} within {seconds} s (it listens for this machine "
+     "alone; from another one: ssh -L {port}:localhost:{port} -L {next}:localhost:{next} HOST)"},
     {"groot.too-many", "the tree has {count} nodes, Groot2 tells {most} apart"},
 
     // Bags: MCAP files and folders of rosbag2.

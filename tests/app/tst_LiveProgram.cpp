@@ -85,6 +85,8 @@ class LiveProgramTest : public QObject {
   void run_foreignPage_isRefusedAndTold();
   void run_teleop_isDrivenAndRecorded();
   void run_again_ignoresTheseWords();
+  void run_watchedByNobody_isTold_data();
+  void run_watchedByNobody_isTold();
   void run_forGroot2_filesAreTheSame();
   void run_forGroot2_ofNobody_isToldAndNothingIsWritten();
 
@@ -95,6 +97,30 @@ class LiveProgramTest : public QObject {
 
 void LiveProgramTest::initTestCase() {
   QVERIFY(folder_.isValid());
+}
+
+void LiveProgramTest::run_watchedByNobody_isTold_data() {
+  QTest::addColumn<QString>("address");
+  QTest::addColumn<QString>("words");
+  QTest::newRow("this machine") << text("127.0.0.1")
+                                << text("warning: no client has connected to port ");
+  QTest::newRow("all") << text("0.0.0.0")
+                       << text("warning: no client has connected to ws://0.0.0.0:");
+}
+
+/// After five seconds, once for each port, with what keeps others away.
+void LiveProgramTest::run_watchedByNobody_isTold() {
+  QFETCH(const QString, address);
+  QFETCH(const QString, words);
+  const QStringList given =
+      QStringList{text("run")} + cafe(path("unwatched"), 7.0) +
+      QStringList{text("--foxglove"), text("0"), text("--foxglove-address"), address,
+                  text("--groot2"),   text("0")};
+  const Finished run = outside::runProgram(given);
+  QCOMPARE(run.exitCode, 0);
+  QVERIFY2(run.err.count(words) == 1, qPrintable(run.err));
+  QCOMPARE(run.err.contains(text("or --foxglove-address)")), address == text("127.0.0.1"));
+  QCOMPARE(run.err.count(text("warning: Groot2 has not connected to port ")), 1);
 }
 
 void LiveProgramTest::run_watched_filesAreTheSame() {

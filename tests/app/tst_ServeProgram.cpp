@@ -17,6 +17,7 @@ class ServeProgramTest : public QObject {
  private Q_SLOTS:
   void serve_withoutRos2_isAWrongCommandLine();
   void run_optionsOfRos2WithoutIt_areAWrongCommandLine();
+  void help_ofRos2_saysWhoIsFound();
   void serve_badDomainOfTheVariable_isTold();
   void serve_brokenScenario_isTold();
   void serve_interrupted_endsCleanly();
@@ -75,6 +76,20 @@ void ServeProgramTest::run_optionsOfRos2WithoutIt_areAWrongCommandLine() {
         runProgram(QStringList{text("run"), scenario()} + text(options).split(QLatin1Char(' ')));
     QCOMPARE(finished.exitCode, 64);
     QVERIFY2(finished.err.contains(text("--ros2")), qPrintable(finished.err));
+  }
+}
+
+/// Without it a client on another interface or in another domain sees nothing, and nothing says
+/// why.
+void ServeProgramTest::help_ofRos2_saysWhoIsFound() {
+  for (const char* command : {"run", "serve", "evaluate"}) {
+    const QString help = runProgram({text(command), text("--help")}).out.simplified();
+    const int at = help.indexOf(text("--ros2 "));
+    QVERIFY2(at >= 0, qPrintable(help));
+    const QString said = help.mid(at, 400);
+    for (const char* word : {"loopback", "--network", "--domain", "ROS_DOMAIN_ID"}) {
+      QVERIFY2(said.contains(text(word)), qPrintable(said));
+    }
   }
 }
 

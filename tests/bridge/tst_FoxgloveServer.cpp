@@ -209,7 +209,8 @@ void FoxgloveServerTest::connect_besideManyHalfOpen_opensAtOnce_data() {
   QTest::addColumn<int>("count");
   for (const int count : {100, 500}) {
     QTest::addRow("%d say nothing", count) << QByteArray() << count;
-    QTest::addRow("%d half requests", count) << QByteArray("GET / HTTP/1.1\r\nHost: x\r\n") << count;
+    QTest::addRow("%d half requests", count)
+        << QByteArray("GET / HTTP/1.1\r\nHost: x\r\n") << count;
     QTest::addRow("%d refused", count) << QByteArray("GET / HTTP/1.1\r\n\r\n") << count;
   }
 }

@@ -191,7 +191,8 @@ void LiveRunTest::run_pausedThenJoined_showsTheLastState() {
   QVERIFY(late.open());
   std::map<std::string, int> channels;
   QString wanted;
-  for (const QJsonValue& each : late.await("advertise").value(QLatin1String("channels")).toArray()) {
+  for (const QJsonValue& each :
+       late.await("advertise").value(QLatin1String("channels")).toArray()) {
     const int id = each.toObject().value(QLatin1String("id")).toInt();
     channels[each.toObject().value(QLatin1String("topic")).toString().toStdString()] = id;
     wanted += QStringLiteral("%1{\"id\":%2,\"channelId\":%2}")
@@ -202,9 +203,18 @@ void LiveRunTest::run_pausedThenJoined_showsTheLastState() {
   timer.start();
   late.text(
       QStringLiteral("{\"op\":\"subscribe\",\"subscriptions\":[%1]}").arg(wanted).toStdString());
-  std::set<std::string> missing = {"/clock",        "/tf",           "/tf_static", "/map",
-                                   "/obstacles",    "/markers",      "/scan",      "/human_states",
-                                   "/people",       "/robot_states", "/odom",      "/goal_pose",
+  std::set<std::string> missing = {"/clock",
+                                   "/tf",
+                                   "/tf_static",
+                                   "/map",
+                                   "/obstacles",
+                                   "/markers",
+                                   "/scan",
+                                   "/human_states",
+                                   "/people",
+                                   "/robot_states",
+                                   "/odom",
+                                   "/goal_pose",
                                    "/hunavsim/metrics/path_length"};
   std::map<int, std::string> messages;
   while (!missing.empty()) {

@@ -30,6 +30,7 @@ class PeersTest : public QObject {
   void cyclone_callsComputeAgents_walksByTheNumbersByHand();
   void cyclone_callsEveryService_isAnswered();
   void cyclone_comesLate_hearsWhatIsLatched();
+  void cyclone_isTheNavigator_theRobotArrives_data();
   void cyclone_isTheNavigator_theRobotArrives();
   void tshark_namesEveryTopicAndType();
 };
@@ -473,7 +474,14 @@ void PeersTest::cyclone_comesLate_hearsWhatIsLatched() {
   QCOMPARE(heard["/human_states"].count, 0);
 }
 
+void PeersTest::cyclone_isTheNavigator_theRobotArrives_data() {
+  QTest::addColumn<QString>("reliability");
+  QTest::newRow("reliable commands") << QString();
+  QTest::newRow("best effort") << text("best_effort");
+}
+
 void PeersTest::cyclone_isTheNavigator_theRobotArrives() {
+  QFETCH(const QString, reliability);
   const QString program = cycloneProgram("cyclone_navigator");
   if (!QFile::exists(program)) {
     QSKIP(kNoCyclone);
@@ -497,7 +505,11 @@ void PeersTest::cyclone_isTheNavigator_theRobotArrives() {
   auto node = RunNode::create(verdict.world->header(), lidarsOf(scenario), settings,
                               [&](const base::Diagnostic& said) { told.push_back(said); });
   QVERIFY(node);
-  Peer peer(program, {QString::number(domain)});
+  QStringList words = {QString::number(domain)};
+  if (!reliability.isEmpty()) {
+    words += reliability;
+  }
+  Peer peer(program, words);
   QVERIFY2(peer.says("ready"), peer.said());
   bool hasArrived = false;
   for (int k = 0; k < 400 && !hasArrived; ++k) {

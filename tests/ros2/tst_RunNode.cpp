@@ -4,6 +4,7 @@
 
 #include "app/bridge/messages/BasicMessages.h"
 #include "app/bridge/messages/NavigationMessages.h"
+#include "app/bridge/nodes/NoPeerCheck.h"
 #include "app/bridge/nodes/RunNode.h"
 #include "tests/agents/Caller.h"
 #include "tests/ros2/Ros2Test.h"
@@ -18,8 +19,12 @@ class RunNodeTest : public QObject {
   void run_commandsOfOthers_driveTheRobot_data();
   void run_commandsOfOthers_driveTheRobot();
   void run_badCommand_isLeftOutAndTold();
+  void run_initialPose_putsTheRobotThere_data();
   void run_initialPose_putsTheRobotThere();
+  void run_goalPose_isWhereOurPlannerDrives_data();
   void run_goalPose_isWhereOurPlannerDrives();
+  void run_noOtherParticipant_isToldOnce_data();
+  void run_noOtherParticipant_isToldOnce();
 };
 
 namespace {
@@ -81,16 +86,26 @@ struct Drive {
   int node = 0;
 };
 
+void addReliabilities() {
+  QTest::addColumn<bool>("reliable");
+  QTest::newRow("reliable") << true;
+  QTest::newRow("best effort") << false;
+}
+
 }  // namespace
 
 void RunNodeTest::run_commandsOfOthers_driveTheRobot_data() {
   QTest::addColumn<bool>("stamped");
-  QTest::newRow("Twist") << false;
-  QTest::newRow("TwistStamped") << true;
+  QTest::addColumn<bool>("reliable");
+  QTest::newRow("Twist") << false << true;
+  QTest::newRow("TwistStamped") << true << true;
+  QTest::newRow("Twist, best effort") << false << false;
+  QTest::newRow("TwistStamped, best effort") << true << false;
 }
 
 void RunNodeTest::run_commandsOfOthers_driveTheRobot() {
   QFETCH(const bool, stamped);
+  QFETCH(const bool, reliable);
   Drive drive(stamped);
   QVERIFY(drive.run && drive.verdict.world);
   double clock = -1.0;
@@ -111,7 +126,8 @@ void RunNodeTest::run_commandsOfOthers_driveTheRobot() {
   withStamp.twist = twist;
   const auto commands = drive.other->publisher(
       drive.node, "/cmd_vel",
-      stamped ? geometry_msgs::TwistStamped::kType : geometry_msgs::Twist::kType, Qos());
+      stamped ? geometry_msgs::TwistStamped::kType : geometry_msgs::Twist::kType,
+      reliable ? Qos() : Qos::sensor());
   QVERIFY(clocks && odometries && scans && commands);
   for (int k = 0; k < 20; ++k) {
     QVERIFY(drive.step());
@@ -170,11 +186,17 @@ void RunNodeTest::run_badCommand_isLeftOutAndTold() {
   QCOMPARE(drive.told.size(), before);
 }
 
+void RunNodeTest::run_initialPose_putsTheRobotThere_data() {
+  addReliabilities();
+}
+
 void RunNodeTest::run_initialPose_putsTheRobotThere() {
+  QFETCH(const bool, reliable);
   Drive drive(false);
   QVERIFY(drive.run && drive.verdict.world);
   using Pose = geometry_msgs::PoseWithCovarianceStamped;
-  const auto poses = drive.other->publisher(drive.node, "/initialpose", Pose::kType, Qos());
+  const auto poses = drive.other->publisher(drive.node, "/initialpose", Pose::kType,
+                                            reliable ? Qos() : Qos::sensor());
   Pose pose;
   pose.header.frameId = "odom";
   pose.pose.pose.position = {1.0, -2.0, 0.0};
@@ -202,16 +224,22 @@ void RunNodeTest::run_initialPose_putsTheRobotThere() {
   QCOMPARE(drive.robotX(), 1.0);
 }
 
+void RunNodeTest::run_goalPose_isWhereOurPlannerDrives_data() {
+  addReliabilities();
+}
+
 /// The robot of a planner of ours, without a goal in the scenario. The order is not told again:
 /// Nav2 would take it for another one.
 void RunNodeTest::run_goalPose_isWhereOurPlannerDrives() {
+  QFETCH(const bool, reliable);
   Drive drive(false, "pursuit");
   QVERIFY(drive.run && drive.verdict.world);
   using Pose = geometry_msgs::PoseStamped;
   double toldX = 0.0;
   const auto hears = drive.hear<Pose>("/goal_pose", Qos::latched(),
                                       [&](const Pose& pose) { toldX = pose.pose.position.x; });
-  const auto orders = drive.other->publisher(drive.node, "/goal_pose", Pose::kType, Qos());
+  const auto orders = drive.other->publisher(drive.node, "/goal_pose", Pose::kType,
+                                             reliable ? Qos() : Qos::sensor());
   QVERIFY(hears && orders);
   for (int k = 0; k < 20; ++k) {
     QVERIFY(drive.step());
@@ -234,6 +262,46 @@ void RunNodeTest::run_goalPose_isWhereOurPlannerDrives() {
   QVERIFY(std::fabs(drive.robotX() - 1.0) < 0.5);
   QCOMPARE(toldX, 0.0);
   QVERIFY(given > 0 && given < 20);  // those that were on their way before the first one acted
+}
+
+void RunNodeTest::run_noOtherParticipant_isToldOnce_data() {
+  QTest::addColumn<bool>("isAlone");
+  QTest::newRow("alone") << true;
+  QTest::newRow("with another one") << false;
+}
+
+void RunNodeTest::run_noOtherParticipant_isToldOnce() {
+  QFETCH(const bool, isAlone);
+  Drive drive(false);
+  QVERIFY(drive.run && drive.verdict.world);
+  if (isAlone) {  // one that nobody answers: of another domain
+    constexpr int kEmptyDomain = 61;
+    drive.run = *RunNode::create(drive.verdict.world->header(), {}, {inDomain(kEmptyDomain)},
+                                 [&](const base::Diagnostic& said) { drive.told.push_back(said); });
+  }
+  DomainSettings onNetwork = inDomain(62);
+  const auto nobody = participant(onNetwork);
+  onNetwork.localhostOnly = false;
+  NoPeerCheck withNetwork(onNetwork);  // of a participant on loopback: the words alone differ
+  const auto begin = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - begin < Milliseconds(6500)) {
+    QVERIFY(drive.step());
+    drive.other->spin(Milliseconds(20));
+    if (std::chrono::steady_clock::now() - begin < Milliseconds(4500)) {
+      QVERIFY(drive.told.empty());
+    }
+  }
+  QCOMPARE(drive.told.size(), std::size_t{isAlone ? 1U : 0U});
+  const auto ofNetwork = withNetwork.look(*nobody);
+  QVERIFY(ofNetwork && ofNetwork->code == std::string_view("ros2.no-peer-on-network"));
+  QVERIFY(ofNetwork->message.find("--network") == std::string::npos);
+  QVERIFY(!withNetwork.look(*nobody));
+  if (isAlone) {
+    QCOMPARE(drive.told[0].code, std::string_view("ros2.no-peer-here"));
+    for (const char* reason : {"domain 61", "--network", "ROS_DOMAIN_ID", "interface"}) {
+      QVERIFY2(drive.told[0].message.find(reason) != std::string::npos, reason);
+    }
+  }
 }
 
 QTEST_APPLESS_MAIN(RunNodeTest)

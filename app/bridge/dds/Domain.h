@@ -44,14 +44,19 @@ struct Qos {
   bool transientLocal = false;  // who comes later gets the last ones
   int depth = 10;               // of the history
   double lifespan = 0.0;        // [s]; 0: for ever
+  /// Of a subscription: publishers that offer less than it wants are heard too, without repeats of
+  /// what is lost. DDS alone would not match them.
+  bool anyPublisher = false;
 
-  static Qos keepLast(int depth) { return {true, false, depth, 0.0}; }
-  static Qos sensor() { return {false, false, 5, 0.0}; }  // for what is read, not written
-  static Qos latched() { return {true, true, 1, 0.0}; }   // /map, /tf_static
-  static Qos clockReader() { return {false, false, 1, 0.0}; }
+  static Qos keepLast(int depth) { return {true, false, depth, 0.0, false}; }
+  static Qos sensor() { return {false, false, 5, 0.0, false}; }  // for what is read, not written
+  static Qos latched() { return {true, true, 1, 0.0, false}; }   // /map, /tf_static
+  static Qos clockReader() { return {false, false, 1, 0.0, false}; }
+  /// For input of others, whatever they publish with.
+  static Qos input(int depth = 10) { return {true, false, depth, 0.0, true}; }
   static Qos transforms() { return keepLast(100); }
   static Qos parameters() { return keepLast(1000); }  // their services and events
-  static Qos log() { return {true, true, 1000, 10.0}; }
+  static Qos log() { return {true, true, 1000, 10.0, false}; }
 };
 
 }  // namespace bridge

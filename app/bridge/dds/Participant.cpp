@@ -33,10 +33,16 @@ class DdsPublisher : public Publisher {
   bool isKept_;  // for who comes later
 };
 
+/// Two readers where every publisher is wanted (Qos::anyPublisher): one as asked for, and one that
+/// requests least and hands out what comes from publishers that the first cannot match.
 class DdsSubscription : public Subscription, public Source {
  public:
-  DdsSubscription(DdsPtr dds, int node, efd::DataReader* reader, Participant::Handler handler)
-      : dds_(std::move(dds)), handler_(std::move(handler)), reader_(dds_, node, reader) {
+  DdsSubscription(DdsPtr dds, int node, const Qos& qos, efd::DataReader* reader,
+                  efd::DataReader* least, Participant::Handler handler)
+      : dds_(std::move(dds)), qos_(qos), handler_(std::move(handler)), reader_(dds_, node, reader) {
+    if (least != nullptr) {
+      least_ = std::make_unique<OwnedReader>(dds_, node, least);
+    }
     dds_->sources.push_back(this);
   }
   ~DdsSubscription() override {
@@ -48,23 +54,35 @@ class DdsSubscription : public Subscription, public Source {
   DdsSubscription(DdsSubscription&&) = delete;
   DdsSubscription& operator=(DdsSubscription&&) = delete;
 
-  int matched() const override { return reader_.matched(); }
+  int matched() const override { return least_ ? least_->matched() : reader_.matched(); }
   bool handOutOne() override {
+    const auto any = [](const rtps::GUID_t& /*publisher*/) { return true; };
+    const auto unmatched = [this](const rtps::GUID_t& publisher) {
+      return dds_->others.offersLess(publisher, qos_);
+    };
+    return handOutOne(reader_, any) || (least_ && handOutOne(*least_, unmatched));
+  }
+
+ private:
+  template <class IsFrom>
+  bool handOutOne(const OwnedReader& reader, const IsFrom& isFrom) const {
     Bytes bytes;
     efd::SampleInfo info;
-    if (!reader_.take(bytes, info)) {
+    if (!reader.take(bytes, info)) {
       return false;
     }
-    if (info.sample_identity.writer_guid().guidPrefix != dds_->prefix()) {
+    const rtps::GUID_t& publisher = info.sample_identity.writer_guid();
+    if (publisher.guidPrefix != dds_->prefix() && isFrom(publisher)) {
       handler_(bytes);
     }
     return true;
   }
 
- private:
   DdsPtr dds_;
+  Qos qos_;
   Participant::Handler handler_;
   OwnedReader reader_;
+  std::unique_ptr<OwnedReader> least_;
 };
 
 class DdsParticipant : public Participant {
@@ -86,6 +104,7 @@ class DdsParticipant : public Participant {
                                                Answer answer) override;
   base::Result<std::unique_ptr<Client>> client(int node, const std::string& service,
                                                const std::string& type) override;
+  bool hasMetAnyone() const override { return dds_->others.hasMetAnyone(); }
   std::vector<OthersTopic> topicsOfOthers() override { return dds_->others.topics(); }
   void announce() override;
   bool spin(Milliseconds atMost) override;
@@ -126,12 +145,21 @@ base::Result<std::unique_ptr<Subscription>> DdsParticipant::subscription(
     int node, const std::string& topic, const std::string& type, const Qos& qos, Handler handler) {
   const std::string name = resolved(node, topic);
   const std::string mangled = ddsTypeName(type);
-  efd::DataReader* const reader = dds_->makeReader(ddsTopic(name), mangled, qos, {});
-  if (reader == nullptr) {
+  const auto make = [&](const Qos& with) {
+    return dds_->makeReader(ddsTopic(name), mangled, with, {});
+  };
+  efd::DataReader* const reader = make(qos);
+  Qos least = qos;
+  least.reliable = least.transientLocal = false;
+  efd::DataReader* const second = reader != nullptr && qos.anyPublisher ? make(least) : nullptr;
+  if (reader == nullptr || (qos.anyPublisher && second == nullptr)) {
+    if (reader != nullptr) {
+      dds_->drop(reader);
+    }
     return refusal(name, ddsTopic(name), mangled);
   }
   return std::unique_ptr<Subscription>(
-      std::make_unique<DdsSubscription>(dds_, node, reader, std::move(handler)));
+      std::make_unique<DdsSubscription>(dds_, node, qos, reader, second, std::move(handler)));
 }
 
 ServiceNames DdsParticipant::namesOf(int node, const std::string& service,

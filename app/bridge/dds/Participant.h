@@ -92,6 +92,8 @@ class Participant {
   virtual base::Result<std::unique_ptr<Client>> client(int node, const std::string& service,
                                                        const std::string& type) = 0;
 
+  /// Another participant of the domain was discovered, now or before.
+  virtual bool hasMetAnyone() const = 0;
   /// Those that have been met so far, in that order, 10 000 at most.
   virtual std::vector<OthersTopic> topicsOfOthers() = 0;
 

@@ -42,7 +42,8 @@ GrootRun::GrootRun(sim2d::World& world, int human, std::unique_ptr<GrootServer> 
 
 void GrootRun::show(const sim2d::Frame& frame) {
   const auto now = std::chrono::steady_clock::now();
-  const bool isDue = server_->isWatched() && (!told_ || now - *told_ >= kBetweenBlackboards);
+  // Also while nobody watches: who comes in a pause sees the entries of before it.
+  const bool isDue = !told_ || now - *told_ >= kBetweenBlackboards;
   server_->change([&](WatchedRun& run) {
     frame.treeChanges.forEach(
         [&](int id, const auto& /*paths*/, int node, base::NodeStatus status) {

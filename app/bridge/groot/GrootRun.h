@@ -21,6 +21,7 @@ class GrootRun {
                                                       int human, const bt::TreeTable& tree);
 
   std::uint16_t port() const { return server_->port(); }
+  bool wasWatched() const { return server_->wasWatched(); }
   /// Each state once, in order.
   void show(const sim2d::Frame& frame);
 

@@ -1,6 +1,5 @@
 #include "app/bridge/groot/GrootServer.h"
 
-#include <chrono>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,19 +9,14 @@ namespace groot {
 
 namespace {
 
-constexpr int kPatience = 100;                       // [ms] until the thread looks up
-constexpr std::int64_t kWatchedFor = 5'000'000'000;  // [ns] after the last request
-constexpr std::size_t kMostParts = 8;                // of a request
-constexpr std::int64_t kLargestRequest = 1 << 20;    // [B] of a part
-constexpr int kTrials = 20;                          // for two free ports side by side
-constexpr int kHandshakeTime = 1000;                 // [ms]; a client of this machine takes a few
+constexpr int kPatience = 100;                     // [ms] until the thread looks up
+constexpr std::size_t kMostParts = 8;              // of a request
+constexpr std::int64_t kLargestRequest = 1 << 20;  // [B] of a part
+constexpr int kTrials = 20;                        // for two free ports side by side
+constexpr int kHandshakeTime = 1000;               // [ms]; a client of this machine takes a few
 /// Connections that the system keeps until they are taken; the system allows less where it wants.
 /// With the 100 of ZeroMQ a burst of others makes clients try again after seconds.
 constexpr int kMostWaitingToConnect = 4096;
-
-std::int64_t now() {
-  return std::chrono::steady_clock::now().time_since_epoch().count();
-}
 
 struct CloseContext {
   void operator()(void* context) const { zmq_ctx_term(context); }
@@ -128,10 +122,6 @@ GrootServer::~GrootServer() {
   thread_.join();
 }
 
-bool GrootServer::isWatched() const {
-  return asked_ != 0 && now() - asked_ < kWatchedFor;
-}
-
 void GrootServer::serve() {
   while (!isOver_) {
     answerOne();
@@ -143,7 +133,7 @@ void GrootServer::answerOne() {
   if (request.empty()) {
     return;
   }
-  asked_ = now();
+  wasAsked_ = true;
   Message answer;
   change([&](WatchedRun& run) { answer = run.answer(request); });
   send(sockets_->answers.get(), answer);

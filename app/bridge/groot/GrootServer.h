@@ -30,9 +30,7 @@ class GrootServer {
     const std::lock_guard<std::mutex> lock(mutex_);
     change(run_);
   }
-  /// Somebody has asked within the last seconds.
-  bool isWatched() const;
-  bool wasWatched() const { return asked_ != 0; }  // a request came, now or before
+  bool wasWatched() const { return wasAsked_; }  // a request came, now or before
 
  private:
   struct Sockets;
@@ -44,7 +42,7 @@ class GrootServer {
   std::uint16_t port_ = 0;
   mutable std::mutex mutex_;
   WatchedRun run_;
-  std::atomic<std::int64_t> asked_{0};  // [ns] of the steady clock
+  std::atomic<bool> wasAsked_{false};
   std::atomic<bool> isOver_{false};
   std::thread thread_;
 };

@@ -13,6 +13,7 @@
 #include "app/bridge/messages/BasicMessages.h"
 #include "app/bridge/messages/HunavServices.h"
 #include "app/bridge/messages/TypeTable.h"
+#include "app/bridge/nodes/NoPeerCheck.h"
 
 namespace bridge {
 namespace {
@@ -65,6 +66,7 @@ class DdsRecorder final : public Recorder {
   DdsRecorder(RecorderSettings settings, std::unique_ptr<Participant> participant,
               Services services, Tell tell)
       : settings_(std::move(settings)),
+        noPeer_(settings_.domain),
         participant_(std::move(participant)),
         services_(std::move(services)),
         tell_(std::move(tell)) {
@@ -79,6 +81,9 @@ class DdsRecorder final : public Recorder {
   void spin(Milliseconds atMost) override {
     participant_->spin(atMost);
     lookForTopics();
+    if (const auto said = noPeer_.look(*participant_)) {
+      tellOnce(*said);
+    }
   }
   void begin(const std::string& path) override;
   base::Diagnostics end() override {
@@ -102,6 +107,7 @@ class DdsRecorder final : public Recorder {
   }
 
   RecorderSettings settings_;
+  NoPeerCheck noPeer_;
   std::unique_ptr<Participant> participant_;
   Services services_;
   Tell tell_;
@@ -149,8 +155,7 @@ void DdsRecorder::listenTo(const OthersTopic& topic) {
   auto heard = std::make_unique<Heard>();
   heard->topic = topic;
   Heard& from = *heard;
-  Qos qos = Qos::keepLast(kDepth);
-  qos.reliable = topic.reliable;
+  Qos qos = Qos::input(kDepth);  // others may publish it with less than the first one
   qos.transientLocal = topic.transientLocal;
   if (node_->subscribeBytes(topic, qos, [this, &from](const Bytes& bytes) { take(from, bytes); })) {
     heard_.push_back(std::move(heard));

@@ -8,6 +8,7 @@
 
 #include "app/bridge/messages/GeometryMessages.h"
 #include "app/bridge/nodes/GoalSender.h"
+#include "app/bridge/nodes/NoPeerCheck.h"
 #include "app/bridge/topics/RunMessages.h"
 #include "sim2d/world/WorldState.h"
 
@@ -28,6 +29,7 @@ class DdsRunNode final : public RunNode {
   DdsRunNode(std::unique_ptr<Participant> participant, const sim2d::TraceHeader& header,
              const RunTopicsOptions& options, const RunNodeSettings& settings, Tell tell)
       : settings_(settings),
+        noPeer_(settings.domain),
         participant_(std::move(participant)),
         topics_(header, options),
         tell_(std::move(tell)),
@@ -66,6 +68,7 @@ class DdsRunNode final : public RunNode {
   }
 
   RunNodeSettings settings_;
+  NoPeerCheck noPeer_;
   std::unique_ptr<Participant> participant_;
   RunTopics topics_;
   Tell tell_;
@@ -94,12 +97,13 @@ base::Diagnostics DdsRunNode::start(bool hasRobot) {
   if (hasRobot) {
     subscribeCommands();
     node_.subscribe<geometry_msgs::PoseWithCovarianceStamped>(
-        kInitialPose, Qos(), [this](const auto& message) {
+        kInitialPose, Qos::input(), [this](const auto& message) {
           takePose(kInitialPose, sim2d::InputKind::Move, message.header, message.pose.pose);
         });
-    node_.subscribe<geometry_msgs::PoseStamped>(kGoalPose, Qos(), [this](const auto& message) {
-      takePose(kGoalPose, sim2d::InputKind::Goal, message.header, message.pose);
-    });
+    node_.subscribe<geometry_msgs::PoseStamped>(
+        kGoalPose, Qos::input(), [this](const auto& message) {
+          takePose(kGoalPose, sim2d::InputKind::Goal, message.header, message.pose);
+        });
   }
   if (hasRobot && settings_.sendsGoals) {
     auto made = GoalSender::create(*participant_, node_.number(), settings_.domain.distro,
@@ -115,10 +119,10 @@ base::Diagnostics DdsRunNode::start(bool hasRobot) {
 void DdsRunNode::subscribeCommands() {
   driver_ = settings_.stampedCommands
                 ? node_.subscribe<geometry_msgs::TwistStamped>(
-                      "/cmd_vel", Qos(),
+                      "/cmd_vel", Qos::input(),
                       [this](const geometry_msgs::TwistStamped& command) { takeStamped(command); })
                 : node_.subscribe<geometry_msgs::Twist>(
-                      "/cmd_vel", Qos(),
+                      "/cmd_vel", Qos::input(),
                       [this](const geometry_msgs::Twist& command) { takeCommand(command); });
 }
 
@@ -201,6 +205,9 @@ void DdsRunNode::followGoal(const sim2d::Frame& frame) {
 }
 
 void DdsRunNode::tell(const sim2d::Frame& frame) {
+  if (const auto said = noPeer_.look(*participant_)) {
+    tellOnce(*said);
+  }
   topics_.note(frame);
   if (settings_.lockstep) {
     readAll();

@@ -30,12 +30,13 @@ std::string oneDecimal(double value) {
   return base::formatDecimals(std::round(value * 10.0) / 10.0, 1);
 }
 
-/// Who sees each state of a run; null: not there.
+/// Who sees each state of a run; null: not there, but for the last.
 struct Watchers {
   RunAgain* again = nullptr;
   RunOnRos2* ros2 = nullptr;
   live::LiveRun* live = nullptr;
   groot::GrootRun* groot = nullptr;
+  NoViewerCheck* noViewer = nullptr;
 };
 
 FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::World& world,
@@ -55,6 +56,7 @@ FinishedRun simulateShown(Session& session, const MetricsSetup& setup, sim2d::Wo
     if (watchers.groot != nullptr) {
       watchers.groot->show(frame);
     }
+    watchers.noViewer->look();
     if (watchers.again != nullptr) {
       watchers.again->look(frame, world, session);
     }
@@ -298,9 +300,10 @@ int runCommand(const RunCommandOptions& options, const Invocation& given) {
   const std::unique_ptr<live::LiveRun> live =
       openLive(options, bundle, verdict.metrics, ros2 == nullptr, session, world);
   const std::unique_ptr<groot::GrootRun> groot = openGroot(options, bundle, world);
+  NoViewerCheck noViewer(options, live.get(), groot.get());
   FinishedRun run =
       simulateShown(session, verdict.scenarioMetrics, world, writer,
-                    {prepared.again.get(), ros2.get(), live.get(), groot.get()}, given);
+                    {prepared.again.get(), ros2.get(), live.get(), groot.get(), &noViewer}, given);
   if (live) {
     live->finish(world.frame(), "the run is over: " + run.result.reason);
   }

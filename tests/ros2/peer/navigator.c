@@ -1,6 +1,7 @@
-/* cyclone_navigator DOMAIN: Nav2's action navigate_to_pose for a robot that is driven by /cmd_vel:
+/* cyclone_navigator DOMAIN [best_effort]: Nav2's action navigate_to_pose for a robot that is driven by /cmd_vel:
    takes a goal, turns and drives towards it by /odom, says that it has succeeded. Prints "ready" when the
-   robot is met, "goal X Y", "arrived X Y" and, when its input ends, "cancels N". */
+   robot is met, "goal X Y", "arrived X Y" and, when its input ends, "cancels N". Its
+   commands are reliable, or best effort. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -102,11 +103,12 @@ static void drive(Navigator* self, const nav_msgs_msg_Odometry* odometry) {
 }
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
+  if (argc != 2 && argc != 3) {
     return 64;
   }
   const dds_entity_t participant = peerParticipant(argv[1]);
   const PeerQos plain = {true, false, 10};
+  const PeerQos ofCommands = {argc == 2 || strcmp(argv[2], "best_effort") != 0, false, 10};
   Navigator self;
   memset(&self, 0, sizeof self);
   self.send = serverOf(participant, "send_goal", "nav2_msgs::action::dds_::NavigateToPose_SendGoal",
@@ -120,7 +122,7 @@ int main(int argc, char** argv) {
   self.odometry = peerReader(participant, &nav_msgs_msg_Odometry_desc,
                              "nav_msgs::msg::dds_::Odometry_", "rt/odom", plain);
   self.commands = peerWriter(participant, &geometry_msgs_msg_Twist_desc,
-                             "geometry_msgs::msg::dds_::Twist_", "rt/cmd_vel", plain);
+                             "geometry_msgs::msg::dds_::Twist_", "rt/cmd_vel", ofCommands);
   bool isReady = false;
   while (!peerIsToEnd()) {
     void* sample = NULL;
