@@ -55,6 +55,9 @@ class TreeBehavior final : public sim2d::HumanBehavior {
   TreeBehavior(PersonPrograms programs, bool loopsTrees)
       : programs_(std::move(programs)), loopsTrees_(loopsTrees) {}
 
+  std::unique_ptr<sim2d::HumanBehavior> withFreshMinds() const {
+    return std::make_unique<TreeBehavior>(programs_, loopsTrees_);
+  }
   void enter(int human, const WorldView& view) override;
   void decide(const WorldView& view, Intents& intents) override;
   void takeTreeChanges(TreeChanges& changes) override {
@@ -305,6 +308,10 @@ std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(const sim2d::Scenario& sc
   }
   return std::make_unique<TreeBehavior>(std::move(programs),
                                         scenario.desktop.loopTrees.value_or(true));
+}
+
+std::unique_ptr<sim2d::HumanBehavior> withFreshMinds(const sim2d::HumanBehavior& behavior) {
+  return dynamic_cast<const TreeBehavior&>(behavior).withFreshMinds();
 }
 
 Diagnostics checkAgentTreeFile(const std::string& path, const sim2d::Human& human,

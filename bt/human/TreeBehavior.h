@@ -48,6 +48,10 @@ std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(
     const sim2d::Scenario& scenario, const TreeFiles& files, base::Diagnostics& diagnostics,
     const sim2d::Compatibility& quirks = {}, const std::shared_ptr<KnownTrees>& known = nullptr);
 
+/// The same trees for the same people, none of whom has entered yet; `behavior` is one of
+/// makeTreeBehavior. Nothing is read or compiled again.
+std::unique_ptr<sim2d::HumanBehavior> withFreshMinds(const sim2d::HumanBehavior& behavior);
+
 /// The tree that such a run gives a person, with all that it includes.
 base::Result<TreeTable> treeOf(const sim2d::Human& human, const TreeFiles& files,
                                const sim2d::Scenario& scenario,

@@ -5,7 +5,9 @@
 #include <QtTest>
 
 #include "app/bridge/agents/AgentMessages.h"
+#include "app/bridge/agents/LoaderAnswers.h"
 #include "app/bridge/messages/Codec.h"
+#include "sim2d/scenario/Variation.h"
 #include "tests/agents/Caller.h"
 
 using namespace agentstest;
@@ -41,7 +43,13 @@ class AgentManagerTest : public QObject {
   void computeOne_unknown_isEmpty();
   void computeOne_hunav2_ticksOnceMore();
   void reset_beginsAnew();
+  void reset_goesOnAsAFreshManager_data();
+  void reset_goesOnAsAFreshManager();
+  void reset_ofTheSamePeople_checksNothingAgain();
   void reset_hunav2_takesPlacesAlone();
+  void variation_isDrawnAsInARun_data();
+  void variation_isDrawnAsInARun();
+  void variation_reactionTime_countsInSteps();
   void everyAnswer_canBeEncoded();
 };
 
@@ -467,6 +475,78 @@ void AgentManagerTest::computeOne_hunav2_ticksOnceMore() {
   QVERIFY(more > xOf(loop.agents[0]) + 0.015);
 }
 
+void AgentManagerTest::variation_isDrawnAsInARun_data() {
+  QTest::addColumn<int>("seed");
+  for (const int seed : {1, 2, 77}) {
+    QTest::newRow(std::to_string(seed).c_str()) << seed;
+  }
+}
+
+/// What `get_agents` answers, beside the world of a run with the same seed, which has a robot too.
+void AgentManagerTest::variation_isDrawnAsInARun() {
+  QFETCH(const int, seed);
+  sim2d::Scenario scenario;
+  const std::vector<int> goals = {addGoal(scenario, 5.0, 0.0), addGoal(scenario, 0.0, 5.0),
+                                  addGoal(scenario, -5.0, 0.0)};
+  for (int id = 1; id <= 6; ++id) {
+    addPerson(scenario, id, 1.2 * id, 0.5 * id, goals).groupId = id < 3 ? 4 : -1;
+  }
+  sim2d::Robot robot;
+  robot.key = {base::EntityKind::Robot, scenario.nextKey()};
+  robot.name = "robot1";
+  robot.start = {{3.0, 2.0}, 0.0};
+  scenario.robots.push_back(robot);
+  scenario.desktop.seed = seed;
+  scenario.desktop.variation.preset = sim2d::VariationPreset::Strong;
+  const app::Bundle bundle = bundleOf(scenario);
+  const app::Verdict run = app::check(bundle);
+  QVERIFY(run.world != nullptr);
+  AgentManager manager(bundle);
+  QVERIFY(!base::hasErrors(manager.prepare()));
+  const Agents agents = agentsAtStart(*manager.scenario(), seed).agents;
+  const std::vector<rcl_interfaces::Parameter> parameters =
+      loaderParameters(*manager.scenario(), seed);
+  QCOMPARE(agents.agents.size(), std::size_t{6});
+  int moved = 0;
+  for (const Agent& agent : agents.agents) {
+    const sim2d::WorldView& view = run.world->view();
+    const sim2d::ResolvedHuman& person = view.constants(view.indexOf(agent.id));
+    QCOMPARE(xOf(agent), person.start.position.x());
+    QCOMPARE(agent.position.position.y, person.start.position.y());
+    QCOMPARE(agent.yaw, static_cast<float>(person.start.heading));
+    QCOMPARE(agent.desiredVelocity, static_cast<float>(person.desiredSpeed));
+    QVERIFY(agent.desiredVelocity != 1.5F);
+    moved += xOf(agent) != 1.2 * agent.id ? 1 : 0;
+    const std::vector<int> order =
+        sim2d::firstGoalOf(scenario.desktop.variation, scenario.humans[0], seed).goals;
+    QVERIFY(agent.id >= 3 ||
+            agent.goals.at(0).position.x == scenario.goal(order.front())->position.x());
+    const auto speed = std::find_if(
+        parameters.begin(), parameters.end(),
+        [&](const auto& parameter) { return parameter.name == agent.name + ".max_vel"; });
+    QVERIFY(speed != parameters.end());
+    QCOMPARE(speed->value.doubleValue, person.desiredSpeed);
+  }
+  QVERIFY(moved >= 4);  // of six, some of which may find no room
+}
+
+// F = k_g v0 / (r tau) = 6 m/s² / r: v = 0.3 m/s / r after 0.05 s, r the factor of the person.
+void AgentManagerTest::variation_reactionTime_countsInSteps() {
+  sim2d::Scenario scenario = oneWalker();
+  scenario.desktop.seed = 5;
+  sim2d::VariationSettings& variation = scenario.desktop.variation;
+  variation.of(sim2d::Varied::ReactionTime).kind = sim2d::SpreadKind::Uniform;
+  variation.of(sim2d::Varied::ReactionTime).halfWidth = 0.4;
+  sim2d::ResolvedHuman drawn;
+  sim2d::PersonVariation(variation, 5, 1, -1).apply(drawn);
+  QVERIFY(std::fabs(drawn.reactionTime - 1.0) > 0.05);
+  Loop loop(scenario, "hunav2", {agentAt(1, 0.0, 0.0)});
+  QVERIFY(!base::hasErrors(loop.manager.prepare()));
+  loop.call(0.0);
+  const Agent moved = loop.call(kDt).updatedAgents.agents.at(0);
+  QVERIFY(std::fabs(moved.velocity.linear.x - 0.3 / drawn.reactionTime) < 1e-9);
+}
+
 void AgentManagerTest::reset_beginsAnew() {
   sim2d::Scenario scenario = oneWalker();
   const int back = addGoal(scenario, -5.0, 0.0);
@@ -486,6 +566,81 @@ void AgentManagerTest::reset_beginsAnew() {
   QCOMPARE(loop.agents[0].goals.at(0).position.x, 5.0);
   QVERIFY(xOf(loop.agents[0]) > 0.0);
   QVERIFY(loop.manager.takeRemarks().empty());
+}
+
+void AgentManagerTest::reset_goesOnAsAFreshManager_data() {
+  QTest::addColumn<QString>("scenario");
+  QTest::addColumn<bool>("otherGoals");
+  for (const char* name : {"corner_cafe/corner_cafe", "reactions/reaction_scared"}) {
+    QTest::newRow(name) << QString::fromLatin1(name) << false;
+    QTest::addRow("%s, other goals", name) << QString::fromLatin1(name) << true;
+  }
+}
+
+/// Byte for byte, whatever the people did before; and a reset does not check the scenario again.
+void AgentManagerTest::reset_goesOnAsAFreshManager() {
+  QFETCH(const QString, scenario);
+  QFETCH(const bool, otherGoals);
+  app::RunOptions options;
+  options.scenario = std::string(SOURCE_DIR "/maps/") + scenario.toStdString() + "_agents.yaml";
+  const app::Bundle bundle = app::readBundle(options, *app::runSettingsOf(options), {});
+  AgentManager used(bundle), fresh(bundle);
+  QVERIFY(!base::hasErrors(used.prepare()) && !base::hasErrors(fresh.prepare()));
+  const Agents start = agentsAtStart(*bundle.scenario, 1).agents;
+  Agent robot = robotAt(3.0, 3.0);
+  const auto walk = [&robot](AgentManager& manager, Agents agents, double from) {
+    std::string all;
+    for (int k = 0; k < 60; ++k) {
+      setStamp(agents, from + kDt * k);
+      hunav_msgs::ComputeAgents::Request request;
+      request.currentAgents = agents;
+      request.robot = robot;
+      agents = manager.compute(request).updatedAgents;
+      Agents unstamped = agents;
+      unstamped.header.stamp = {};
+      all += encode(unstamped);
+    }
+    return all;
+  };
+  Agents before = start;
+  if (otherGoals) {
+    std::reverse(before.agents.front().goals.begin(), before.agents.front().goals.end());
+  }
+  const std::string first = walk(used, before, 100.0);
+  hunav_msgs::ResetAgents::Request reset;
+  reset.currentAgents = start;
+  setStamp(reset.currentAgents, 200.0);
+  reset.robot = robot;
+  QVERIFY(used.reset(reset).ok);
+  const std::string again = walk(used, start, 200.0);
+  QVERIFY(fresh.reset(reset).ok);
+  QVERIFY(again == walk(fresh, start, 200.0));
+  QVERIFY(otherGoals || again.size() == first.size());
+}
+
+/// The quickest of many, beside the quickest of those that have to check the scenario: others are
+/// asked for.
+void AgentManagerTest::reset_ofTheSamePeople_checksNothingAgain() {
+  app::RunOptions options;
+  options.scenario = SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml";
+  const app::Bundle bundle = app::readBundle(options, *app::runSettingsOf(options), {});
+  AgentManager manager(bundle);
+  QVERIFY(!base::hasErrors(manager.prepare()));
+  hunav_msgs::ResetAgents::Request request;
+  request.currentAgents = agentsAtStart(*bundle.scenario, 1).agents;
+  double same = 1e9, other = 1e9;  // [ns]
+  const auto reset = [&] {
+    QElapsedTimer timer;
+    timer.start();
+    manager.reset(request);
+    return static_cast<double>(timer.nsecsElapsed());
+  };
+  for (int k = 0; k < 20; ++k) {
+    request.currentAgents.agents.front().desiredVelocity = 1.0F + 0.01F * static_cast<float>(k);
+    other = std::min(other, reset());
+    same = std::min(same, reset());
+  }
+  QVERIFY2(same < other / 4.0, QByteArray::number(same) + " of " + QByteArray::number(other));
 }
 
 void AgentManagerTest::reset_hunav2_takesPlacesAlone() {

@@ -6,6 +6,7 @@
 
 #include "app/bridge/agents/AgentMessages.h"
 #include "app/bridge/agents/CallerScenario.h"
+#include "app/bridge/agents/DrawnScenario.h"
 
 namespace bridge {
 namespace {
@@ -30,6 +31,23 @@ Agents withHeaderOf(const Agents& request) {
   return answer;
 }
 
+/// The same setup with people who have not entered yet.
+sim2d::WorldSetup freshlyMade(const sim2d::WorldSetup& recipe) {
+  sim2d::WorldSetup setup;
+  setup.scenario = recipe.scenario;
+  setup.map = recipe.map;
+  setup.surroundings = recipe.surroundings;
+  setup.registries = recipe.registries;
+  setup.compatibility = recipe.compatibility;
+  setup.threads = recipe.threads;
+  setup.exact = recipe.exact;
+  setup.behavior = bt::withFreshMinds(*recipe.behavior);
+  setup.code = recipe.code;
+  setup.folder = recipe.folder;
+  setup.stop = recipe.stop;
+  return setup;
+}
+
 }  // namespace
 
 AgentManager::AgentManager(app::Bundle bundle) : bundle_(std::move(bundle)) {}
@@ -39,6 +57,12 @@ base::Diagnostics AgentManager::prepare() {
   if (base::hasErrors(problems)) {
     return problems;
   }
+  const auto drawn = drawnScenario(bundle_);
+  if (!drawn) {
+    base::append(problems, app::errorsOf(drawn.diagnostics()));
+    return problems;
+  }
+  bundle_.scenario = *drawn;
   const auto world = makeWorld({});
   base::Diagnostics errors = app::errorsOf(world.diagnostics());
   base::append(problems, errors);
@@ -46,17 +70,21 @@ base::Diagnostics AgentManager::prepare() {
 }
 
 base::Result<std::unique_ptr<sim2d::CoupledWorld>> AgentManager::makeWorld(const Agents& agents) {
-  app::Bundle bundle = bundle_;
   base::Diagnostics strangers;
-  bundle.scenario =
+  const auto scenario =
       std::make_shared<const sim2d::Scenario>(scenarioFor(*bundle_.scenario, agents, strangers));
-  bundle.remarks.clear();
-  app::Verdict verdict = app::check(bundle, app::CheckDepth::Setup);
-  if (!verdict.setup) {
-    return app::errorsOf(verdict.problems);
+  if (!recipe_ || !(*recipe_->of == *scenario)) {
+    app::Bundle bundle = bundle_;
+    bundle.scenario = scenario;
+    bundle.remarks.clear();
+    app::Verdict verdict = app::check(bundle, app::CheckDepth::Setup);
+    if (!verdict.setup) {
+      return app::errorsOf(verdict.problems);
+    }
+    recipe_ = Recipe{scenario, std::move(*verdict.setup)};
   }
   base::Result<std::unique_ptr<sim2d::CoupledWorld>> world =
-      sim2d::CoupledWorld::create(std::move(*verdict.setup));
+      sim2d::CoupledWorld::create(freshlyMade(recipe_->setup));
   if (!world) {
     return world.diagnostics();
   }

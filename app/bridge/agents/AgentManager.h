@@ -33,6 +33,8 @@ class AgentManager {
   /// Everything wrong with the scenario; with errors among it nobody can be served. Works out what
   /// takes time before the first request.
   base::Diagnostics prepare();
+  /// What is served: from prepare() on with its variation drawn (drawnScenario).
+  const std::shared_ptr<const sim2d::Scenario>& scenario() const { return bundle_.scenario; }
 
   hunav_msgs::ComputeAgents::Response compute(const hunav_msgs::ComputeAgents::Request& request);
   hunav_msgs::MoveAgent::Response moveOne(const hunav_msgs::MoveAgent::Request& request);
@@ -67,6 +69,13 @@ class AgentManager {
   void tell(base::Severity severity, std::string_view code, base::ProblemValues values = {});
 
   app::Bundle bundle_;
+  /// What the world was made of, so that one of the same people is made without checking the
+  /// scenario and its trees again.
+  struct Recipe {
+    std::shared_ptr<const sim2d::Scenario> of;
+    sim2d::WorldSetup setup;  // its people have not entered
+  };
+  std::optional<Recipe> recipe_;
   std::unique_ptr<sim2d::CoupledWorld> world_;   // null: before the first request with agents
   bool cannotBe_ = false;                        // the world; told
   Stamped clock_;                                // of steps of everybody

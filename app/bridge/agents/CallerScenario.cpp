@@ -4,9 +4,11 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/bridge/agents/AgentMessages.h"
+#include "app/bridge/agents/DrawnScenario.h"
 
 namespace bridge {
 namespace {
@@ -144,7 +146,7 @@ Scenario scenarioFor(const Scenario& served, const hunav_msgs::Agents& agents,
   for (sim2d::Robot& robot : scenario.robots) {
     robot.listed = false;
   }
-  scenario.desktop.variation = {};
+  scenario.desktop.variation = reactionTimesAlone(std::move(scenario.desktop.variation));
   for (const Agent& agent : agents.agents) {
     if (agent.id < 0 || !faultOf(agent).empty()) {
       continue;

@@ -10,7 +10,8 @@ namespace bridge {
 /// its first request counts, as in HuNavSim: desired velocity, radius, group, goals, force factors.
 /// What the agents do, their trees, is as the scenario has it, by id. Somebody whom the scenario
 /// does not know is added as the message describes them, with the tree of their behaviour, and
-/// told in `remarks`. Without robots and variation: places are the caller's.
+/// told in `remarks`. Without robots; of the variation reaction times count, all else is the
+/// caller's.
 sim2d::Scenario scenarioFor(const sim2d::Scenario& served, const hunav_msgs::Agents& agents,
                             base::Diagnostics& remarks);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/bridge/agents/LoaderAnswers.h"
+#include "app/bridge/nodes/NoPeerCheck.h"
 
 namespace bridge {
 namespace {
@@ -17,7 +18,7 @@ class DdsAgentServer final : public AgentServer {
   DdsAgentServer(app::Bundle bundle, ServeSettings settings,
                  std::unique_ptr<Participant> participant, Tell tell)
       : settings_(std::move(settings)),
-        scenario_(bundle.scenario),
+        noPeer_(settings_.domain),
         participant_(std::move(participant)),
         manager_(std::move(bundle)),
         tell_(std::move(tell)) {}
@@ -28,6 +29,9 @@ class DdsAgentServer final : public AgentServer {
     participant_->spin(atMost);
     publishStep();
     tellRemarks();
+    if (const auto said = noPeer_.look(*participant_)) {
+      tellOnce(*said);
+    }
   }
   std::uint64_t answered() const override { return answered_; }
 
@@ -46,13 +50,14 @@ class DdsAgentServer final : public AgentServer {
       return work(request);
     });
   }
+  const sim2d::Scenario& scenario() const { return *manager_.scenario(); }
   bool wants(const char* parameter) const {
     const rcl_interfaces::ParameterValue* const value = node_->parameter(parameter);
     return value != nullptr && value->boolValue;
   }
 
   ServeSettings settings_;
-  std::shared_ptr<const sim2d::Scenario> scenario_;
+  NoPeerCheck noPeer_;
   std::unique_ptr<Participant> participant_;
   AgentManager manager_;
   Tell tell_;
@@ -100,7 +105,7 @@ void DdsAgentServer::offerManager() {
   forces_ = node_->publisher<visualization_msgs::MarkerArray>("sfm_forces", Qos::keepLast(5));
   humans_ = node_->publisher<hunav_msgs::Agents>("human_states", Qos::keepLast(1));
   robot_ = node_->publisher<hunav_msgs::Agent>("robot_states", Qos::keepLast(1));
-  if (scenario_->publishPeople.value_or(true)) {
+  if (scenario().publishPeople.value_or(true)) {
     people_ = node_->publisher<people_msgs::People>("people", Qos::keepLast(1));
   }
   sayings_ = sayNode_->publisher<std_msgs::String>("agent_say", Qos::keepLast(10));
@@ -113,22 +118,22 @@ void DdsAgentServer::offerManager() {
   answer<hunav_msgs::ResetAgents>("reset_agents",
                                   [this](const auto& request) { return manager_.reset(request); });
   if (settings_.actsAsGenerator) {
-    const long long seed = scenario_->desktop.seed.value_or(1);
+    const long long seed = scenario().desktop.seed.value_or(1);
     answer<hunav_msgs::GetAgents>(
-        "get_agents", [this, seed](const auto&) { return agentsAtStart(*scenario_, seed); });
+        "get_agents", [this, seed](const auto&) { return agentsAtStart(scenario(), seed); });
   }
 }
 
 void DdsAgentServer::offerLoader() {
-  const long long seed = scenario_->desktop.seed.value_or(1);
-  Node::Parameters parameters = loaderParameters(*scenario_, seed);
+  const long long seed = scenario().desktop.seed.value_or(1);
+  Node::Parameters parameters = loaderParameters(scenario(), seed);
   parameters.push_back(parameter("use_sim_time", false));
   loaderNode_ = std::make_unique<Node>(*participant_, settings_.domain, "/", "hunav_loader",
                                        std::move(parameters),
                                        [this](const base::Diagnostic& said) { tellOnce(said); });
   loaderNode_->serve<hunav_msgs::GetParameters>(
       "/get_parameters", kServices,
-      [this](const hunav_msgs::GetParameters::Request&) { return loaderSummary(*scenario_); });
+      [this](const hunav_msgs::GetParameters::Request&) { return loaderSummary(scenario()); });
 }
 
 /// Once the answer is on its way: its caller waits. Of another call that came with it before that.
