@@ -4,6 +4,27 @@
 
 namespace app {
 
+namespace {
+
+/// How many runs failed and why the first of them did: also what explains the exit code to who
+/// wants no other output.
+base::Diagnostics failuresOf(const BatchFolder& folder) {
+  const ResultStore& store = folder.store();
+  base::Diagnostics said;
+  if (const auto& first = store.firstFailure()) {
+    said.push_back(base::error("batch.runs-failed",
+                               {store.failed(), store.finished(), first->run, first->reason},
+                               folder.resultsFile()));
+  }
+  if (store.failedByMachine() > 0) {
+    said.push_back(
+        base::warning("batch.failed-by-machine", {store.failedByMachine()}, folder.resultsFile()));
+  }
+  return said;
+}
+
+}  // namespace
+
 int reportBatch(const BatchFolder& folder, const base::Diagnostics& troubles,
                 const Invocation& given) {
   const ResultStore& store = folder.store();
@@ -20,6 +41,7 @@ int reportBatch(const BatchFolder& folder, const base::Diagnostics& troubles,
     printLine(count + " finished, " + std::to_string(store.failed()) +
               " failed: " + folder.resultsFile());
   }
+  printDiagnostics(failuresOf(folder));
   if (!store.isComplete()) {
     printError("interrupted: the finished runs are kept; batch --resume goes on with the others");
   }

@@ -1,9 +1,11 @@
 #include "app/run/Batch.h"
 
 #include <chrono>
+#include <csignal>
 #include <deque>
 #include <exception>
 #include <map>
+#include <new>
 #include <optional>
 #include <poll.h>
 #include <sys/wait.h>
@@ -60,8 +62,41 @@ std::string answerTo(const BatchJob& job, const std::string& question) {
   } catch (const std::exception& problem) {
     ResultRow row;
     row.reason = reasonOf(problem);
+    const bool hadNoMemory = dynamic_cast<const std::bad_alloc*>(&problem) != nullptr;
+    row.failedBy = hadNoMemory ? FailedBy::Machine : FailedBy::Run;
     return rowText(row);
   }
+}
+
+/// Signals that others send: the system when memory ends, a queue at the end of its time, people.
+/// A run brings about all others by itself.
+bool isFromOutside(int signal) {
+  switch (signal) {
+    case SIGKILL:
+    case SIGTERM:
+    case SIGINT:
+    case SIGHUP:
+    case SIGQUIT:
+    case SIGXCPU:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// The row of a run whose process has ended with this status of waitpid.
+ResultRow rowOfEnded(int status) {
+  ResultRow row;
+  if (!WIFSIGNALED(status)) {
+    row.reason = "the process ended (code " + std::to_string(WEXITSTATUS(status)) + ")";
+    return row;
+  }
+  const int signal = WTERMSIG(status);
+  const bool isKilled = isFromOutside(signal);
+  row.failedBy = isKilled ? FailedBy::Machine : FailedBy::Run;
+  row.reason = std::string(isKilled ? "the process was killed" : "the process crashed") +
+               " (signal " + std::to_string(signal) + ")";
+  return row;
 }
 
 /// A process, with the run that it makes.
@@ -168,11 +203,7 @@ class Batch {
       waiting_.push_front(run);
       return;
     }
-    ResultRow row;
-    row.reason = WIFSIGNALED(status)
-                     ? "the process crashed (signal " + std::to_string(WTERMSIG(status)) + ")"
-                     : "the process ended (code " + std::to_string(WEXITSTATUS(status)) + ")";
-    take(run, row);
+    take(run, rowOfEnded(status));
   }
 
   void endLate() {

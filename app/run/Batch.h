@@ -27,9 +27,9 @@ struct BatchJob {
 
 /// Makes the runs in processes that are started once and make many (Box2D keeps process-wide
 /// statics, so worlds in parallel are processes). A process that crashes is replaced and its run
-/// begun again, once: who was killed from outside costs nothing, a run that crashes twice is a
-/// failed one. Returns when all have ended, or `wantsStop` says so; what was not finished then was
-/// never begun. One thread.
+/// begun again, once: one that was killed from outside costs nothing, a run that crashes twice is a
+/// failed one, by the machine where it was killed from outside (ResultRow::failedBy). Returns when
+/// all have ended, or `wantsStop` says so; what was not finished then was never begun. One thread.
 base::Diagnostics runBatch(const BatchJob& job);
 
 }  // namespace app

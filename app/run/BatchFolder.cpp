@@ -285,6 +285,9 @@ base::Diagnostics BatchFolder::takeEarlier(const Study& study, Earlier earlier) 
     problems.push_back(base::error("batch.other-shard",
                                    {found.study().shard.text(), study.shard.text()}, folder_));
   }
+  if (problems.empty()) {
+    problems = (*store)->dropFailed(earlier == Earlier::Retry);
+  }
   if (problems.empty() && study.timeLimit > 0.0 && !found.isComplete()) {
     problems = (*store)->setTimeLimit(study.timeLimit);
   }

@@ -1,5 +1,7 @@
 #include "app/run/ClusterScript.h"
 
+#include <vector>
+
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -17,18 +19,24 @@ std::string quoted(const std::string& word) {
 
 /// Options of `batch` that every part gets.
 std::string moreOf(const ClusterJob& job) {
-  std::string words = job.allowCode ? "--allow-code" : "";
-  if (job.timeLimit > 0.0) {
-    words += (words.empty() ? "" : " ") + std::string("--time-limit ") +
-             base::formatDouble(job.timeLimit);
+  std::vector<std::string> words;
+  if (job.allowCode) {
+    words.emplace_back("--allow-code");
   }
-  return words;
+  if (job.retryFailed) {
+    words.emplace_back("--retry-failed");
+  }
+  if (job.timeLimit > 0.0) {
+    words.push_back("--time-limit " + base::formatDouble(job.timeLimit));
+  }
+  return base::join(words, " ");
 }
 
 /// What both scripts begin with.
 std::string beginning(const ClusterJob& job, const std::string& use) {
   return "#!/bin/bash\n" + use +
-         "# Start it again when it was interrupted: what is finished is not run again.\n"
+         "# Start it again when it was interrupted: what is finished is not run again, but for "
+         "runs whose\n# process was killed or had no memory.\n"
          "set -u\n"
          "export PROGRAM=" +
          quoted(job.program) +

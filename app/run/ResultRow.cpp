@@ -78,6 +78,9 @@ ResultRow rowOf(const base::Diagnostics& problems) {
 
 std::string rowText(const ResultRow& row) {
   Json json = {{"ok", row.ok}, {"reason", row.reason}, {"simulated", row.simulated}};
+  if (row.failedBy == FailedBy::Machine) {
+    json["by_machine"] = true;
+  }
   json["fields"] = Json::object();
   for (const auto& [column, field] : row.fields) {
     json["fields"][column] = field;
@@ -97,6 +100,7 @@ ResultRow rowOfText(const std::string& text) {
     return row;
   }
   row.ok = json.value("ok", false);
+  row.failedBy = json.value("by_machine", false) ? FailedBy::Machine : FailedBy::Run;
   row.reason = json.value("reason", "");
   row.simulated = json.value("simulated", "");
   for (const auto& [column, field] : json["fields"].items()) {

@@ -9,11 +9,16 @@
 
 namespace app {
 
+/// What made a run fail. `Machine`: its process was killed from outside, or had no memory; that
+/// says nothing about the run, which may well succeed the next time. `Run`: all else.
+enum class FailedBy { Run, Machine };
+
 /// What the results keep of one run of a batch.
 struct ResultRow {
   bool ok = false;
-  std::string reason;     // why it ended, or failed
-  std::string simulated;  // [s]; empty when not known
+  FailedBy failedBy = FailedBy::Run;  // unless ok
+  std::string reason;                 // why it ended, or failed
+  std::string simulated;              // [s]; empty when not known
   /// Columns behind those that every row has, with their fields as CSV has them: metrics of the
   /// first robot by their keys, then those of each other robot, `robot2.path_length`.
   std::vector<std::pair<std::string, std::string>> fields;

@@ -30,6 +30,10 @@ const char* const kTables =
     " value_texts TEXT NOT NULL, status TEXT NOT NULL, reason TEXT NOT NULL,"
     " simulated TEXT NOT NULL, metrics TEXT NOT NULL);";
 
+/// Beside those: it came later, and older databases are read without it.
+const char* const kMachineTable =
+    "CREATE TABLE IF NOT EXISTS machine_failures(run INTEGER PRIMARY KEY);";
+
 Json textsJson(const std::vector<std::string>& texts) {
   Json json = Json::array();
   for (const std::string& text : texts) {
@@ -245,8 +249,14 @@ base::Diagnostics ResultStore::readStudy() {
 }
 
 base::Diagnostics ResultStore::readRuns() {
-  has_.resize(study_.runs);
-  const SqlStatement statement(database_, "SELECT run, status FROM runs");
+  has_.assign(study_.runs, false);
+  finished_ = failed_ = 0;
+  byMachine_.clear();
+  firstFailure_.reset();
+  if (base::Diagnostics problems = readMachineFailures(); !problems.empty()) {
+    return problems;
+  }
+  const SqlStatement statement(database_, "SELECT run, status, reason FROM runs");
   while (statement.step()) {
     const long long index = statement.number(0);
     if (index < 0 || static_cast<std::size_t>(index) >= study_.runs ||
@@ -255,9 +265,48 @@ base::Diagnostics ResultStore::readRuns() {
     }
     has_[static_cast<std::size_t>(index)] = true;
     ++finished_;
-    failed_ += statement.text(1) == "ok" ? 0 : 1;
+    if (statement.text(1) != "ok") {
+      noteFailure(static_cast<std::size_t>(index), statement.text(2));
+    }
   }
   return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics() : trouble("batch.damaged");
+}
+
+void ResultStore::noteFailure(std::size_t run, const std::string& reason) {
+  ++failed_;
+  if (!firstFailure_ || run < firstFailure_->run) {
+    firstFailure_ = {run, reason};
+  }
+}
+
+base::Diagnostics ResultStore::readMachineFailures() {
+  const SqlStatement table(database_, "SELECT 1 FROM sqlite_master WHERE name='machine_failures'");
+  if (!table.step()) {
+    return {};
+  }
+  const SqlStatement statement(
+      database_,
+      "SELECT run FROM machine_failures JOIN runs USING(run) WHERE status<>'ok' AND run>=0");
+  while (statement.step()) {
+    byMachine_.insert(static_cast<std::size_t>(statement.number(0)));
+  }
+  return sqlite3_errcode(database_) == SQLITE_DONE ? base::Diagnostics() : trouble("batch.damaged");
+}
+
+base::Diagnostics ResultStore::dropFailed(bool all) {
+  if (all ? failed_ == 0 : byMachine_.empty()) {
+    return {};
+  }
+  const std::string which = all ? "" : " AND run IN (SELECT run FROM machine_failures)";
+  const std::string change = "BEGIN IMMEDIATE;" + std::string(kMachineTable) +
+                             "DELETE FROM runs WHERE status<>'ok'" + which +
+                             ";DELETE FROM machine_failures;COMMIT";
+  if (!run(change.c_str())) {
+    base::Diagnostics problems = trouble("batch.cannot-store");
+    run("ROLLBACK");  // without effect where nothing was begun
+    return problems;
+  }
+  return readRuns();
 }
 
 base::Diagnostics ResultStore::setTimeLimit(double seconds) {
@@ -315,13 +364,28 @@ base::Diagnostics ResultStore::add(const StoredRun& run) {
   to.bind(6, run.row.reason);
   to.bind(7, run.row.simulated);
   to.bind(8, fieldsText(run.row));
-  const bool isIn = sqlite3_step(to.prepared) == SQLITE_DONE;  // its own transaction
+  // A transaction of its own, but for the mark of one that the machine ended.
+  const bool isMarked = !run.row.ok && run.row.failedBy == FailedBy::Machine;
+  const std::string mark = "BEGIN IMMEDIATE;" + std::string(kMachineTable) +
+                           "INSERT OR IGNORE INTO machine_failures VALUES(" +
+                           std::to_string(run.run) + ")";
+  bool isIn = !isMarked || this->run(mark.c_str());
+  isIn = isIn && sqlite3_step(to.prepared) == SQLITE_DONE;
   base::Diagnostics problems = isIn ? base::Diagnostics() : trouble("batch.cannot-store");
   sqlite3_reset(to.prepared);
+  if (isMarked && !this->run(isIn ? "COMMIT" : "ROLLBACK") && isIn) {
+    problems = trouble("batch.cannot-store");
+    isIn = false;
+  }
   if (isIn) {
+    if (isMarked) {
+      byMachine_.insert(run.run);
+    }
     has_[run.run] = true;
     ++finished_;
-    failed_ += run.row.ok ? 0 : 1;
+    if (!run.row.ok) {
+      noteFailure(run.run, run.row.reason);
+    }
   }
   return problems;
 }
@@ -339,6 +403,7 @@ base::Diagnostics ResultStore::forEach(const std::function<void(const StoredRun&
     stored.values = textsOf(statement.text(3));
     stored.values.resize(study_.paths.size());
     stored.row.ok = statement.text(4) == "ok";
+    stored.row.failedBy = byMachine_.count(stored.run) > 0 ? FailedBy::Machine : FailedBy::Run;
     stored.row.reason = statement.text(5);
     stored.row.simulated = statement.text(6);
     const Json fields = Json::parse(statement.text(7), nullptr, false);

@@ -3,6 +3,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -68,12 +70,20 @@ class ResultStore {
   const Study& study() const { return study_; }
   std::size_t finished() const { return finished_; }
   std::size_t failed() const { return failed_; }
+  std::size_t failedByMachine() const { return byMachine_.size(); }  // of those
+  struct Failure {
+    std::size_t run = 0;
+    std::string reason;
+  };
+  const std::optional<Failure>& firstFailure() const { return firstFailure_; }  // by number
   bool isComplete() const { return finished_ == study_.shard.runsOf(study_.runs); }
   bool has(std::size_t run) const { return has_[run]; }
 
   /// Inputs of the run belong to the study from then on. Errors: one of them is another file than
   /// for the study; the run is not added then.
   base::Diagnostics add(const StoredRun& run);
+  /// Takes failed runs out, so that they are missing: those that the machine ended, or all.
+  base::Diagnostics dropFailed(bool all);
   /// Of the runs that are missing.
   base::Diagnostics setTimeLimit(double seconds);
   /// All runs that are in it, by number.
@@ -88,6 +98,8 @@ class ResultStore {
   base::Diagnostics makeTables(const Study& study);
   base::Diagnostics readStudy();
   base::Diagnostics readRuns();
+  void noteFailure(std::size_t run, const std::string& reason);
+  base::Diagnostics readMachineFailures();
   base::Diagnostics addInputs(const std::vector<InputHash>& inputs);
   bool run(const char* sql) const;
   base::Diagnostics trouble(const char* code) const;
@@ -99,6 +111,8 @@ class ResultStore {
   std::map<std::string, std::string> hashes_;  // of inputs, by path
   std::vector<bool> has_;                      // by run
   std::size_t finished_ = 0, failed_ = 0;
+  std::optional<Failure> firstFailure_;
+  std::set<std::size_t> byMachine_;  // runs that the machine ended
 };
 
 }  // namespace app

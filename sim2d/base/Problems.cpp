@@ -966,6 +966,12 @@ constexpr ProblemText kTexts[] = {
     {"batch.cannot-store", "the results cannot be written ({reason}): what is in them is kept"},
     {"batch.no-files", "the files of a run cannot be written: {reason}"},
     {"batch.no-process", "the system gives no more processes"},
+    {"batch.runs-failed",
+     "{failed} of {finished} finished runs failed, the first is run {run}: {reason} (batch "
+     "--retry-failed makes them again)"},
+    {"batch.failed-by-machine",
+     "the process of {count} failed runs was killed or had no memory: batch --resume makes those "
+     "again"},
     {"batch.other-program",
      "the batch was begun by version {was}, this is {now}: finish it with that one, or begin anew "
      "elsewhere"},

@@ -115,8 +115,17 @@ class StudyTroublesTest : public QObject {
     const auto rows = outside::readCsv(out + text("/results.csv"));
     QCOMPARE(rows.size(), std::size_t{1});
     QCOMPARE(rows[0].at(text("status")), text("failed"));
-    QVERIFY2(rows[0].at(text("reason")).startsWith(text("the process crashed (signal 9)")),
+    QVERIFY2(rows[0].at(text("reason")).startsWith(text("the process was killed (signal 9)")),
              qPrintable(rows[0].at(text("reason"))));
+    QVERIFY2(found.err.contains(text("1 of 1 finished runs failed, the first is run 0: the process "
+                                     "was killed (signal 9)")),
+             qPrintable(found.err));
+    QVERIFY2(found.err.contains(text("batch --resume makes those again")), qPrintable(found.err));
+    Running again(
+        StudyFolder::words(folder_.endless(1), out, {text("--jobs"), text("1"), text("--resume")}));
+    QTRY_VERIFY_WITH_TIMEOUT(again.workers().size() == 1, 20000);  // its run is made again
+    ::kill(again.pid(), SIGKILL);
+    again.wait();
   }
 
   void timeLimit_passed_isAFailedRow() {
@@ -129,6 +138,35 @@ class StudyTroublesTest : public QObject {
     QCOMPARE(rows[1].at(text("reason")), text("not finished within 0.2 s"));
     QCOMPARE(runProgram({text("report"), out, text("-q")}).exitCode, 0);
     QVERIFY(bytesOf(out + text("/report.html")).contains("--time-limit 0.2"));
+  }
+
+  /// A run that failed by itself stays failed when the batch is resumed, until a retry is asked
+  /// for.
+  void retryFailed_makesFailedRunsAgain() {
+    const QString out = folder_.path(text("retried"));
+    const auto reasonsAfter = [&](const QStringList& more) {
+      const Finished found =
+          runProgram(StudyFolder::words(folder_.endless(), out, more + QStringList{text("-q")}));
+      [&] { QCOMPARE(found.exitCode, 1); }();
+      [&] { QCOMPARE(found.out, QString()); }();
+      // Why the exit code is 1 is said without other output too.
+      [&] {
+        QVERIFY2(found.err.contains(text("2 of 2 finished runs failed, the first is run 0: not "
+                                         "finished within")),
+                 qPrintable(found.err));
+      }();
+      QStringList reasons;
+      for (const auto& row : outside::readCsv(out + text("/results.csv"))) {
+        reasons += row.at(text("reason"));
+      }
+      return reasons.join(text("; "));
+    };
+    const QString limit = text("--time-limit");
+    const QString first = text("not finished within 0.2 s; not finished within 0.2 s");
+    QCOMPARE(reasonsAfter({limit, text("0.2")}), first);
+    QCOMPARE(reasonsAfter({text("--resume"), limit, text("0.3")}), first);
+    QCOMPARE(reasonsAfter({text("--retry-failed"), limit, text("0.3")}),
+             text("not finished within 0.3 s; not finished within 0.3 s"));
   }
 
   /// Nobody knows which of both such a run has read.
@@ -272,8 +310,11 @@ class StudyTroublesTest : public QObject {
   void script_isBash() {
     for (const char* kind : {"slurm", "parallel"}) {
       const Finished script = runProgram(StudyFolder::words(
-          folder_.study(), folder_.path(text("it's")), {text("--script"), text(kind)}));
+          folder_.study(), folder_.path(text("it's")),
+          {text("--script"), text(kind), text("--retry-failed"), text("--time-limit"), text("9")}));
       QCOMPARE(script.exitCode, 0);
+      QVERIFY2(script.out.contains(text("MORE='--retry-failed --time-limit 9.0'\n")),
+               qPrintable(script.out));
       outside::writeText(folder_.path(text("check.sh")), script.out.toUtf8());
       QProcess bash;
       bash.start(text("bash"), {text("-n"), folder_.path(text("check.sh"))});

@@ -140,6 +140,46 @@ class BatchTest : public QObject {
       QCOMPARE(row.ok, run != 3);
     }
     QCOMPARE(rows[3].reason, std::string("the process crashed (signal 11)"));
+    QVERIFY(rows[3].failedBy == app::FailedBy::Run);
+  }
+
+  /// Signals that the system, a queue or people send; a run brings about none of them.
+  void killed_always_isTheMachinesFailure_data() {
+    QTest::addColumn<int>("signal");
+    QTest::newRow("KILL") << SIGKILL;
+    QTest::newRow("TERM") << SIGTERM;
+    QTest::newRow("XCPU") << SIGXCPU;
+  }
+  void killed_always_isTheMachinesFailure() {
+    QFETCH(const int, signal);
+    Rows rows;
+    app::BatchJob job = jobOf(4, rows);
+    job.make = [inner = job.make, signal](std::size_t run) {
+      if (run == 1) {
+        ::signal(signal, SIG_DFL);  // NOLINT(bugprone-unused-return-value): KILL has no other
+        ::raise(signal);
+      }
+      return inner(run);
+    };
+    QVERIFY(app::runBatch(job).empty());
+    QCOMPARE(rows.size(), std::size_t{4});
+    QVERIFY(!rows[1].ok && rows[1].failedBy == app::FailedBy::Machine);
+    QCOMPARE(rows[1].reason, "the process was killed (signal " + std::to_string(signal) + ")");
+  }
+
+  void noMemory_isTheMachinesFailure() {
+    Rows rows;
+    app::BatchJob job = jobOf(3, rows);
+    job.make = [inner = job.make](std::size_t run) {
+      if (run == 1) {
+        throw std::bad_alloc();
+      }
+      return inner(run);
+    };
+    QVERIFY(app::runBatch(job).empty());
+    QVERIFY(!rows[1].ok && rows[1].failedBy == app::FailedBy::Machine);
+    QCOMPARE(rows[1].reason, std::string("not enough memory"));
+    QVERIFY(rows[0].ok && rows[2].ok);
   }
 
   void crash_once_costsNothing() {
@@ -171,6 +211,7 @@ class BatchTest : public QObject {
     QVERIFY(app::runBatch(job).empty());
     QVERIFY(!rows[1].ok);
     QCOMPARE(rows[1].reason, std::string("no memory for this"));
+    QVERIFY(rows[1].failedBy == app::FailedBy::Run);
     QVERIFY(rows[0].ok && rows[2].ok);
   }
 

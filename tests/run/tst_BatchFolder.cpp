@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "app/run/BatchFolder.h"
+#include "app/run/Merge.h"
 #include "app/run/Sha256.h"
 #include "sim2d/base/Text.h"
 #include "tests/support/StruckCalls.h"
@@ -100,6 +101,89 @@ class BatchFolderTest : public QObject {
       QCOMPARE(textOf("results.csv"), std::string("my remarks\n"));
     }
     QVERIFY(work(0, 3, Earlier::Replace));
+  }
+
+  /// Of three failed runs the machine ended one: a resumed batch makes that one again, and all of
+  /// them if it is told to.
+  void resume_failedRuns_areMissing_data() {
+    QTest::addColumn<int>("earlier");
+    QTest::addColumn<QVector<int>>("missing");
+    QTest::newRow("resume") << static_cast<int>(Earlier::Resume) << QVector<int>{1};
+    QTest::newRow("retry") << static_cast<int>(Earlier::Retry) << QVector<int>{1, 2};
+  }
+  void resume_failedRuns_areMissing() {
+    QFETCH(const int, earlier);
+    QFETCH(const QVector<int>, missing);
+    {
+      const auto batch = *BatchFolder::open(folder(), study(), Earlier::Refuse);
+      app::StoredRun good = runOf(0), killed = runOf(1);
+      good.row.ok = true;
+      killed.row.failedBy = app::FailedBy::Machine;
+      QVERIFY(batch->add(good).empty() && batch->add(killed).empty());
+      QVERIFY(batch->add(runOf(2)).empty());
+      QVERIFY(batch->finish().empty());
+      QCOMPARE(batch->store().failed(), std::size_t{2});
+      QCOMPARE(batch->store().failedByMachine(), std::size_t{1});
+      QCOMPARE(batch->store().firstFailure()->run, std::size_t{1});
+    }
+    {
+      const auto batch = *BatchFolder::open(folder(), study(), static_cast<Earlier>(earlier));
+      const std::vector<std::size_t> found = batch->missing();
+      QCOMPARE(QVector<int>(found.begin(), found.end()), missing);
+      QCOMPARE(batch->store().failed(), std::size_t{2} - found.size());
+      for (const std::size_t run : found) {
+        app::StoredRun again = runOf(run);
+        again.row.ok = true;
+        again.row.reason = "duration";
+        QVERIFY(batch->add(again).empty());
+      }
+      QVERIFY(batch->finish().empty());
+      QCOMPARE(batch->store().failedByMachine(), std::size_t{0});
+    }
+    QVERIFY(textOf("results.csv").find("1,scene,1,ok,duration,") != std::string::npos);
+    const auto batch = *BatchFolder::open(folder(), study(), Earlier::Resume);
+    QVERIFY(batch->missing().empty());
+  }
+
+  /// Shards joined: what the machine ended is still known, so that the whole can be resumed.
+  void merge_failedByMachine_isKept() {
+    const std::string place = place_->path().toStdString();
+    for (std::size_t number = 1; number <= 2; ++number) {
+      app::Study part = study();
+      part.shard = {number, 2};
+      const auto batch =
+          *BatchFolder::open(place + "/" + std::to_string(number), part, Earlier::Refuse);
+      for (const std::size_t run : batch->missing()) {
+        app::StoredRun stored = runOf(run);
+        stored.row.failedBy = run == 2 ? app::FailedBy::Machine : app::FailedBy::Run;
+        QVERIFY(batch->add(stored).empty());
+      }
+      QVERIFY(batch->finish().empty());
+    }
+    {
+      const auto whole = app::mergeShards(folder(), {place + "/1", place + "/2"}, Earlier::Refuse);
+      QVERIFY(static_cast<bool>(whole));
+      QCOMPARE((*whole)->store().failed(), std::size_t{3});
+      QCOMPARE((*whole)->store().failedByMachine(), std::size_t{1});
+    }
+    const auto resumed = *BatchFolder::open(folder(), study(), Earlier::Resume);
+    QVERIFY(resumed->missing() == std::vector<std::size_t>{2});
+  }
+
+  /// Killed while failed runs are taken out: they are all there, or all of them are missing.
+  void retry_killed_losesNothing() {
+    QVERIFY(work(0, 3, Earlier::Refuse));
+    int kills = 0;
+    for (int code = 9; code == 9; ++kills) {
+      code = struck::elsewhere([&] {
+        struck::callsLeft = kills;
+        return work(0, 3, Earlier::Retry) ? 0 : 1;
+      });
+      QVERIFY(code == 0 || code == 9);
+      QVERIFY(work(0, 3, Earlier::Resume));
+      QVERIFY(textOf("manifest.json").find("\"finished\": 3") != std::string::npos);
+    }
+    QVERIFY2(kills >= 5, QByteArray::number(kills));
   }
 
   /// What a run has used belongs to the study: another file in its place is refused, in the run

@@ -27,7 +27,7 @@ struct BatchOptions {
   std::string experiment;
   std::string output;
   int jobs = 0;  // 0 = number of cores
-  bool allowCode = false, resume = false, force = false;
+  bool allowCode = false, resume = false, retryFailed = false, force = false;
   bool rows = false;       // on standard output
   std::string shard;       // "K/N"; empty = all runs
   double timeLimit = 0.0;  // [s]; 0 = none
@@ -68,12 +68,9 @@ std::string absolute(const std::string& path) {
 }
 
 int printScript(const BatchOptions& options) {
-  const ClusterJob job{programPath(),
-                       absolute(options.experiment),
-                       absolute(options.output),
-                       options.chunks,
-                       options.allowCode,
-                       options.timeLimit};
+  const ClusterJob job{
+      programPath(),     absolute(options.experiment), absolute(options.output), options.chunks,
+      options.allowCode, options.retryFailed,          options.timeLimit};
   print(options.script == "slurm" ? slurmScript(job) : parallelScript(job));
   return ExitFine;
 }
@@ -135,9 +132,10 @@ int batchCommand(const BatchOptions& options, const Invocation& given) {
       studyOf(*experiment, runner.inputs(), shardOf(options.shard).value_or(Shard()));
   requireFine(study.diagnostics());
   study->timeLimit = options.timeLimit;
-  const Earlier earlier = options.resume  ? Earlier::Resume
-                          : options.force ? Earlier::Replace
-                                          : Earlier::Refuse;
+  const Earlier earlier = options.retryFailed ? Earlier::Retry
+                          : options.resume    ? Earlier::Resume
+                          : options.force     ? Earlier::Replace
+                                              : Earlier::Refuse;
   base::Result<std::unique_ptr<BatchFolder>> folder =
       BatchFolder::open(options.output, *study, earlier);
   requireFine(folder.diagnostics());
@@ -163,11 +161,15 @@ void addBatch(CommandRegistry& commands) {
   CLI::Option* const resume =
       command.add_flag("--resume", options.resume,
                        "Go on with a batch that was interrupted; begin it if there is none");
+  CLI::Option* const retry = command.add_flag(
+      "--retry-failed", options.retryFailed,
+      "As --resume, and make all failed runs again (--resume alone: those that were killed or had "
+      "no memory)");
   CLI::Option* const force =
       command
           .add_flag("--force", options.force,
                     "Begin anew where a batch was interrupted; replace files of others")
-          ->excludes(resume);
+          ->excludes(resume, retry);
   CLI::Option* const rows =
       command.add_flag("--rows", options.rows,
                        "Print how many runs there are, then each finished one, as lines of JSON");
