@@ -12,6 +12,7 @@
 #include "editor/canvas/FrameLayer.h"
 #include "editor/look/Form.h"
 #include "editor/look/Later.h"
+#include "sim2d/trace/Arrival.h"
 
 namespace app {
 
@@ -40,7 +41,7 @@ double arrivalIn(const sim2d::Recording& recording) {
   const auto& events = recording.events();
   for (std::size_t i = events.size(); i-- > 0;) {
     const auto& [step, event] = events[i];
-    if (event.kind == sim2d::EventKind::Arrived && event.hasId && event.id < 0) {
+    if (event.id < 0 && sim2d::isRobotsArrival(event, event.id)) {
       return double(step) * recording.header()->dt;
     }
   }

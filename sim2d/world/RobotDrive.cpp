@@ -6,6 +6,7 @@
 
 #include "sim2d/nav/Motion.h"
 #include "sim2d/nav/Teleop.h"
+#include "sim2d/trace/Arrival.h"
 
 namespace sim2d {
 namespace {
@@ -215,7 +216,8 @@ void RobotDrive::afterMotion(const WorldModel& model, WorldState& state) {
     if ((*currentGoal(robot, now) - now.pose.position).norm() > robot.goalRadius) {
       continue;
     }
-    if (std::exchange(now.order, std::nullopt)) {
+    const bool isOrder = std::exchange(now.order, std::nullopt).has_value();
+    if (isOrder) {
       state.emit(EventKind::Goal, robot.id);
     } else {
       emitGoal(robot, now.goal, state);
@@ -223,7 +225,7 @@ void RobotDrive::afterMotion(const WorldModel& model, WorldState& state) {
     }
     if (now.goal == robot.goals.size()) {
       now.arrivedAt = state.time;
-      state.emit(EventKind::Arrived, robot.id);
+      state.emit(EventKind::Arrived, robot.id, isOrder ? kAtOrder : "");
     }
   }
 }

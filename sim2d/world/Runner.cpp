@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
 
+#include "sim2d/trace/Arrival.h"
 #include "sim2d/world/WorldState.h"
 
 namespace sim2d {
@@ -33,6 +36,7 @@ class WayEnds {
   /// Why the ways end the run with this state; empty: they do not.
   std::string reasonToStop() {
     const std::vector<Event>& events = world_.frame().events;
+    noteArrivals(events);
     const auto has = [&events](EventKind kind) {
       return std::any_of(events.begin(), events.end(),
                          [kind](const Event& event) { return event.kind == kind; });
@@ -54,20 +58,47 @@ class WayEnds {
       RobotResult& result = results.back();
       if (isCollided(robot.id)) {
         result.result = WayEnd::Collision;
-      } else if (robot.arrived) {
+      } else if (const std::optional<double> arrived = arrivalAtGoals(robot)) {
         result.result = WayEnd::Arrived;
-        result.time = *robot.arrived;
+        result.time = *arrived;
       } else if (robot.stuck) {
         result.result = WayEnd::Stuck;
         result.time = *robot.stuck;
-      } else if (robot.hasGoal) {
+      } else if (robot.hasGoal && !(robot.arrived && hasNoGoalOfItsOwn(robot.id))) {
         result.result = endWith(run);
       }
     }
     return results;
   }
 
+  /// Some robot stands where it was ordered to from outside: more orders may come.
+  bool isAnyAtOrder() const { return !atOrder_.empty(); }
+
  private:
+  void noteArrivals(const std::vector<Event>& events) {
+    for (const Event& event : events) {
+      if (isRobotsArrival(event, event.id) && event.id < 0) {
+        atGoals_.emplace(event.id, world_.time());
+        atOrder_.erase(event.id);
+      } else if (event.kind == EventKind::Arrived && event.hasId && event.id < 0) {
+        atOrder_.insert(event.id);
+      }
+    }
+  }
+  /// Also before the run began, of a world that goes on from another one.
+  std::optional<double> arrivalAtGoals(const RobotOnWay& robot) const {
+    const auto found = atGoals_.find(robot.id);
+    if (found != atGoals_.end()) {
+      return found->second;
+    }
+    return atOrder_.count(robot.id) > 0 ? std::nullopt : robot.arrived;
+  }
+  bool hasNoGoalOfItsOwn(int id) const {
+    const std::vector<TraceRobot> robots = world_.header().robots;
+    return std::any_of(robots.begin(), robots.end(), [id](const TraceRobot& robot) {
+      return robot.id == id && robot.goals.empty();
+    });
+  }
   bool isCollided(int id) const {
     return std::find(collided_.begin(), collided_.end(), id) != collided_.end();
   }
@@ -133,7 +164,9 @@ class WayEnds {
 
   const World& world_;
   const StopRule& rule_;
-  std::vector<int> collided_;  // ids of robots
+  std::vector<int> collided_;      // ids of robots
+  std::map<int, double> atGoals_;  // when robots arrived at their own goals [s], by id
+  std::set<int> atOrder_;          // ids of robots whose last arrival was at an order from outside
 };
 
 /// Why the run ends with this state; empty: it goes on.
@@ -143,7 +176,8 @@ std::string reasonToStop(const World& world, const StopRule& rule, WayEnds& ways
     return reason;
   }
   const std::optional<double> arrivedAt = world.arrivedAt();
-  if (rule.stopOnArrival && arrivedAt && world.time() >= *arrivedAt + kAfterArrival - kTick) {
+  const bool isOver = arrivedAt && !ways.isAnyAtOrder();
+  if (rule.stopOnArrival && isOver && world.time() >= *arrivedAt + kAfterArrival - kTick) {
     return "arrived";
   }
   if (world.stepIndex() >= rule.maximumSteps) {

@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "sim2d/trace/Arrival.h"
 #include "sim2d/world/Runner.h"
 #include "tests/world/TestWorld.h"
 
@@ -81,6 +82,60 @@ class RunEndsTest : public QObject {
     QVERIFY(ran.robot().result == WayEnd::Arrived);
     QCOMPARE(ran.robot().name, std::string("robot1"));
     QCOMPARE(timesOf(ran.trace, EventKind::Arrived), std::vector<double>{ran.robot().time});
+  }
+
+  /// Sent to (0, 2) on its way to (9, 0), it arrives there, and the run goes on: more orders may
+  /// come. It has not arrived at its goal.
+  void arrivedAtAnOrder_isNotTheEnd() {
+    for (const bool hasGoal : {true, false}) {
+      Scenario scenario = driveTo(9.0);
+      scenario.desktop.duration.reset();
+      if (!hasGoal) {
+        scenario.robots[0].goal.point.reset();
+      }
+      const std::unique_ptr<World> world = make(scenario, standStill);
+      Recording recording;
+      StopRule rule = stopRuleOf(scenario);
+      rule.maximumSteps = 200;
+      const RunResult result = run(*world, rule, recording, {}, [&] {
+        StepInputs inputs;
+        if (world->stepIndex() == 4) {
+          Input& order = inputs.emplace_back();
+          order.kind = InputKind::Goal;
+          order.id = -1;
+          order.pose.position = Vec2(0.0, 2.0);
+        }
+        return inputs;
+      });
+      QCOMPARE(result.reason, std::string("duration"));
+      QVERIFY(result.robots[0].result == (hasGoal ? std::optional(WayEnd::Timeout) : std::nullopt));
+      const Trace trace = recording.trace(world->header());
+      QCOMPARE(timesOf(trace, EventKind::Arrived).size(), std::size_t{1});
+      for (const auto& [step, event] : trace.events) {
+        QVERIFY(event.kind != EventKind::Arrived || event.text == kAtOrder);
+        QVERIFY(event.kind != EventKind::Goal || event.text.empty());
+      }
+    }
+  }
+  /// It has arrived at its goal when it is sent somewhere else: that stays its result.
+  void orderAfterTheGoal_leavesTheResult() {
+    Scenario scenario = driveTo(2.0);
+    const std::unique_ptr<World> world = make(scenario, standStill);
+    Recording recording;
+    const RunResult result = run(*world, stopRuleOf(scenario), recording, {}, [&] {
+      StepInputs inputs;
+      if (world->stepIndex() == 80) {
+        Input& order = inputs.emplace_back();
+        order.kind = InputKind::Goal;
+        order.id = -1;
+        order.pose.position = Vec2(2.0, 30.0);
+      }
+      return inputs;
+    });
+    QVERIFY(result.robots[0].result == WayEnd::Arrived);
+    QCOMPARE(timesOf(recording.trace(world->header()), EventKind::Arrived),
+             std::vector<double>{result.robots[0].time});
+    QVERIFY(result.robots[0].time < 4.0);
   }
 
   void duration_onTheWay_isATimeout() {

@@ -216,7 +216,9 @@ void WorldInputsTest::step_robotWithoutGoalOrdered_arrives() {
   QVERIFY(!world->robotsOnWay()[0].hasGoal && !world->arrivedAt());
   QVERIFY(world->step({placing(InputKind::Goal, -1, {2.0, 0.0})}));
   QVERIFY(world->robotsOnWay()[0].hasGoal);
-  QCOMPARE(ofKind(advance(*world, 100), EventKind::Arrived).size(), std::size_t{1});
+  const std::vector<Recorded> arrived = ofKind(advance(*world, 100), EventKind::Arrived);
+  QCOMPARE(arrived.size(), std::size_t{1});
+  QCOMPARE(arrived[0].event.text, std::string("order"));
   QVERIFY(world->robotsOnWay()[0].arrived.has_value());
 }
 
