@@ -28,19 +28,6 @@ double exactP(const SignedRank& result, const Numbers& ranks) {
   return std::min(1.0, 2.0 * signedSumAtMost(ranks, std::min(result.plus, result.minus)));
 }
 
-/// How many pairs i <= j of sorted numbers have a mean of at most x.
-double pairMeansUpTo(const Numbers& sorted, double x) {
-  double count = 0.0;
-  std::size_t end = sorted.size();  // partners of the i-th lie before it
-  for (std::size_t i = 0; i < end; ++i) {
-    while (end > i && 0.5 * (sorted[i] + sorted[end - 1]) > x) {
-      --end;
-    }
-    count += static_cast<double>(end - i);
-  }
-  return count;
-}
-
 double pairMean(const Numbers& sorted, double k) {
   return orderStatistic([&sorted](double x) { return pairMeansUpTo(sorted, x); }, k, sorted.front(),
                         sorted.back());

@@ -110,6 +110,18 @@ Numbers rankSumCdf(int n, int m) {
   return counts;
 }
 
+double pairMeansUpTo(const Numbers& sorted, double x) {
+  double count = 0.0;
+  std::size_t end = sorted.size();  // partners of the i-th lie before it
+  for (std::size_t i = 0; i < end; ++i) {
+    while (end > i && 0.5 * (sorted[i] + sorted[end - 1]) > x) {
+      --end;
+    }
+    count += static_cast<double>(end - i);
+  }
+  return count;
+}
+
 double orderStatistic(const std::function<double(double)>& countUpTo, double k, double low,
                       double high) {
   std::int64_t from = orderOf(low);

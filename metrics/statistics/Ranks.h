@@ -24,6 +24,9 @@ double signedSumAtMost(const Numbers& ranks, double t);
 /// P(U <= u) for u = 0 … n m of the count of Mann and Whitney without ties (idem 4.1).
 Numbers rankSumCdf(int n, int m);
 
+/// How many pairs i <= j of sorted numbers have a mean of at most x.
+double pairMeansUpTo(const Numbers& sorted, double x);
+
 /// The k-th smallest (from 1 on) of numbers that are too many to be listed: `countUpTo(x)` tells
 /// how many are at most x. It lies in [low, high]; found exactly.
 double orderStatistic(const std::function<double(double)>& countUpTo, double k, double low,

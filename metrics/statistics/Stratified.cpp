@@ -1,0 +1,249 @@
+#include "metrics/statistics/Stratified.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "metrics/statistics/Distributions.h"
+#include "metrics/statistics/Ranks.h"
+
+namespace statistics {
+
+namespace {
+
+constexpr std::size_t kMostExactlyStratified = 50;   // differences
+constexpr std::size_t kMostRankedOfStrata = 10'000;  // with zeros, of an exact test
+constexpr long long kMostUnits = 100'000;            // of weights as whole numbers
+
+struct Weights {
+  Numbers each;          // of van Elteren, per stratum
+  bool areWhole = true;  // else the smallest is 1
+};
+
+Strata withoutEmpty(const Strata& strata) {
+  Strata kept;
+  std::copy_if(strata.begin(), strata.end(), std::back_inserter(kept),
+               [](const Numbers& each) { return !each.empty(); });
+  return kept;
+}
+
+std::size_t countOf(const Strata& strata) {
+  return std::accumulate(strata.begin(), strata.end(), std::size_t{0},
+                         [](std::size_t sum, const Numbers& each) { return sum + each.size(); });
+}
+
+/// Of strata of these sizes, as the smallest whole numbers where those are not large.
+Weights weightsOf(const Strata& strata) {
+  Weights weights;
+  long long common = 1;
+  std::size_t largest = 0;
+  for (const Numbers& each : strata) {
+    common = std::min(std::lcm(common, static_cast<long long>(each.size()) + 1), kMostUnits + 1);
+    largest = std::max(largest, each.size());
+    weights.areWhole = weights.areWhole && common <= kMostUnits;
+  }
+  long long shared = 0;
+  for (const Numbers& each : strata) {
+    const auto size = static_cast<long long>(each.size()) + 1;
+    shared = std::gcd(shared, weights.areWhole ? common / size : 1);
+  }
+  for (const Numbers& each : strata) {
+    const auto size = static_cast<long long>(each.size()) + 1;
+    weights.each.push_back(weights.areWhole
+                               ? static_cast<double>(common / size / shared)
+                               : static_cast<double>(largest + 1) / static_cast<double>(size));
+  }
+  return weights;
+}
+
+double smallest(const Weights& weights) {
+  return *std::min_element(weights.each.begin(), weights.each.end());
+}
+
+/// Ranks of the differences that are not zero, times the weight of their stratum.
+struct WeightedRanks {
+  Numbers ranks;
+  double plus = 0.0;  // sum of those of positive differences
+  int zeros = 0;
+};
+
+void addStratum(const Numbers& differences, double weight, WeightedRanks& to) {
+  Numbers sizes;
+  sizes.reserve(differences.size());
+  std::transform(differences.begin(), differences.end(), std::back_inserter(sizes),
+                 [](double difference) { return std::abs(difference); });
+  const Numbers ranks = midranks(sizes);
+  for (std::size_t k = 0; k < differences.size(); ++k) {
+    if (differences[k] == 0.0) {
+      ++to.zeros;
+      continue;
+    }
+    to.ranks.push_back(weight * ranks[k]);
+    to.plus += differences[k] > 0.0 ? to.ranks.back() : 0.0;
+  }
+}
+
+double normalP(const WeightedRanks& all, double correction) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const double rank : all.ranks) {
+    sum += rank;
+    squares += rank * rank;
+  }
+  const double distance = std::max(0.0, std::abs(all.plus - 0.5 * sum) - correction);
+  return std::min(1.0, 2.0 * normalTail(distance / (0.5 * std::sqrt(squares))));
+}
+
+double exactP(const WeightedRanks& all) {
+  const double sum = std::accumulate(all.ranks.begin(), all.ranks.end(), 0.0);
+  return std::min(1.0, 2.0 * signedSumAtMost(all.ranks, std::min(all.plus, sum - all.plus)));
+}
+
+/// Means of pairs of differences within the strata, weighted: how much lies up to a place.
+class PairMeans {
+ public:
+  PairMeans(const Strata& strata, Numbers weights) : strata_(strata), weights_(std::move(weights)) {
+    for (Numbers& each : strata_) {
+      std::sort(each.begin(), each.end());
+      low_ = std::min(low_, each.front());
+      high_ = std::max(high_, each.back());
+    }
+  }
+
+  double all() const { return upTo(high_); }
+  /// The smallest mean up to which at least so much lies.
+  double at(double weight) const {
+    return orderStatistic([this](double x) { return upTo(x); }, weight, low_, high_);
+  }
+
+ private:
+  double upTo(double x) const {
+    double weight = 0.0;
+    for (std::size_t k = 0; k < strata_.size(); ++k) {
+      weight += weights_[k] * pairMeansUpTo(strata_[k], x);
+    }
+    return weight;
+  }
+
+  Strata strata_;  // sorted
+  Numbers weights_;
+  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
+};
+
+/// Largest sum of weighted ranks without ties that is not more likely than `miss`, with all below
+/// it; negative: there is none.
+double exactlyLeftOut(const Strata& strata, const Weights& weights, double miss) {
+  Numbers chances(1, 1.0);
+  for (std::size_t k = 0; k < strata.size(); ++k) {
+    for (std::size_t rank = 1; rank <= strata[k].size(); ++rank) {
+      const std::size_t step = rank * static_cast<std::size_t>(weights.each[k]);
+      chances.resize(chances.size() + step, 0.0);
+      for (std::size_t sum = chances.size(); sum-- > 0;) {
+        chances[sum] = 0.5 * (chances[sum] + (sum >= step ? chances[sum - step] : 0.0));
+      }
+    }
+  }
+  double chance = 0.0;
+  std::size_t sum = 0;
+  while (sum < chances.size() && chance + chances[sum] <= miss) {
+    chance += chances[sum++];
+  }
+  return static_cast<double>(sum) - 1.0;
+}
+
+double leftOutOnEachSide(const Strata& strata, const Weights& weights, double level) {
+  const double miss = (1.0 - level) / 2.0;
+  if (countOf(strata) <= kMostExactlyStratified && weights.areWhole) {
+    return exactlyLeftOut(strata, weights, miss);
+  }
+  double expected = 0.0;
+  double variance = 0.0;
+  for (std::size_t k = 0; k < strata.size(); ++k) {
+    const auto n = static_cast<double>(strata[k].size());
+    const double weight = weights.each[k];
+    expected += weight * n * (n + 1.0) / 4.0;
+    variance += weight * weight * n * (n + 1.0) * (2.0 * n + 1.0) / 24.0;
+  }
+  const double place =
+      expected + normalQuantile(miss) * std::sqrt(variance) - 0.5 * smallest(weights);
+  return std::floor(place);
+}
+
+}  // namespace
+
+StratifiedSignedRank stratifiedSignedRank(const Strata& differences) {
+  const Strata strata = withoutEmpty(differences);
+  StratifiedSignedRank result;
+  result.strata = static_cast<int>(strata.size());
+  if (strata.empty()) {
+    return result;
+  }
+  const Weights weights = weightsOf(strata);
+  WeightedRanks all;
+  for (std::size_t k = 0; k < strata.size(); ++k) {
+    addStratum(strata[k], weights.each[k], all);
+  }
+  result.n = static_cast<int>(all.ranks.size());
+  result.zeros = all.zeros;
+  result.isExact = all.ranks.size() <= kMostExactlyStratified &&
+                   countOf(strata) <= kMostRankedOfStrata && weights.areWhole;
+  if (result.n > 0) {
+    result.p = result.isExact ? exactP(all) : normalP(all, 0.5 * smallest(weights));
+  }
+  return result;
+}
+
+double stratifiedShift(const Strata& differences) {
+  const Strata strata = withoutEmpty(differences);
+  if (strata.empty()) {
+    return kUndefined;
+  }
+  const PairMeans means(strata, weightsOf(strata).each);
+  constexpr double kMore = 1e-12;  // of all: more than half
+  const double half = 0.5 * means.all();
+  const double below = means.at(half * (1.0 - kMore));
+  const double above = means.at(half * (1.0 + kMore));
+  return below + 0.5 * (above - below);
+}
+
+Interval stratifiedShiftInterval(const Strata& differences, double level) {
+  const Strata strata = withoutEmpty(differences);
+  if (strata.empty()) {
+    return {};
+  }
+  const Weights weights = weightsOf(strata);
+  const double outside = leftOutOnEachSide(strata, weights, level);
+  if (outside < 0.0) {
+    return {};
+  }
+  const PairMeans means(strata, weights.each);
+  constexpr double kRounding = 1e-9;  // of weights that are not whole
+  return {means.at(outside + (weights.areWhole ? 1.0 : kRounding)),
+          means.at(means.all() - outside)};
+}
+
+Interval stratifiedRateInterval(const std::vector<PairedOutcomes>& strata, double level) {
+  double pairs = 0.0;
+  for (const PairedOutcomes& each : strata) {
+    pairs += each.count();
+  }
+  double difference = 0.0;
+  double below = 0.0;
+  double above = 0.0;
+  for (const PairedOutcomes& each : strata) {
+    if (each.count() == 0) {
+      continue;
+    }
+    const double share = each.count() / pairs;
+    const double own = static_cast<double>(each.onlyFirst - each.onlySecond) / each.count();
+    const Interval interval = pairedRateInterval(each, level);
+    difference += share * own;
+    below += std::pow(share * (own - interval.low), 2.0);
+    above += std::pow(share * (interval.high - own), 2.0);
+  }
+  return pairs > 0.0 ? Interval{difference - std::sqrt(below), difference + std::sqrt(above)}
+                     : Interval();
+}
+
+}  // namespace statistics
