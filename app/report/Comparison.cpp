@@ -8,9 +8,9 @@
 
 #include "metrics/statistics/Bootstrap.h"
 #include "metrics/statistics/Effects.h"
-#include "metrics/statistics/Paired.h"
 #include "metrics/statistics/Rates.h"
 #include "metrics/statistics/SampleSize.h"
+#include "metrics/statistics/Stratified.h"
 
 namespace report {
 
@@ -49,16 +49,24 @@ double differenceOf(double first, double second) {
   return std::isfinite(difference * scale) ? std::round(difference * scale) / scale : difference;
 }
 
-/// A rate: 1 and 0 of both options, told by `both` and the differences.
-void testRates(const Study& study, int both, PairResult& pair) {
-  const auto count = static_cast<int>(pair.differences.size());
-  const statistics::PairedOutcomes outcomes = {both, pair.higher, pair.lower,
-                                               count - both - pair.higher - pair.lower};
+statistics::PairedOutcomes outcomesOf(const PairResult::OfCase& ofCase) {
+  const auto count = static_cast<int>(ofCase.differences.size());
+  return {ofCase.both, ofCase.higher, ofCase.lower,
+          count - ofCase.both - ofCase.higher - ofCase.lower};
+}
+
+/// A rate: 1 and 0 of both options, told by the outcomes and the differences.
+void testRates(const Study& study, const std::vector<statistics::PairedOutcomes>& outcomes,
+               PairTest& pair) {
   pair.shift = statistics::mean(pair.differences);
-  pair.shiftInterval = statistics::pairedRateInterval(outcomes, study.level);
+  pair.shiftInterval = statistics::stratifiedRateInterval(outcomes, study.level);
   pair.p = statistics::mcNemarP(pair.higher, pair.lower);
-  const double pairs = count;
-  pair.enoughPairs = statistics::pairsForMcNemar(pair.higher / pairs, pair.lower / pairs);
+}
+
+void testNumbers(const Study& study, const statistics::Strata& strata, PairTest& pair) {
+  pair.shift = statistics::stratifiedShift(strata);
+  pair.shiftInterval = statistics::stratifiedShiftInterval(strata, study.level);
+  pair.p = statistics::stratifiedSignedRank(strata).p;
 }
 
 /// Pairs that tie tell nothing: so many as are enough among those that differ, over their share.
@@ -76,12 +84,33 @@ double enoughFor(const PairResult& pair) {
   return std::ceil(enough * pairs / differing);
 }
 
-void testPair(const Study& study, PairResult& pair) {
-  const Numbers& differences = pair.differences;
-  pair.shift = statistics::pairedShift(differences);
-  pair.shiftInterval = statistics::pairedShiftInterval(differences, study.level);
-  pair.p = statistics::signedRank(differences, statistics::Zeros::Pratt).p;
-  pair.enoughPairs = enoughFor(pair);
+/// In each case, and over all of them.
+void testPair(const Study& study, bool isRate, PairResult& pair) {
+  std::vector<statistics::PairedOutcomes> outcomes;
+  statistics::Strata strata;
+  for (PairResult::OfCase& ofCase : pair.cases) {
+    outcomes.push_back(outcomesOf(ofCase));
+    strata.push_back(ofCase.differences);
+    if (isRate) {
+      testRates(study, {outcomes.back()}, ofCase);
+    } else {
+      testNumbers(study, {strata.back()}, ofCase);
+    }
+  }
+  const auto pairs = static_cast<double>(pair.differences.size());
+  if (isRate) {
+    testRates(study, outcomes, pair);
+    pair.enoughPairs = statistics::pairsForMcNemar(pair.higher / pairs, pair.lower / pairs);
+  } else {
+    testNumbers(study, strata, pair);
+    pair.enoughPairs = enoughFor(pair);
+  }
+}
+
+void addDifference(double difference, PairTest& to) {
+  to.differences.push_back(difference);
+  to.higher += difference > 0.0 ? 1 : 0;
+  to.lower += difference < 0.0 ? 1 : 0;
 }
 
 PairResult pairOfOptions(const Study& study, std::size_t metric, std::size_t first,
@@ -89,7 +118,7 @@ PairResult pairOfOptions(const Study& study, std::size_t metric, std::size_t fir
   PairResult pair;
   pair.first = first;
   pair.second = second;
-  int both = 0;  // of a rate: blocks in which both succeed
+  std::map<std::size_t, PairResult::OfCase> cases;
   for (const auto& block : blocks) {
     if (block[first] >= study.runCount() || block[second] >= study.runCount()) {
       continue;
@@ -98,21 +127,60 @@ PairResult pairOfOptions(const Study& study, std::size_t metric, std::size_t fir
     const double other = valueOf(study, metric, block[second]);
     const double difference = differenceOf(one, other);
     if (!std::isnan(difference)) {
-      both += one == 1.0 && other == 1.0 ? 1 : 0;
-      pair.differences.push_back(difference);
-      pair.higher += difference > 0.0 ? 1 : 0;
-      pair.lower += difference < 0.0 ? 1 : 0;
+      PairResult::OfCase& ofCase = cases[study.caseOf[block[first]]];
+      ofCase.both += one == 1.0 && other == 1.0 ? 1 : 0;
+      addDifference(difference, ofCase);
+      addDifference(difference, pair);
     }
   }
-  if (pair.differences.empty()) {
-    return pair;
+  for (auto& [number, ofCase] : cases) {
+    ofCase.number = number;
+    pair.cases.push_back(std::move(ofCase));
   }
-  if (study.metrics[metric].isRate) {
-    testRates(study, both, pair);
-  } else {
-    testPair(study, pair);
+  if (!pair.differences.empty()) {
+    testPair(study, study.metrics[metric].isRate, pair);
   }
   return pair;
+}
+
+/// Holm's over the pairs that have a test.
+void adjust(std::vector<PairTest*> tests) {
+  Numbers ps;
+  ps.reserve(tests.size());
+  std::transform(tests.begin(), tests.end(), std::back_inserter(ps),
+                 [](const PairTest* test) { return test->p; });
+  const Numbers adjusted = statistics::holm(ps);
+  for (std::size_t k = 0; k < tests.size(); ++k) {
+    tests[k]->adjusted = adjusted[k];
+  }
+}
+
+/// Over all cases, and within each.
+void adjustPairs(std::vector<PairResult>& pairs) {
+  std::vector<PairTest*> all;
+  std::map<std::size_t, std::vector<PairTest*>> byCase;
+  for (PairResult& pair : pairs) {
+    all.push_back(&pair);
+    for (PairResult::OfCase& ofCase : pair.cases) {
+      byCase[ofCase.number].push_back(&ofCase);
+    }
+  }
+  adjust(std::move(all));
+  for (auto& [number, tests] : byCase) {
+    adjust(std::move(tests));
+  }
+}
+
+/// Cliff's delta of the values of each case, weighted with how many are compared there.
+double deltaOf(const std::vector<Numbers>& first, const std::vector<Numbers>& second) {
+  double sum = 0.0;
+  double compared = 0.0;
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    const auto count = static_cast<double>(first[k].size() * second[k].size());
+    sum += count > 0.0 ? count * statistics::cliffsDelta(first[k], second[k]) : 0.0;
+    compared += count;
+  }
+  return compared > 0.0 ? sum / compared : statistics::kUndefined;
 }
 
 /// Blocks in which every option has a value.
@@ -262,29 +330,25 @@ MetricComparison compare(const Study& study, std::size_t metric,
   MetricComparison comparison;
   comparison.metric = metric;
   std::vector<Numbers> values(study.options.size());
+  std::vector<std::vector<Numbers>> byCase(study.options.size(),
+                                           std::vector<Numbers>(study.cases.size()));
   for (std::size_t run = 0; run < study.runCount(); ++run) {
     const double value = valueOf(study, metric, run);
     if (!std::isnan(value)) {
       values[study.optionOf[run]].push_back(value);
+      byCase[study.optionOf[run]][study.caseOf[run]].push_back(value);
     }
   }
   for (Numbers& each : values) {
     comparison.estimates.push_back(estimateOf(study, study.metrics[metric], std::move(each)));
   }
-  Numbers ps;
   for (std::size_t first = 0; first < study.options.size(); ++first) {
     for (std::size_t second = first + 1; second < study.options.size(); ++second) {
       comparison.pairs.push_back(pairOfOptions(study, metric, first, second, blocks));
-      PairResult& pair = comparison.pairs.back();
-      pair.delta = statistics::cliffsDelta(comparison.estimates[first].values,
-                                           comparison.estimates[second].values);
-      ps.push_back(pair.p);
+      comparison.pairs.back().delta = deltaOf(byCase[first], byCase[second]);
     }
   }
-  const Numbers adjusted = statistics::holm(ps);
-  for (std::size_t k = 0; k < adjusted.size(); ++k) {
-    comparison.pairs[k].adjusted = adjusted[k];
-  }
+  adjustPairs(comparison.pairs);
   if (study.options.size() > 2) {
     const std::vector<Numbers> complete = completeBlocks(study, metric, blocks);
     if (complete.size() > 1) {

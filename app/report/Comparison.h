@@ -23,15 +23,25 @@ struct Estimate {
 };
 
 /// Two options on the same blocks (case and seed).
-struct PairResult {
-  std::size_t first = 0, second = 0;      // options
+struct PairTest {
   Numbers differences;                    // first - second, per block that has both
   int higher = 0, lower = 0;              // blocks in which the first is; the others tie
   double shift = statistics::kUndefined;  // Hodges-Lehmann; of a rate the difference of the rates
   Interval shiftInterval;
   double p = statistics::kUndefined;         // signed-rank, of a rate McNemar; no blocks: none
   double adjusted = statistics::kUndefined;  // by Holm over all pairs of the metric that have one
-  double delta = statistics::kUndefined;     // Cliff's
+};
+
+/// Over all cases together: differences are ranked within their case (statistics/Stratified.h); of
+/// rates McNemar's test has the pair as its stratum, so that it is also that of the cases together.
+struct PairResult : PairTest {
+  struct OfCase : PairTest {  // `adjusted`: over the pairs of the metric in this case
+    std::size_t number = 0;   // of the case
+    int both = 0;             // of a rate: blocks in which both succeed
+  };
+  std::size_t first = 0, second = 0;            // options
+  std::vector<OfCase> cases;                    // that have blocks with both, in their order
+  double delta = statistics::kUndefined;        // Cliff's, of values of the same case
   double enoughPairs = statistics::kUndefined;  // for 80 % power with such differences
 };
 

@@ -269,19 +269,53 @@ void horizontalAxis(Figure& figure, const Scale& scale, double y, bool asPercent
   }
 }
 
+namespace {
+
+/// Of a character of UTF-8 its first byte.
+bool isCharacterStart(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
+
+}  // namespace
+
 std::string shortened(const std::string& text, std::size_t most) {
   std::size_t characters = 0;
   for (std::size_t at = 0; at < text.size(); ++at) {
-    const bool isStart = (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U;
-    if (isStart && ++characters > most) {
+    if (isCharacterStart(text[at]) && ++characters > most) {
       std::size_t cut = at;  // of the character that is one too many; one more makes room
       do {
         --cut;
-      } while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U);
+      } while (cut > 0 && !isCharacterStart(text[cut]));
       return text.substr(0, cut) + "…";
     }
   }
   return text;
+}
+
+std::size_t characterCount(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), isCharacterStart));
+}
+
+std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
+  const std::string breaks = " _-,/.";
+  std::vector<std::string> lines(1);
+  std::size_t characters = 0;  // of the line
+  std::size_t goodEnd = 0;     // of the line, in bytes: behind the last place to break at
+  for (const char c : text) {
+    if (isCharacterStart(c) && characters == most) {
+      std::string& full = lines.back();
+      const std::size_t end = 3 * goodEnd >= full.size() && goodEnd > 0 ? goodEnd : full.size();
+      std::string rest = full.substr(end);
+      full.resize(end);
+      characters = characterCount(rest);
+      lines.push_back(std::move(rest));
+      goodEnd = 0;
+    }
+    lines.back() += c;
+    characters += isCharacterStart(c) ? 1 : 0;
+    goodEnd = breaks.find(c) != std::string::npos ? lines.back().size() : goodEnd;
+  }
+  return lines;
 }
 
 std::size_t PanelGrid::rows() const {

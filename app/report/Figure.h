@@ -78,6 +78,12 @@ void horizontalAxis(Figure& figure, const Scale& scale, double y, bool asPercent
 
 /// At most so many characters; what is left out is shown as "…".
 std::string shortened(const std::string& text, std::size_t most);
+/// In lines of at most so many characters, 1 at least: broken after a blank or one of "_-,/." where
+/// there is one in the last two thirds of a line, else where the line is full. One line at least.
+std::vector<std::string> wrapped(const std::string& text, std::size_t most);
+std::size_t characterCount(const std::string& text);  // of UTF-8
+
+constexpr double kLetter = 6.7;  // px of a character of 11 px, of the widest font that there may be
 
 /// Panels side by side: `draw(index, left, top)` for each.
 struct PanelGrid {

@@ -7,15 +7,8 @@ namespace report {
 
 namespace {
 
-constexpr double kMark = 7.0;    // half of a mark [px]
-constexpr double kLetter = 6.7;  // of the widest font that a page or a file may get
+constexpr double kMark = 7.0;  // half of a mark [px]
 constexpr double kAscent = 9.0, kDescent = 3.0;
-
-std::size_t lengthOf(const std::string& words) {  // in characters
-  return static_cast<std::size_t>(std::count_if(words.begin(), words.end(), [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-  }));
-}
 
 bool overlap(const Box& a, const Box& b) {
   return a.low.x() < b.high.x() && b.low.x() < a.high.x() && a.low.y() < b.high.y() &&
@@ -74,7 +67,7 @@ PlacedLabel placedAt(const base::Vec2& point, const Box& box) {
 std::vector<PlacedLabel> candidatesOf(const Label& label) {
   constexpr double kGap = 9.0;  // [px] to the middle of the mark
   constexpr int kDirections = 16;
-  const double width = kLetter * static_cast<double>(lengthOf(label.words));
+  const double width = kLetter * static_cast<double>(characterCount(label.words));
   const base::Vec2 half(0.5 * width, 0.5 * (kAscent + kDescent));
   std::vector<PlacedLabel> found;
   found.reserve(9 + 6 * kDirections);

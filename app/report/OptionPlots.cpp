@@ -116,8 +116,8 @@ void drawOptions(Figure& figure, const Plane& plane, const Study& study, const M
   for (std::size_t option = 0; option < study.options.size(); ++option) {
     if (!std::isnan(atX[option]) && !std::isnan(atY[option])) {
       drawOption(figure, plane, option, x.estimates[option], y.estimates[option], marks);
-      marks.labels.push_back(
-          {nameOfOption(study, option), {plane.across.at(atX[option]), plane.up.at(atY[option])}});
+      marks.labels.push_back({nameOfOption(study, option, 260.0),
+                              {plane.across.at(atX[option]), plane.up.at(atY[option])}});
     }
   }
   const Box room{{plane.across.from + 2.0, 22.0}, {plane.across.to + 130.0, plane.up.from - 2.0}};
@@ -225,19 +225,28 @@ std::optional<Figure> difficultyFigure(const Study& study, std::size_t metric) {
   }
   const double names = 6.4 * static_cast<double>(longest) + 16.0;
   constexpr double kRow = 24.0;
-  constexpr double kTop = 26.0;
+  constexpr double kLine = 13.0;
   const double cell = std::min(110.0, (720.0 - names) / static_cast<double>(study.options.size()));
-  Figure figure("difficulty", 720.0, kTop + kRow * static_cast<double>(rows.size()) + 4.0);
+  std::vector<std::vector<std::string>> heads;  // lines of the names of options
+  std::size_t lines = 1;
+  for (const std::string& option : study.options) {
+    heads.push_back(wrapped(option, static_cast<std::size_t>(std::max(1.0, cell / kLetter))));
+    lines = std::max(lines, heads.back().size());
+  }
+  const double top = 26.0 + kLine * static_cast<double>(lines - 1);
+  Figure figure("difficulty", 720.0, top + kRow * static_cast<double>(rows.size()) + 4.0);
   const auto leftOf = [cell, names](std::size_t option) {
     return names + static_cast<double>(option) * cell;
   };
-  for (std::size_t option = 0; option < study.options.size(); ++option) {
-    figure.text(leftOf(option) + 0.5 * cell, 16.0,
-                shortened(study.options[option], static_cast<std::size_t>(cell / 6.5)), "ink",
-                Anchor::Middle);
+  for (std::size_t option = 0; option < heads.size(); ++option) {
+    double y = top - 10.0 - kLine * static_cast<double>(heads[option].size() - 1);
+    for (const std::string& line : heads[option]) {
+      figure.text(leftOf(option) + 0.5 * cell, y, line, "ink", Anchor::Middle);
+      y += kLine;
+    }
   }
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const double y = kTop + kRow * static_cast<double>(k);
+    const double y = top + kRow * static_cast<double>(k);
     figure.text(names - 10.0, y + 16.0, shortened(study.cases[rows[k].ofCase], kCaseLength), "ink",
                 Anchor::End);
     for (std::size_t option = 0; option < study.options.size(); ++option) {

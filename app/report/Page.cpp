@@ -208,6 +208,10 @@ class PageMaker {
     const Table all = pairsTable(study_, comparisons_, true);
     body_ += tableHtml(pairsTable(study_, comparisons_, false));
     report_.tables.push_back(all);
+    if (const auto byCase = casePairsTable(study_, comparisons_, false)) {
+      body_ += tableHtml(*byCase);
+      report_.tables.push_back(*casePairsTable(study_, comparisons_, true));
+    }
     const std::optional<Table> family = familyTable(study_, comparisons_);
     if (family) {
       section("ranks", "All options at once");

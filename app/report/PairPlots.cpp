@@ -4,7 +4,6 @@
 #include "app/report/Markup.h"
 #include "app/report/PlotParts.h"
 #include "app/report/Plots.h"
-#include "sim2d/base/Text.h"
 
 namespace report {
 
@@ -12,8 +11,35 @@ namespace {
 
 using Anchor = Figure::Anchor;
 
+constexpr double kPairLetter = 6.2;  // px of a character of the names of pairs
+constexpr double kPairGap = 16.0;    // px beside them
+
+/// Px for the names of pairs, the gap included: as the longest need, up to `most`.
+double pairNamesWidth(const Study& study, const Comparisons& comparisons, double most) {
+  std::size_t longest = 0;
+  for (const MetricComparison& comparison : comparisons) {
+    for (const PairResult* pair : shownPairs(comparison)) {
+      longest = std::max(longest, characterCount(study.options[pair->first]) +
+                                      characterCount(study.options[pair->second]) + 3);
+    }
+  }
+  return std::clamp(kPairLetter * static_cast<double>(longest) + kPairGap, 150.0, most);
+}
+
+/// "dwa − mppi", each with half of the room.
+std::string nameOfPair(const Study& study, const PairResult& pair, double width) {
+  const auto room = static_cast<std::size_t>((width - kPairGap) / kPairLetter);
+  const std::string& first = study.options[pair.first];
+  const std::string& second = study.options[pair.second];
+  if (characterCount(first) + characterCount(second) + 3 <= room) {
+    return first + " − " + second;
+  }
+  const std::size_t half = room > 5 ? (room - 3) / 2 : 1;
+  return shortened(first, half) + " − " + shortened(second, half);
+}
+
 void differencePanel(Figure& figure, const Study& study, const MetricComparison& comparison,
-                     double left, double top, double width) {
+                     double left, double top, double width, double names) {
   constexpr double kRow = 30.0;
   const Metric& metric = study.metrics[comparison.metric];
   const auto pairs = shownPairs(comparison);
@@ -25,14 +51,11 @@ void differencePanel(Figure& figure, const Study& study, const MetricComparison&
       extent.add(difference);
     }
   }
-  constexpr double kPairNames = 1.45 * kNames;
-  const Scale scale = roomyScale(extent.low, extent.high, left + kPairNames, left + width - 8.0);
+  const Scale scale = roomyScale(extent.low, extent.high, left + names, left + width - 8.0);
   double y = top + kTitle + 0.5 * kRow;
   for (const PairResult* pair : pairs) {
-    const std::string names = base::join(
-        {shortened(study.options[pair->first], 11), shortened(study.options[pair->second], 11)},
-        " − ");
-    figure.text(left + kPairNames - 10.0, y + 4.0, names, "ink", Anchor::End, 10.5);
+    figure.text(left + names - 10.0, y + 4.0, nameOfPair(study, *pair, names), "ink", Anchor::End,
+                10.5);
     strip(figure, pair->differences, scale, y + 5.0, 10.0, "dim");
     if (pair->shiftInterval.isDefined()) {
       figure.line(scale.at(pair->shiftInterval.low), y - 7.0, scale.at(pair->shiftInterval.high),
@@ -85,7 +108,8 @@ void ranksPanel(Figure& figure, const Study& study, const MetricComparison& comp
   for (const std::size_t option : order) {
     sorted.push_back(ranks[option]);
   }
-  const Scale scale{1.0, count, left + kNames + 10.0, left + width - 46.0};
+  const double names = namesWidth(study, kMostNames * width);
+  const Scale scale{1.0, count, left + names + 10.0, left + width - 46.0};
   constexpr double kRow = 18.0;
   const double axis = top + kTitle + 20.0;
   figure.line(scale.from, axis, scale.to, axis, "axis");
@@ -103,8 +127,9 @@ void ranksPanel(Figure& figure, const Study& study, const MetricComparison& comp
     y += kRow;
     const double x = scale.at(sorted[k]);
     figure.line(x, axis, x, y - 4.0, strokeOf(order[k]), 1.4);
-    figure.line(left + kNames, y - 4.0, x, y - 4.0, strokeOf(order[k]), 1.4);
-    figure.text(left + kNames - 8.0, y, nameOfOption(study, order[k]), "ink", Anchor::End);
+    figure.line(left + names, y - 4.0, x, y - 4.0, strokeOf(order[k]), 1.4);
+    figure.text(left + names - 8.0, y, nameOfOption(study, order[k], names - 8.0), "ink",
+                Anchor::End);
     figure.text(left + width, y, numberText(sorted[k], 2), "dim", Anchor::End, 10.0);
   }
 }
@@ -120,10 +145,13 @@ std::optional<Figure> differencesFigure(const Study& study, const Comparisons& c
   if (rows == 0) {
     return std::nullopt;
   }
+  const int columns =
+      columnsOfPanels(chosen.size(), pairNamesWidth(study, comparisons, PanelGrid().width));
   Figure figure =
       panels("differences", chosen.size(), kTitle + 30.0 * static_cast<double>(rows) + kAxis,
-             [&](Figure& to, std::size_t k, double left, double top, double width) {
-               differencePanel(to, study, *chosen[k], left, top, width);
+             columns, [&](Figure& to, std::size_t k, double left, double top, double width) {
+               const double names = pairNamesWidth(study, comparisons, kMostNames * width);
+               differencePanel(to, study, *chosen[k], left, top, width, names);
              });
   figure.caption =
       "Differences on the same case and seed (dots), with the typical difference and its "
@@ -144,6 +172,7 @@ std::optional<Figure> ranksFigure(const Study& study, const Comparisons& compari
   }
   Figure figure = panels("ranks", chosen.size(),
                          kTitle + 34.0 + 20.0 * static_cast<double>(study.options.size()),
+                         columnsOfPanels(chosen.size(), namesWidth(study, PanelGrid().width)),
                          [&](Figure& to, std::size_t k, double left, double top, double width) {
                            ranksPanel(to, study, *chosen[k], left, top, width);
                          });

@@ -55,15 +55,31 @@ std::vector<const MetricComparison*> ofKind(const Study& study, const Comparison
   return found;
 }
 
-std::string nameOfOption(const Study& study, std::size_t option) {
-  constexpr std::size_t kNameLength = 16;
-  return shortened(study.options[option], kNameLength);
+double namesWidth(const Study& study, double most) {
+  constexpr double kLeast = 104.0;
+  constexpr double kGap = 16.0;
+  std::size_t longest = 0;
+  for (const std::string& option : study.options) {
+    longest = std::max(longest, characterCount(option));
+  }
+  return std::min(std::max(kLeast, kLetter * static_cast<double>(longest) + kGap), most);
 }
 
-void optionNames(Figure& figure, const Study& study, double left, double top, double rowHeight) {
+int columnsOfPanels(std::size_t count, double names) {
+  PanelGrid two;
+  return count == 1 || names > 0.5 * two.panelWidth() ? 1 : two.columns;
+}
+
+std::string nameOfOption(const Study& study, std::size_t option, double room) {
+  return shortened(study.options[option], static_cast<std::size_t>(room / kLetter));
+}
+
+void optionNames(Figure& figure, const Study& study, double left, double top, double rowHeight,
+                 double width) {
+  constexpr double kGap = 10.0;
   for (std::size_t option = 0; option < study.options.size(); ++option) {
     const double y = top + (static_cast<double>(option) + 0.5) * rowHeight;
-    figure.text(left + kNames - 10.0, y + 4.0, nameOfOption(study, option), "ink",
+    figure.text(left + width - kGap, y + 4.0, nameOfOption(study, option, width - kGap), "ink",
                 Figure::Anchor::End);
   }
 }

@@ -9,7 +9,6 @@
 /// What the figures of a comparison share.
 namespace report {
 
-constexpr double kNames = 104.0;        // px for the names of options
 constexpr double kTitle = 22.0;         // px above a panel
 constexpr double kAxis = 24.0;          // px below it
 constexpr std::size_t kMostDots = 150;  // per strip
@@ -30,23 +29,33 @@ Scale scaleOfValues(const Extent& values, double from, double to);
 /// The comparisons of rates, or of the other metrics.
 std::vector<const MetricComparison*> ofKind(const Study& study, const Comparisons& comparisons,
                                             bool rates);
-/// Names of all options beside their rows.
-void optionNames(Figure& figure, const Study& study, double left, double top, double rowHeight);
+/// Px for the names of the options beside a panel, the gap included: as the longest needs, up to
+/// `most`.
+double namesWidth(const Study& study, double most);
+/// Columns of so many panels with `names` px for names beside them, if they had all room: two where
+/// the names leave more than half of a panel.
+int columnsOfPanels(std::size_t count, double names);
+/// Names of all options beside their rows, in so many px.
+void optionNames(Figure& figure, const Study& study, double left, double top, double rowHeight,
+                 double width);
 void panelTitle(Figure& figure, const std::string& title, double left, double top);
-std::string nameOfOption(const Study& study, std::size_t option);  // as long as there is room
-std::string percentText(double share);                             // "95 %"
-std::string levelText(double level);                               // "95 %", "97.5 %"
+/// As much of it as there is room for [px].
+std::string nameOfOption(const Study& study, std::size_t option, double room);
+std::string percentText(double share);  // "95 %"
+std::string levelText(double level);    // "95 %", "97.5 %"
 /// Dots of all values, or of evenly many of the sorted ones, across a strip.
 void strip(Figure& figure, const Numbers& values, const Scale& scale, double y, double height,
            const std::string& role);
 
-/// Panels of one height in two columns, one alone in one: draw(figure, index, left, top, width).
+constexpr double kMostNames = 0.6;  // of a panel
+
+/// Panels of one height in columns: draw(figure, index, left, top, width).
 template <class Draw>
-Figure panels(const char* name, std::size_t count, double height, Draw draw) {
+Figure panels(const char* name, std::size_t count, double height, int columns, Draw draw) {
   PanelGrid grid;
   grid.count = count;
   grid.panelHeight = height;
-  grid.columns = count == 1 ? 1 : 2;
+  grid.columns = columns;
   grid.gap = 24.0;
   Figure figure(name, grid.width, grid.height());
   grid.forEach([&](std::size_t k, double left, double top) {

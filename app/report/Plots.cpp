@@ -24,9 +24,10 @@ void intervalPanel(Figure& figure, const Study& study, const MetricComparison& c
     extent.add(estimate.interval);
   }
   const double right = left + width - 18.0;
-  const Scale scale = metric.isRate ? Scale{0.0, 1.0, left + kNames, right}
-                                    : scaleOfValues(extent, left + kNames, right);
-  optionNames(figure, study, left, top + kTitle, kRow);
+  const double names = namesWidth(study, kMostNames * width);
+  const Scale scale = metric.isRate ? Scale{0.0, 1.0, left + names, right}
+                                    : scaleOfValues(extent, left + names, right);
+  optionNames(figure, study, left, top + kTitle, kRow, names);
   const double bottom = top + kTitle + static_cast<double>(study.options.size()) * kRow;
   for (const double tick : axisTicks(scale)) {
     figure.line(scale.at(tick), top + kTitle, scale.at(tick), bottom, "grid");
@@ -56,7 +57,7 @@ std::optional<Figure> intervalPanels(const Study& study,
   PanelGrid grid;
   grid.count = chosen.size();
   grid.panelHeight = kTitle + 22.0 * static_cast<double>(study.options.size()) + kAxis;
-  grid.columns = grid.count == 1 ? 1 : 2;
+  grid.columns = columnsOfPanels(grid.count, namesWidth(study, grid.width));
   grid.gap = 20.0;
   Figure figure(name, grid.width, grid.height());
   grid.forEach([&](std::size_t k, double left, double top) {
@@ -99,8 +100,9 @@ void distributionPanel(Figure& figure, const Study& study, const MetricCompariso
       extent.add(value);
     }
   }
-  const Scale scale = scaleOfValues(extent, left + kNames, left + width - 18.0);
-  optionNames(figure, study, left, top + kTitle, kRow);
+  const double names = namesWidth(study, kMostNames * width);
+  const Scale scale = scaleOfValues(extent, left + names, left + width - 18.0);
+  optionNames(figure, study, left, top + kTitle, kRow, names);
   for (std::size_t option = 0; option < comparison.estimates.size(); ++option) {
     const Numbers& values = comparison.estimates[option].values;
     const double y = top + kTitle + (static_cast<double>(option) + 0.5) * kRow;
@@ -160,6 +162,7 @@ std::optional<Figure> distributionFigure(const Study& study, const Comparisons& 
   }
   Figure figure = panels("distributions", chosen.size(),
                          kTitle + 36.0 * static_cast<double>(study.options.size()) + kAxis,
+                         columnsOfPanels(chosen.size(), namesWidth(study, PanelGrid().width)),
                          [&](Figure& to, std::size_t k, double left, double top, double width) {
                            distributionPanel(to, study, *chosen[k], left, top, width);
                          });

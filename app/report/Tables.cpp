@@ -92,31 +92,72 @@ Cell chanceCell(double p, bool bold = false) {
   return cell;
 }
 
-std::vector<Cell> pairRow(const Study& study, const MetricComparison& comparison,
-                          const PairResult& pair) {
+Cell numberCell(const std::string& text, double value) {
+  Cell cell{text};
+  cell.sort = std::isnan(value) ? "–" : base::formatDouble(value);
+  return cell;
+}
+
+/// Metric and options of a pair.
+std::vector<Cell> namesOfPair(const Study& study, const MetricComparison& comparison,
+                              const PairResult& pair) {
+  return {{titleOf(study.metrics[comparison.metric])},
+          {study.options[pair.first] + " − " + study.options[pair.second]}};
+}
+
+/// Pairs, signs, difference, both p.
+void addTest(const Study& study, const MetricComparison& comparison, const PairTest& test,
+             std::vector<Cell>& row) {
   const Metric& metric = study.metrics[comparison.metric];
   const int decimals = decimalsFor(comparison.estimates, metric.isRate) + 1;
-  const auto ties = static_cast<int>(pair.differences.size()) - pair.higher - pair.lower;
-  Cell shift;
-  shift.text = estimateText(metric, pair.shift, decimals);
-  shift.below = intervalText(metric, pair.shiftInterval, decimals);
-  shift.sort = std::isnan(pair.shift) ? "–" : base::formatDouble(pair.shift);
-  const bool isClear = pair.adjusted < kSignificance;
-  const auto sorted = [](const std::string& text, double value, bool bold = false) {
-    return Cell{text, {}, std::isnan(value) ? "–" : base::formatDouble(value), {}, bold, {}, {}};
-  };
-  return {
-      {titleOf(metric)},
-      {study.options[pair.first] + " − " + study.options[pair.second]},
-      sorted(std::to_string(pair.differences.size()), static_cast<double>(pair.differences.size())),
-      {std::to_string(pair.higher) + " / " + std::to_string(ties) + " / " +
-       std::to_string(pair.lower)},
-      shift,
-      chanceCell(pair.p),
-      chanceCell(pair.adjusted, isClear),
-      sorted(numberText(pair.delta, 2), pair.delta),
-      sorted(pair.enoughPairs > kManyPairs ? "> 9999" : numberText(pair.enoughPairs, 0),
-             pair.enoughPairs)};
+  const auto ties = static_cast<int>(test.differences.size()) - test.higher - test.lower;
+  Cell shift = numberCell(estimateText(metric, test.shift, decimals), test.shift);
+  shift.below = intervalText(metric, test.shiftInterval, decimals);
+  row.push_back(numberCell(std::to_string(test.differences.size()),
+                           static_cast<double>(test.differences.size())));
+  row.push_back({std::to_string(test.higher) + " / " + std::to_string(ties) + " / " +
+                 std::to_string(test.lower)});
+  row.push_back(std::move(shift));
+  row.push_back(chanceCell(test.p));
+  row.push_back(chanceCell(test.adjusted, test.adjusted < kSignificance));
+}
+
+/// In how many cases the first option is higher, equal, lower, by the typical difference.
+std::string directionsOf(const PairResult& pair) {
+  int directions[3] = {};
+  for (const PairResult::OfCase& ofCase : pair.cases) {
+    const double towards =
+        ofCase.shift != 0.0 ? ofCase.shift : static_cast<double>(ofCase.higher - ofCase.lower);
+    ++directions[towards > 0.0 ? 0 : towards < 0.0 ? 2 : 1];
+  }
+  return std::to_string(directions[0]) + " / " + std::to_string(directions[1]) + " / " +
+         std::to_string(directions[2]);
+}
+
+std::vector<Cell> pairRow(const Study& study, const MetricComparison& comparison,
+                          const PairResult& pair) {
+  std::vector<Cell> row = namesOfPair(study, comparison, pair);
+  addTest(study, comparison, pair, row);
+  row.push_back(numberCell(numberText(pair.delta, 2), pair.delta));
+  row.push_back(
+      numberCell(pair.enoughPairs > kManyPairs ? "> 9999" : numberText(pair.enoughPairs, 0),
+                 pair.enoughPairs));
+  if (study.cases.size() > 1) {
+    row.push_back({directionsOf(pair)});
+  }
+  return row;
+}
+
+/// The pairs of a comparison that a table lists.
+std::vector<const PairResult*> listedPairs(const MetricComparison& comparison, bool all) {
+  if (!all) {
+    return shownPairs(comparison);
+  }
+  std::vector<const PairResult*> pairs;
+  for (const PairResult& pair : comparison.pairs) {
+    pairs.push_back(&pair);
+  }
+  return pairs;
 }
 
 std::vector<std::string> summaryRow(const Study& study, std::size_t metric, const Numbers& values) {
@@ -225,16 +266,13 @@ Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {
   table.columns = {{"Metric", {}, false},   {"Pair", {}, false},      {"Pairs", {}, true},
                    {"+ / = / −", {}, true}, {"Difference", {}, true}, {"p", {}, true},
                    {"p, Holm", {}, true},   {"δ", {}, true},          {"Enough", {}, true}};
+  const bool hasCases = study.cases.size() > 1;
+  if (hasCases) {
+    table.columns.push_back({"Cases + / = / −", {}, true});
+  }
   for (const MetricComparison& comparison : comparisons) {
-    for (const PairResult* pair : shownPairs(comparison)) {
-      if (!all) {
-        table.rows.push_back(pairRow(study, comparison, *pair));
-      }
-    }
-    for (const PairResult& pair : comparison.pairs) {
-      if (all) {
-        table.rows.push_back(pairRow(study, comparison, pair));
-      }
+    for (const PairResult* pair : listedPairs(comparison, all)) {
+      table.rows.push_back(pairRow(study, comparison, *pair));
     }
   }
   table.caption =
@@ -243,10 +281,48 @@ Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {
       levelText(study.level) +
       "; p of the signed-rank test (rates: McNemar), and adjusted over the pairs of the metric; "
       "Cliff's δ; pairs that would be enough to see such a difference (power 80 %, level 5 %)." +
+      (hasCases ? " Differences are ranked within their case and the cases put together (van "
+                  "Elteren); the last column says in how many cases the first is higher, equal, "
+                  "lower."
+                : "") +
       (all || study.options.size() < 4
            ? ""
            : " With the best only, if there is one, else the first; all are in tables/pairs.csv.");
   return table;
+}
+
+std::optional<Table> casePairsTable(const Study& study, const Comparisons& comparisons, bool all) {
+  constexpr std::size_t kMostRows = 200;
+  if (study.cases.size() < 2) {
+    return std::nullopt;
+  }
+  Table table;
+  table.name = "pairs_by_case";
+  table.columns = {{"Metric", {}, false}, {"Pair", {}, false},     {"Case", {}, false},
+                   {"Pairs", {}, true},   {"+ / = / −", {}, true}, {"Difference", {}, true},
+                   {"p", {}, true},       {"p, Holm", {}, true}};
+  bool isCut = false;
+  for (const MetricComparison& comparison : comparisons) {
+    for (const PairResult* pair : listedPairs(comparison, all)) {
+      for (const PairResult::OfCase& ofCase : pair->cases) {
+        isCut = isCut || (!all && table.rows.size() >= kMostRows);
+        if (isCut) {
+          break;
+        }
+        std::vector<Cell> row = namesOfPair(study, comparison, *pair);
+        row.push_back({study.cases[ofCase.number]});
+        addTest(study, comparison, ofCase, row);
+        table.rows.push_back(std::move(row));
+      }
+    }
+  }
+  table.caption =
+      "The same pairs in each case alone; p adjusted over the pairs of the metric in "
+      "that case." +
+      std::string(isCut ? " The first " + std::to_string(kMostRows) +
+                              " rows; all are in tables/pairs_by_case.csv."
+                        : "");
+  return table.rows.empty() ? std::nullopt : std::optional(std::move(table));
 }
 
 std::optional<Table> familyTable(const Study& study, const Comparisons& comparisons) {

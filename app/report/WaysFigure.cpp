@@ -77,6 +77,7 @@ class WaysMaker {
  private:
   static constexpr double kMostHeight = 260.0;  // of a map [px]
   static constexpr double kCaseHead = 20.0;     // [px]
+  static constexpr double kLine = 13.0;         // of a title [px]
 
   std::string chooseRows() {
     std::set<std::size_t> rows;
@@ -110,9 +111,20 @@ class WaysMaker {
     return study_.results.runs[panel.ways.front()->run].scenario;
   }
   double heightOf(const WayPanel& panel) const {
-    return caseHead() + (panel.ways.empty() ? 2.0 * kPanelHead
-                                            : panelHeightOf(pictures_.grounds.at(scenarioOf(panel)),
-                                                            grid_.panelWidth(), kMostHeight));
+    const double more = kLine * static_cast<double>(titleOf(panel).size() - 1);
+    return caseHead() + more +
+           (panel.ways.empty() ? 2.0 * kPanelHead
+                               : panelHeightOf(pictures_.grounds.at(scenarioOf(panel)),
+                                               grid_.panelWidth(), kMostHeight));
+  }
+  /// In as many lines as it needs.
+  std::vector<std::string> titleOf(const WayPanel& panel) const {
+    const std::string title =
+        isTable_ || study_.cases.size() == 1
+            ? study_.options[panel.option]
+            : (study_.options.size() == 1 ? std::string() : study_.options[panel.option] + ", ") +
+                  study_.cases[panel.ofCase];
+    return wrapped(title, static_cast<std::size_t>(grid_.panelWidth() / kLetter));
   }
 
   void draw(Figure& figure, Grounds& grounds, std::size_t index, base::Vec2 corner) const {
@@ -123,14 +135,12 @@ class WaysMaker {
                   Figure::Anchor::Start, kSize);
     }
     corner.y() += caseHead();
-    const std::string title =
-        isTable_ || study_.cases.size() == 1
-            ? study_.options[panel.option]
-            : (study_.options.size() == 1 ? std::string() : study_.options[panel.option] + ", ") +
-                  study_.cases[panel.ofCase];
-    figure.text(corner.x(), corner.y() + 12.0,
-                shortened(title, static_cast<std::size_t>(grid_.panelWidth() / 6.4)),
-                isTable_ && caseHead() > 0.0 ? "dim" : "ink");
+    const std::vector<std::string> title = titleOf(panel);
+    for (std::size_t line = 0; line < title.size(); ++line) {
+      figure.text(corner.x(), corner.y() + 12.0 + kLine * static_cast<double>(line), title[line],
+                  isTable_ && caseHead() > 0.0 ? "dim" : "ink");
+    }
+    corner.y() += kLine * static_cast<double>(title.size() - 1);
     if (panel.ways.empty()) {
       figure.text(corner.x(), corner.y() + kPanelHead + 12.0, "no run drawn", "dim");
       return;

@@ -8,6 +8,7 @@
 #include "app/report/Figure.h"
 #include "app/report/Markup.h"
 #include "app/report/PlotParts.h"
+#include "app/report/Tables.h"
 
 using namespace report;
 
@@ -54,6 +55,22 @@ Study pairedStudy(const std::vector<std::array<double, 2>>& pairs) {
       study.optionOf.push_back(option);
     }
   }
+  return study;
+}
+
+/// Times of two planners in two scenarios: in `pen` shorter for the second one by 0.1 s to 0.6 s,
+/// in `plaza` by chance and by up to a minute.
+Study twoScenarios() {
+  std::vector<std::array<double, 2>> pairs;
+  for (int seed = 1; seed <= 6; ++seed) {
+    pairs.push_back({5.0 + 0.1 * seed, 5.0});
+  }
+  for (const double difference : {-60.0, 50.0, -40.0, 30.0, -20.0, 10.0}) {
+    pairs.push_back({200.0 + difference, 200.0});
+  }
+  Study study = pairedStudy(pairs);
+  study.cases = {"pen", "plaza"};
+  std::fill(study.caseOf.begin() + 12, study.caseOf.end(), 1);
   return study;
 }
 
@@ -135,6 +152,38 @@ class ReportPiecesTest : public QObject {
     QCOMPARE(shortened("planner", 7), std::string("planner"));
     QCOMPARE(shortened("planners", 7), std::string("planne…"));
     QCOMPARE(shortened("ääää", 3), std::string("ää…"));
+  }
+
+  void wrapped_longNames_keepAllLetters() {
+    using Lines = std::vector<std::string>;
+    QCOMPARE(wrapped("planner", 7), Lines({"planner"}));
+    QCOMPARE(wrapped("timed_elastic_band", 13), Lines({"timed_", "elastic_band"}));
+    QCOMPARE(wrapped("abcdefghij", 4), Lines({"abcd", "efgh", "ij"}));
+    QCOMPARE(wrapped("äöüäöü", 4), Lines({"äöüä", "öü"}));
+    QCOMPARE(wrapped("", 4), Lines({""}));
+  }
+
+  /// Also in panels side by side, and in heads of narrow columns.
+  void figures_longNames_areNotCut() {
+    Study study = twoScenarios();
+    study.options = {"model_predictive_path_integral", "timed_elastic_band_local"};
+    study.metrics.push_back(study.metrics[0]);
+    study.results.metrics.push_back(study.results.metrics[0]);
+    const auto blocks = blocksOf(study);
+    const Comparisons both = {compare(study, 0, blocks), compare(study, 1, blocks)};
+    for (const std::optional<Figure>& figure :
+         {intervalsFigure(study, both), distributionFigure(study, both),
+          paretoFigure(study, both[0], both[1])}) {
+      for (const std::string& option : study.options) {
+        QVERIFY2(figure->markup().find(">" + option + "<") != std::string::npos,
+                 figure->name().c_str());
+      }
+    }
+    const std::string pairs = differencesFigure(study, both)->markup();
+    QVERIFY(pairs.find(study.options[0] + " − " + study.options[1]) != std::string::npos);
+    const std::string table = difficultyFigure(study, 0)->markup();
+    QVERIFY(table.find(">integral<") != std::string::npos);  // of the last line of its head
+    QVERIFY(table.find("…") == std::string::npos);
   }
 
   void standalone_roles_becomeColours() {
@@ -300,6 +349,30 @@ class ReportPiecesTest : public QObject {
     QCOMPARE(found.pairs[0].shift, 1.0);
     QVERIFY(found.pairs[0].shiftInterval.low < 0.5);
     QCOMPARE(found.pairs[0].enoughPairs, 6.0);
+  }
+
+  /// In one scenario all six agree: p = 2/2^6 of the signed-rank test. In the other the ranks are
+  /// 6 - 5 + 4 - 3 + 2 - 1. Together, each weighted with 1/7: of the 2^12 changes of signs, counted
+  /// by a program of a few lines, 442 give a sum of 21 + 9 or more.
+  void compare_scenarios_areTestedEachAndTogether() {
+    const Study study = twoScenarios();
+    const PairResult pair = compare(study, 0, blocksOf(study)).pairs[0];
+    QCOMPARE(pair.cases.size(), std::size_t{2});
+    QCOMPARE(pair.cases[0].differences.size(), std::size_t{6});
+    QVERIFY(std::abs(pair.cases[0].p - 2.0 / 64.0) < 1e-12);
+    QVERIFY(std::abs(pair.cases[0].shift - 0.35) < 1e-9);
+    QVERIFY(pair.cases[1].p > 0.6);
+    QCOMPARE(pair.cases[0].adjusted, pair.cases[0].p);  // one pair
+    QVERIFY2(std::abs(pair.p - 2.0 * 442.0 / 4096.0) < 1e-12,
+             qPrintable(QString::number(pair.p * 2048.0)));
+    QCOMPARE(pair.delta, 0.5);  // 1 in one, 0 in the other
+    const Table rows = *casePairsTable(study, {compare(study, 0, blocksOf(study))}, true);
+    QCOMPARE(rows.rows.size(), std::size_t{2});
+    QCOMPARE(rows.rows[1][2].text, std::string("plaza"));
+    QCOMPARE(rows.rows[0][4].text, std::string("6 / 0 / 0"));
+    const Table all = pairsTable(study, {compare(study, 0, blocksOf(study))}, true);
+    QCOMPARE(all.rows[0].back().text, std::string("1 / 0 / 1"));
+    QVERIFY(!casePairsTable(smallStudy(), {}, true));
   }
 
   void compare_clearDifference_isMarked() {
