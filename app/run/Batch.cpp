@@ -54,13 +54,20 @@ base::Result<ResultRow> readAnswer(const std::string& text) {
   return problems;
 }
 
+constexpr char kMet[] = "met";  // begin of a message with the files of a run that goes on
+
 /// In a worker. What no run foresees, as no memory, is the end of that run alone.
-std::string answerTo(const BatchJob& job, const std::string& question) {
+std::string answerTo(const BatchJob& job, const std::string& question,
+                     const WorkerProcess::Tell& tell) {
+  ResultRow row;  // of a run that ends so
   try {
     const std::optional<long long> run = base::parseInt(question);
-    return answerText(job.make(static_cast<std::size_t>(run.value_or(0))));
+    const auto met = [&](const std::vector<InputHash>& files) {
+      row.inputs = files;
+      tell(kMet + rowText(row));
+    };
+    return answerText(job.make(static_cast<std::size_t>(run.value_or(0)), met));
   } catch (const std::exception& problem) {
-    ResultRow row;
     row.reason = reasonOf(problem);
     const bool hadNoMemory = dynamic_cast<const std::bad_alloc*>(&problem) != nullptr;
     row.failedBy = hadNoMemory ? FailedBy::Machine : FailedBy::Run;
@@ -106,6 +113,7 @@ struct Worker {
   Clock::time_point begin;
   std::size_t made = 0;        // runs so far
   std::size_t firstBytes = 0;  // memory after the first
+  std::vector<InputHash> met;  // files that the run uses, as far as it has said so
 };
 
 class Batch {
@@ -128,14 +136,16 @@ class Batch {
   void startMore() {
     while (!isOver() && workers_.size() < static_cast<std::size_t>(job_.jobs)) {
       std::optional<WorkerProcess> process = WorkerProcess::start(
-          [this](const std::string& question) { return answerTo(job_, question); });
+          [this](const std::string& question, const WorkerProcess::Tell& tell) {
+            return answerTo(job_, question, tell);
+          });
       if (!process) {
         if (workers_.empty()) {
           troubles_.push_back(base::error("batch.no-process"));
         }
         return;  // the others go on
       }
-      workers_.push_back({*std::move(process), 0, {}, 0, 0});
+      workers_.push_back({*std::move(process), 0, {}, 0, 0, {}});
       giveRun(workers_.back());
     }
   }
@@ -144,6 +154,7 @@ class Batch {
     worker.run = waiting_.front();
     waiting_.pop_front();
     worker.begin = Clock::now();
+    worker.met.clear();
     worker.process.ask(std::to_string(worker.run));  // one that is gone is heard of soon
   }
 
@@ -166,15 +177,17 @@ class Batch {
   void listenTo(std::size_t index) {
     Worker& worker = workers_[index];
     std::string answer;
-    switch (worker.process.hear(answer)) {
-      case WorkerProcess::Heard::Part:
-        return;
-      case WorkerProcess::Heard::End:
-        noteCrash(index);
-        return;
-      case WorkerProcess::Heard::Answer:
-        break;
-    }
+    do {
+      switch (worker.process.hear(answer)) {
+        case WorkerProcess::Heard::Part:
+          return;
+        case WorkerProcess::Heard::End:
+          noteCrash(index);
+          return;
+        case WorkerProcess::Heard::Answer:
+          break;
+      }
+    } while (noteMet(answer, worker));
     const base::Result<ResultRow> row = readAnswer(answer);
     if (!row) {
       troubles_ = row.diagnostics();
@@ -195,23 +208,37 @@ class Batch {
     return worker.made >= job_.runsPerWorker || bytes > worker.firstBytes + job_.mostGrowth;
   }
 
+  /// Whether the message is of a run that goes on.
+  static bool noteMet(const std::string& message, Worker& worker) {
+    const std::string begin = kMet;
+    if (message.compare(0, begin.size(), begin) != 0) {
+      return false;
+    }
+    worker.met = rowOfText(message.substr(begin.size())).inputs;
+    return true;
+  }
+
   void noteCrash(std::size_t index) {
     const std::size_t run = workers_[index].run;
+    std::vector<InputHash> files = std::move(workers_[index].met);
     const int status = workers_[index].process.end();
     remove(index);
     if (++crashes_[run] < kMostTries) {
       waiting_.push_front(run);
       return;
     }
-    take(run, rowOfEnded(status));
+    ResultRow row = rowOfEnded(status);
+    row.inputs = std::move(files);
+    take(run, row);
   }
 
   void endLate() {
     for (std::size_t k = workers_.size(); k-- > 0 && troubles_.empty();) {
       if (Seconds(Clock::now() - workers_[k].begin).count() > job_.timeLimit) {
         const std::size_t run = workers_[k].run;
-        remove(k);
         ResultRow row;
+        row.inputs = std::move(workers_[k].met);
+        remove(k);
         row.reason = "not finished within " + base::formatDouble(job_.timeLimit) + " s";
         take(run, row);
       }

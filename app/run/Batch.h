@@ -18,8 +18,11 @@ struct BatchJob {
   std::size_t runsPerWorker = 1000;  // then another takes its place: memory stays bounded
   std::size_t mostGrowth = std::size_t{512}
                            << 20U;  // idem, memory beyond that of its first run [B]
-  /// In a worker: makes a run. Errors: its files cannot be written; the batch ends with them.
-  std::function<base::Result<ResultRow>(std::size_t run)> make;
+  /// In a worker: makes a run. Errors: its files cannot be written; the batch ends with them. `met`
+  /// takes the files that it uses as soon as they are known: the row of a run that crashes or takes
+  /// too long has them from there.
+  using Met = std::function<void(const std::vector<InputHash>& files)>;
+  std::function<base::Result<ResultRow>(std::size_t run, const Met& met)> make;
   /// Here: takes its row, as soon as it is there. Errors end the batch.
   std::function<base::Diagnostics(std::size_t run, const ResultRow& row)> take;
   std::function<bool()> wantsStop;  // asked often

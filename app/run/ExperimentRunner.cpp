@@ -86,13 +86,17 @@ std::string ExperimentRunner::folderOf(std::size_t run) const {
   return (std::filesystem::path(runsFolder_) / std::to_string(run)).string();
 }
 
-base::Result<ResultRow> ExperimentRunner::run(std::size_t index) {
+base::Result<ResultRow> ExperimentRunner::run(
+    std::size_t index, const std::function<void(const std::vector<InputHash>&)>& met) {
   const base::Diagnostics stays = removeRun(folderOf(index));  // of an earlier batch, or cut short
   if (!stays.empty()) {
     return stays;
   }
   Used used;
   const Bundle bundle = read(index, settingsOf(experiment_), used);
+  if (met) {
+    met(seen_.thenAndNow(used));
+  }
   base::Result<ResultRow> row = make(index, bundle);
   if (row) {
     row->inputs = seen_.thenAndNow(used);

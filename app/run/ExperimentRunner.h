@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -31,7 +32,9 @@ class ExperimentRunner {
 
   /// Errors: files of the run could not be written. A run that fails is a row. Its inputs are the
   /// files as this process has met them first, and once more those that are others by the end.
-  base::Result<ResultRow> run(std::size_t index);
+  /// `met` takes them before the run begins.
+  base::Result<ResultRow> run(std::size_t index,
+                              const std::function<void(const std::vector<InputHash>&)>& met = {});
 
  private:
   /// Numbers of files that were seen.

@@ -178,7 +178,8 @@ base::Diagnostics simulateFutures(sim2d::World& world, const Bundle& bundle,
   while ((next < options.count || !working.empty()) && !wantsStop()) {
     while (next < options.count && working.size() < static_cast<std::size_t>(options.jobs)) {
       std::optional<WorkerProcess> process =
-          WorkerProcess::start([&world, &bundle, &options, next](const std::string& /*go*/) {
+          WorkerProcess::start([&world, &bundle, &options, next](
+                                   const std::string& /*go*/, const WorkerProcess::Tell& /*tell*/) {
             return futureText(simulateFuture(world, bundle, options, next));
           });
       if (!process) {

@@ -88,6 +88,7 @@ void leaveParent(int socket, pid_t parent) {
 
 [[noreturn]] void serveForEver(const WorkerProcess::Serve& serve) noexcept {
   std::string bytes, question;
+  const WorkerProcess::Tell tell = [](const std::string& text) { sendMessage(kSocket, text); };
   while (true) {
     if (!takeMessage(bytes, question)) {
       if (receive(kSocket, bytes, 0) == 0) {
@@ -95,7 +96,7 @@ void leaveParent(int socket, pid_t parent) {
       }
       continue;
     }
-    if (!sendMessage(kSocket, serve(question))) {
+    if (!sendMessage(kSocket, serve(question, tell))) {
       ::_exit(0);
     }
   }
@@ -143,6 +144,9 @@ bool WorkerProcess::ask(const std::string& question) const {
 }
 
 WorkerProcess::Heard WorkerProcess::hear(std::string& answer) {
+  if (takeMessage(heard_, answer)) {
+    return Heard::Answer;  // it came with the one before
+  }
   if (receive(socket_, heard_, MSG_DONTWAIT) == 0) {
     return Heard::End;
   }

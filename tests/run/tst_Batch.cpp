@@ -24,7 +24,7 @@ app::BatchJob jobOf(std::size_t count, Rows& rows) {
   for (std::size_t run = 0; run < count; ++run) {
     job.runs.push_back(run);
   }
-  job.make = [](std::size_t run) -> base::Result<app::ResultRow> {
+  job.make = [](std::size_t run, const auto& /*met*/) -> base::Result<app::ResultRow> {
     app::ResultRow row;
     row.ok = true;
     row.simulated = std::to_string(run);
@@ -112,10 +112,10 @@ class BatchTest : public QObject {
     Rows rows;
     app::BatchJob job = jobOf(6, rows);
     job.mostGrowth = std::size_t{32} << 20U;
-    job.make = [inner = job.make](std::size_t run) {
+    job.make = [inner = job.make](std::size_t run, const auto& met) {
       static std::string kept;  // grows by 64 MB a run
       kept.resize(kept.size() + (run > 0 ? std::size_t{64} << 20U : 0), 'x');
-      return inner(run);
+      return inner(run, met);
     };
     QVERIFY(app::runBatch(job).empty());
     QCOMPARE(rows.size(), std::size_t{6});
@@ -127,12 +127,12 @@ class BatchTest : public QObject {
     Rows rows;
     app::BatchJob job = jobOf(8, rows);
     job.jobs = 2;
-    job.make = [inner = job.make](std::size_t run) {
+    job.make = [inner = job.make](std::size_t run, const auto& met) {
       if (run == 3) {
         ::signal(SIGSEGV, SIG_DFL);  // a sanitizer would tell much
         ::raise(SIGSEGV);
       }
-      return inner(run);
+      return inner(run, met);
     };
     QVERIFY(app::runBatch(job).empty());
     QCOMPARE(rows.size(), std::size_t{8});
@@ -186,13 +186,13 @@ class BatchTest : public QObject {
     Rows rows;
     app::BatchJob job = jobOf(5, rows);
     const std::string mark = path("mark");
-    job.make = [inner = job.make, mark](std::size_t run) {
+    job.make = [inner = job.make, mark](std::size_t run, const auto& met) {
       if (run == 2 && !QFile::exists(QString::fromStdString(mark))) {
         if (base::writeFileAtomically(mark, "x").empty()) {
           ::kill(::getpid(), SIGKILL);
         }
       }
-      return inner(run);
+      return inner(run, met);
     };
     QVERIFY(app::runBatch(job).empty());
     QCOMPARE(rows.size(), std::size_t{5});
@@ -202,11 +202,11 @@ class BatchTest : public QObject {
   void exception_isTheReason() {
     Rows rows;
     app::BatchJob job = jobOf(3, rows);
-    job.make = [inner = job.make](std::size_t run) {
+    job.make = [inner = job.make](std::size_t run, const auto& met) {
       if (run == 1) {
         throw std::runtime_error("no memory for this");
       }
-      return inner(run);
+      return inner(run, met);
     };
     QVERIFY(app::runBatch(job).empty());
     QVERIFY(!rows[1].ok);
@@ -219,13 +219,13 @@ class BatchTest : public QObject {
     Rows rows;
     app::BatchJob job = jobOf(4, rows);
     job.timeLimit = 0.3;
-    job.make = [inner = job.make](std::size_t run) {
+    job.make = [inner = job.make](std::size_t run, const auto& met) {
       if (run == 1) {
         for (;;) {
           ::pause();
         }
       }
-      return inner(run);
+      return inner(run, met);
     };
     QVERIFY(app::runBatch(job).empty());
     QCOMPARE(rows.size(), std::size_t{4});
@@ -233,11 +233,42 @@ class BatchTest : public QObject {
     QVERIFY(rows[0].ok && !rows[1].ok && rows[2].ok && rows[3].ok);
   }
 
+  /// A run that has said what it uses: the row tells, however it ends.
+  void filesOfRunsWithoutAnswer_areInTheirRows() {
+    Rows rows;
+    app::BatchJob job = jobOf(4, rows);
+    job.timeLimit = 0.5;
+    job.make = [inner = job.make](std::size_t run, const auto& met) {
+      met({{"a.yaml", "1"}, {"b.pgm", std::to_string(run)}});
+      if (run == 0) {
+        for (;;) {
+          ::pause();
+        }
+      } else if (run == 1) {
+        ::signal(SIGSEGV, SIG_DFL);
+        ::raise(SIGSEGV);
+      } else if (run == 2) {
+        throw std::runtime_error("no memory for this");
+      }
+      return inner(run, met);
+    };
+    QVERIFY(app::runBatch(job).empty());
+    QCOMPARE(rows.size(), std::size_t{4});
+    for (const std::size_t run : {0U, 1U, 2U}) {
+      QVERIFY(!rows[run].ok);
+      QCOMPARE(rows[run].inputs.size(), std::size_t{2});
+      QCOMPARE(rows[run].inputs[0].path, std::string("a.yaml"));
+      QCOMPARE(rows[run].inputs[1].sha256, std::to_string(run));
+    }
+    QVERIFY(rows[3].ok && rows[3].inputs.empty());  // its answer is what counts
+  }
+
   void filesThatCannotBeWritten_endTheBatch() {
     Rows rows;
     app::BatchJob job = jobOf(5, rows);
-    job.make = [inner = job.make](std::size_t run) -> base::Result<app::ResultRow> {
-      return run == 2 ? base::error("file.no-permission", {}, "x/2") : inner(run);
+    job.make = [inner = job.make](std::size_t run,
+                                  const auto& met) -> base::Result<app::ResultRow> {
+      return run == 2 ? base::error("file.no-permission", {}, "x/2") : inner(run, met);
     };
     const base::Diagnostics said = app::runBatch(job);
     QCOMPARE(said.size(), std::size_t{1});
@@ -258,7 +289,7 @@ class BatchTest : public QObject {
   void stop_endsAtOnce() {
     Rows rows;
     app::BatchJob job = jobOf(3, rows);
-    job.make = [](std::size_t) -> base::Result<app::ResultRow> {
+    job.make = [](std::size_t, const auto& /*met*/) -> base::Result<app::ResultRow> {
       while (true) {
         ::pause();
       }
@@ -271,7 +302,7 @@ class BatchTest : public QObject {
   void answer_ofMegabytes_arrives() {
     Rows rows;
     app::BatchJob job = jobOf(2, rows);
-    job.make = [](std::size_t run) -> base::Result<app::ResultRow> {
+    job.make = [](std::size_t run, const auto& /*met*/) -> base::Result<app::ResultRow> {
       app::ResultRow row;
       row.ok = true;
       row.fields = {{"text", std::string(3'000'000, run == 0 ? 'a' : 'b')}};
@@ -369,7 +400,7 @@ class BatchTest : public QObject {
     for (std::size_t way = 0; way < std::size(texts); ++way) {
       Rows rows;
       app::BatchJob job = jobOf(study.runCount(), rows);
-      job.make = [&runner](std::size_t run) { return runner.run(run); };
+      job.make = [&runner](std::size_t run, const auto& met) { return runner.run(run, met); };
       if (way == 1) {
         std::reverse(job.runs.begin(), job.runs.end());
       } else if (way == 2) {  // 5 and 16 have no common divisor: every run once

@@ -103,7 +103,7 @@ base::Diagnostics makeRuns(const Experiment& experiment, ExperimentRunner& runne
   job.jobs = options.jobs > 0 ? options.jobs : cores;
   const double limit = store.study().timeLimit;
   job.timeLimit = limit > 0.0 ? limit : job.timeLimit;
-  job.make = [&](std::size_t run) { return runner.run(run); };
+  job.make = [&](std::size_t run, const BatchJob::Met& met) { return runner.run(run, met); };
   job.take = [&](std::size_t run, const ResultRow& row) {
     const Experiment::Run values = experiment.run(run);
     const StoredRun stored{run, experiment.scenarios[values.scenario], values.seed, values.values,

@@ -170,11 +170,15 @@ std::string simulatedText(const FinishedRun& run) {
   return oneDecimal(static_cast<double>(run.result.steps) * run.header.dt) + " s";
 }
 
-int exitCodeOf(const FinishedRun& run, const std::string& scenario) {
+int exitCodeOf(const FinishedRun& run, const RunOptions& options) {
+  const std::string place = options.output.empty() ? std::string() : " in " + options.output;
   if (run.result.status == sim2d::RunStatus::Failed) {
-    printDiagnostics({base::error("run.ended", {run.result.reason}, scenario)});
+    printDiagnostics({base::error("run.ended", {run.result.reason}, options.scenario)});
+    if (!place.empty()) {
+      printError("failed after " + simulatedText(run) + ": the part so far is kept" + place);
+    }
   } else if (run.result.status == sim2d::RunStatus::Interrupted) {
-    printError("interrupted after " + simulatedText(run) + ": the part so far is kept");
+    printError("interrupted after " + simulatedText(run) + ": the part so far is kept" + place);
   }
   return run.result.status == sim2d::RunStatus::Finished ? ExitFine : ExitRunFailed;
 }
@@ -189,7 +193,7 @@ int conclude(const RunOptions& options, const Invocation& given, const Bundle& b
     printError("after " + simulatedText(run) + " of the run: its files could not be written");
     return ExitBadInput;
   }
-  return exitCodeOf(run, options.scenario);
+  return exitCodeOf(run, options);
 }
 
 /// Null when it cannot be written to, or would lose something: told in the verdict.
