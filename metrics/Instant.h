@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,14 +36,15 @@ class TermMemory {
 struct Instant {
   const RunContext& context;
   const MetricParameters& parameters;
-  const Sample& now;             // with a robot, Person::pair is known
-  const Sample* before;          // null at the first sample
-  const Sample* earlier;         // the one before that, null at the first two
-  std::size_t index = 0;         // of now, from 0
-  double begin = 0.0;            // time of the first sample [s]
-  bool keepsSeries = true;       // somebody wants one value per sample
-  NumberStore* store = nullptr;  // takes series; null: they stay in memory
-  TermMemory* memory = nullptr;  // null: terms are worked out again
+  const Sample& now;                // with a robot, Person::pair is known
+  const Sample* before;             // null at the first sample
+  const Sample* earlier;            // the one before that, null at the first two
+  std::size_t index = 0;            // of now, from 0
+  double begin = 0.0;               // time of the first sample [s]
+  std::optional<double> arrival{};  // of the robot at its goals, by an event up to here [s]
+  bool keepsSeries = true;          // somebody wants one value per sample
+  NumberStore* store = nullptr;     // takes series; null: they stay in memory
+  TermMemory* memory = nullptr;     // null: terms are worked out again
 
   std::size_t count() const { return index + 1; }                         // N up to here
   double elapsed() const { return now.time - begin; }                     // T at the end [s]

@@ -36,13 +36,15 @@ struct Row {
 
 constexpr Row kRows[] = {
     {"goal_tolerance", &P::goalTolerance, "m", "added to the radius of the goal",
-     "time_to_reach_goal success spl stl"},
+     "completed time_to_reach_goal aggregated_time success spl stl"},
     {"time_limit", &P::timeLimit, "s",
      "a way of this length is a timeout; a robot that does not arrive has failed then", "success"},
     {"contact_distance", &P::contactDistance, "m", "gap below which robot and person touch",
      "success"},
     {"stop_linear_speed", &P::stopLinearSpeed, "m/s", "slower counts as standing", "surprise_"},
     {"stop_angular_speed", &P::stopAngularSpeed, "rad/s", "slower counts as not turning"},
+    {"jerk_window", &P::jerkWindow, "s",
+     "time over which the jerk is taken: what is faster is smoothed", "max_jerk"},
     {"intimate_distance", &P::intimateDistance, "m", "outer edge of the intimate space",
      "intimate_space_ group_intimate_ personal_space_intrusions group_personal_"},
     {"personal_distance", &P::personalDistance, "m", "outer edge of the personal space",

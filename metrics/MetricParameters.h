@@ -25,6 +25,7 @@ struct MetricParameters {
   double contactDistance = 0.02;
   double stopLinearSpeed = 0.01;
   double stopAngularSpeed = 0.02;
+  double jerkWindow = 0.75;
   double intimateDistance = 0.45;
   double personalDistance = 1.2;
   double socialDistance = 3.6;

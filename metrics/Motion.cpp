@@ -21,6 +21,9 @@ bool isStanding(const Robot& robot, const MetricParameters& parameters) {
 }
 
 bool isCompleted(const Instant& last) {
+  if (!last.isOriginal() && (last.arrival || last.context.eventsTellArrivals)) {
+    return last.arrival.has_value() && !last.context.goals.empty();
+  }
   return isInGoalRegion(last.context, last.now.robot.position, last.parameters);
 }
 
@@ -30,6 +33,21 @@ double distanceToGoals(const RunContext& context, const Vec2& position) {
     nearest = std::min(nearest, lengthOf(position - goal.position));
   }
   return nearest;
+}
+
+void Arriving::add(const Instant& at) {
+  if (!isInGoalRegion(at.context, at.now.robot.position, at.parameters)) {
+    since_.reset();
+  } else if (!since_) {
+    since_ = at.elapsed();
+  }
+}
+
+std::optional<double> Arriving::time(const Instant& last) const {
+  if (!isCompleted(last)) {
+    return std::nullopt;
+  }
+  return last.arrival ? std::max(*last.arrival - last.begin, 0.0) : since_;
 }
 
 void RobotWay::add(const Instant& at) {
@@ -50,13 +68,15 @@ bool isWithin(const Robot& robot, const Person& person, double limit) {
          gap(robot, person) < limit;
 }
 
-/// The velocities before the sample, as the contact may have stopped the bodies already.
+/// The velocities before the sample, as the contact may have stopped the bodies already. Of a
+/// person who was not there before, those of both at the sample: never two of different times.
 void Contacts::addEntry(const Instant& at, const Person& person, Culprits& to) {
   const Robot& robot = at.now.robot;
-  const Person* personBefore = at.before != nullptr ? findPerson(*at.before, person.id) : nullptr;
-  const sim2d::Culprit culprit = sim2d::culpritOf(
-      robot.position, at.before != nullptr ? at.before->robot.velocity : robot.velocity,
-      person.position, personBefore != nullptr ? personBefore->velocity : person.velocity);
+  const Person* before = at.before != nullptr ? findPerson(*at.before, person.id) : nullptr;
+  const bool wasThere = before != nullptr && !person.isNew;
+  const sim2d::Culprit culprit =
+      sim2d::culpritOf(robot.position, wasThere ? at.before->robot.velocity : robot.velocity,
+                       person.position, wasThere ? before->velocity : person.velocity);
   to.robot += culprit != sim2d::Culprit::Second ? 1.0 : 0.0;
   to.person += culprit != sim2d::Culprit::First ? 1.0 : 0.0;
 }

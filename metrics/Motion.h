@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "metrics/MetricRegistry.h"
@@ -14,12 +15,25 @@ bool isInGoalRegion(const RunContext& context, const Vec2& position,
                     const MetricParameters& parameters);
 /// Neither drives nor turns.
 bool isStanding(const Robot& robot, const MetricParameters& parameters);
-/// At the last sample.
+/// The robot has arrived by the last sample: by the event where events tell it, else it is in the
+/// goal region there, as always in the original.
 bool isCompleted(const Instant& last);
 double distanceToGoals(const RunContext& context, const Vec2& position);  // nearest goal; inf: none
 
 /// gap < limit; quick for whoever is clearly farther away.
 bool isWithin(const Robot& robot, const Person& person, double limit);
+
+/// When the robot arrived. The one definition for all metrics: at the event, else, where no event
+/// can tell it, at the first sample of the stay in the goal region that still lasts.
+class Arriving : public Accumulator {
+ public:
+  void add(const Instant& at) override;
+  /// From the first sample [s]; none: it has not arrived.
+  std::optional<double> time(const Instant& last) const;
+
+ private:
+  std::optional<double> since_;  // begin of the stay [s]
+};
 
 /// The way that the robot made.
 class RobotWay : public Accumulator {

@@ -70,6 +70,11 @@ struct BehaviorEvaluation {
   std::vector<MetricResult> results;
 };
 
+/// The shortest ways that keys are measured by: corner points; empty where no such key is selected.
+struct ShortestWays {
+  std::vector<Vec2> toGoal, toEnd;  // from the begin of the robot's way
+};
+
 struct Evaluation {
   MetricParameters parameters;
   std::string tag = "exp_1";
@@ -79,6 +84,7 @@ struct Evaluation {
   bool isSelection = false;   // of keys that the user listed
   std::vector<double> times;  // [s] from the first sample, with series
   std::vector<MetricResult> results;
+  ShortestWays shortestWays;
   std::vector<BehaviorEvaluation> behaviors;  // of the types present
   /// The same of the other robots in their order, where Selection::everyRobot asks for it; they
   /// have none themselves.

@@ -262,14 +262,37 @@ std::string evaluatorNumber(double value, Kind kind) {
   return kind == Kind::Count ? std::to_string(std::llround(value)) : floatText(value);
 }
 
+namespace {
+
+Json pointsJson(const std::vector<Vec2>& points) {
+  Json json = Json::array();
+  for (const Vec2& point : points) {
+    json.push_back({point.x(), point.y()});
+  }
+  return json;
+}
+
+void addWays(const ShortestWays& ways, Json& to) {
+  if (!ways.toGoal.empty()) {
+    to["shortest_ways"]["to_goal"] = pointsJson(ways.toGoal);
+  }
+  if (!ways.toEnd.empty()) {
+    to["shortest_ways"]["to_end"] = pointsJson(ways.toEnd);
+  }
+}
+
+}  // namespace
+
 std::string toJson(const Evaluation& evaluation) {
   Json root;
   root["profile"] = profileName(evaluation.parameters.profile);
   root["metrics"] = resultsJson(evaluation.results);
   root["behaviors"] = behaviorsJson(evaluation);
+  addWays(evaluation.shortestWays, root);
   for (const Evaluation& other : evaluation.others) {
     root["robots"][other.robot] = {{"metrics", resultsJson(other.results)},
                                    {"behaviors", behaviorsJson(other)}};
+    addWays(other.shortestWays, root["robots"][other.robot]);
   }
   root["parameters"] = parametersJson(evaluation.parameters);
   root["experiment_tag"] = evaluation.tag;

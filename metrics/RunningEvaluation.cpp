@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "metrics/Motion.h"
+#include "sim2d/trace/Arrival.h"
 
 namespace metrics {
 
@@ -74,13 +75,12 @@ RunningEvaluation::RunningEvaluation(const RunContext& context, const Selection&
 
 void RunningEvaluation::note(double time, const sim2d::Event& event) {
   gate_.note(time, event);
-  const bool isRobot = event.hasId && event.id == context_->robotId;
-  if (event.kind == sim2d::EventKind::Arrived && isRobot && !arrival_) {
+  if (sim2d::isRobotsArrival(event, context_->robotId) && !arrival_) {
     arrival_ = time;
-    all_.tellArrival();
+    all_.noteArrival(time);
     for (Behavior& behavior : behaviors_) {
       if (behavior.feed) {
-        behavior.feed->tellArrival();
+        behavior.feed->noteArrival(time);
       }
     }
   }
@@ -115,8 +115,8 @@ OnWay RunningEvaluation::onWayOf(const Sample& sample) {
   if (onWay.is && !arrival_ && !isWholeRecord() && !context_->goals.empty()) {
     const bool stands = isStanding(sample.robot, parameters_);
     hasMoved_ = hasMoved_ || !stands;
-    onWay.isAtGoal =
-        hasMoved_ && stands && isInGoalRegion(*context_, sample.robot.position, parameters_);
+    onWay.isAtGoal = !context_->eventsTellArrivals && hasMoved_ && stands &&
+                     isInGoalRegion(*context_, sample.robot.position, parameters_);
     onWay.isTooLate = time - *setOff_ >= parameters_.timeLimit;
   }
   return onWay;
@@ -190,6 +190,7 @@ base::Result<Evaluation> RunningEvaluation::finish(const SeriesSink& sink) const
   evaluation.isSelection = selection_.keys.has_value();
   evaluation.times = times_;
   evaluation.results = all_.values(nullptr, sink);
+  evaluation.shortestWays = all_.shortestWays();
   if (all_.hasLostSeries()) {
     return base::error("metrics.series-lost");
   }

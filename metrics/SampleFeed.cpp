@@ -43,9 +43,18 @@ void SampleFeed::addItem(MetricEntry entry, Among among) {
 }
 
 Instant SampleFeed::newestInstant(const Stretch& stretch, TermMemory* memory) const {
-  return {
-      *context_,         parameters_,   *stretch.now, stretch.before.get(), stretch.earlier.get(),
-      stretch.count - 1, stretch.begin, keepsSeries_, store_.get(),         memory};
+  const bool isArrived = arrival_ && *arrival_ <= stretch.now->time + kTimeSlack;
+  return {*context_,
+          parameters_,
+          *stretch.now,
+          stretch.before.get(),
+          stretch.earlier.get(),
+          stretch.count - 1,
+          stretch.begin,
+          isArrived ? arrival_ : std::nullopt,
+          keepsSeries_,
+          store_.get(),
+          memory};
 }
 
 /// Those since the beginning; what was noted too early waits for the next sample.
@@ -75,6 +84,7 @@ void SampleFeed::lengthen(Stretch& stretch, const std::shared_ptr<Sample>& sampl
   stretch.now = sample;
   if (stretch.count == 0) {
     stretch.begin = sample->time;
+    stretch.start = sample->robot.position;
     stretch.first = all_.count;
   }
   ++stretch.count;
@@ -83,10 +93,7 @@ void SampleFeed::lengthen(Stretch& stretch, const std::shared_ptr<Sample>& sampl
 
 /// The end of the way as far as known.
 const SampleFeed::Stretch& SampleFeed::stretchOf(const MetricInfo& info) const {
-  if (!info.needs.robot) {
-    return all_;
-  }
-  return toGoal_ ? *toGoal_ : (inTime_ ? *inTime_ : way_);
+  return info.needs.robot ? wholeWay() : all_;
 }
 
 SampleFeed::Stretch SampleFeed::copyOfWay() const {
@@ -116,7 +123,8 @@ void SampleFeed::keepAside(const OnWay& onWay) {
   }
 }
 
-void SampleFeed::tellArrival() {
+void SampleFeed::noteArrival(double time) {
+  arrival_ = time;
   toGoal_.reset();
   inTime_.reset();
 }
@@ -140,6 +148,28 @@ void SampleFeed::add(Sample sample, const OnWay& onWay) {
   if (onWay.is) {
     keepAside(onWay);
   }
+}
+
+bool SampleFeed::selectsOne(std::initializer_list<std::string_view> keys) const {
+  return std::any_of(items_.begin(), items_.end(), [&keys](const Item& item) {
+    return std::find(keys.begin(), keys.end(), item.entry.info.key) != keys.end();
+  });
+}
+
+ShortestWays SampleFeed::shortestWays() const {
+  ShortestWays ways;
+  const Stretch& way = wholeWay();
+  if (!context_->hasRobot || way.count == 0) {
+    return ways;
+  }
+  const bool wantsGoal = selectsOne({"spl", "stl", "ade", "fde", "dtw", "path_deviation"});
+  if (wantsGoal && !context_->goals.empty()) {
+    ways.toGoal = shortestPath(*context_, way.start, context_->goals.front().position);
+  }
+  if (selectsOne({"path_efficiency", "path_irregularity"})) {
+    ways.toEnd = shortestPath(*context_, way.start, way.now->robot.position);
+  }
+  return ways;
 }
 
 MetricValue SampleFeed::valueOf(const Item& item, const std::vector<MetricResult>& before) const {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "metrics/Report.h"
@@ -40,13 +42,15 @@ class SampleFeed {
   /// The run has not begun yet.
   void forgetEvents() { noted_.clear(); }
   void add(Sample sample, const OnWay& onWay);
-  /// What was kept aside was not the end: the robot has arrived.
-  void tellArrival();
+  /// What was kept aside was not the end: the robot has arrived, at this time [s].
+  void noteArrival(double time);
   std::size_t size() const { return all_.count; }
   Sample& newest() { return *all_.now; }
   /// `all`: results among all people; those that do not look at people are taken over.
   std::vector<MetricResult> values(const std::vector<MetricResult>* all = nullptr,
                                    const SeriesSink& sink = {}) const;
+  /// Of the robot's way, as far as selected keys need them.
+  ShortestWays shortestWays() const;
   /// Series put aside could not be read back.
   bool hasLostSeries() const { return store_ && store_->hasFailed(); }
 
@@ -65,7 +69,8 @@ class SampleFeed {
     std::shared_ptr<Sample> now, before, earlier;
     std::size_t first = 0;  // of them, among all
     std::size_t count = 0;
-    double begin = 0.0;  // [s]
+    double begin = 0.0;         // [s]
+    Vec2 start = Vec2::Zero();  // of the robot
     TermMemory terms;
     std::map<std::string, std::shared_ptr<Accumulator>> sums;  // by Stream::shared
   };
@@ -76,6 +81,8 @@ class SampleFeed {
   Stretch copyOfWay() const;
   void keepAside(const OnWay& onWay);
   const Stretch& stretchOf(const MetricInfo& info) const;
+  const Stretch& wholeWay() const { return toGoal_ ? *toGoal_ : (inTime_ ? *inTime_ : way_); }
+  bool selectsOne(std::initializer_list<std::string_view> keys) const;
   MetricValue valueOf(const Item& item, const std::vector<MetricResult>& before) const;
   void alignSeries(const Item& item, std::optional<Series>& series) const;
 
@@ -88,6 +95,7 @@ class SampleFeed {
   Stretch all_, way_;
   std::optional<Stretch> toGoal_;  // the way until it came to stand in the goal region
   std::optional<Stretch> inTime_;  // until the time limit
+  std::optional<double> arrival_;  // of the robot [s]
   std::vector<Noted> noted_;       // since the newest sample
 };
 

@@ -49,6 +49,7 @@ const Person* findPerson(const Sample& sample, int id) {
 namespace {
 
 constexpr char kMapName[] = "map";
+constexpr char kRecorded[] = "recorded";  // planner of a robot that no world has simulated
 constexpr char kSocialFactorKey[] = "social_force_factor";
 constexpr double kObstacleReach = 5.0;  // [m]
 
@@ -144,6 +145,7 @@ RunContext SampleBuilder::context() const {
   context.robotId = robotId_;
   context.robotStartTime = robot->startTime;
   context.robotMaxSpeed = robot->maxVel;
+  context.eventsTellArrivals = !robot->planner.empty() && robot->planner != kRecorded;
   context.goals = robot->goals;
   context.routes = knownRoutes_ != nullptr
                        ? knownRoutes_->of(header_, context.walls, robot->radius)

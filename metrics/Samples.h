@@ -95,6 +95,7 @@ struct RunContext {
   int robotId = -1;
   double robotStartTime = 0.0;                    // it sets off then [s]
   double robotMaxSpeed = 1.0;                     // v_max [m/s]
+  bool eventsTellArrivals = false;                // a simulated robot: no event, no arrival
   std::vector<sim2d::TraceGoal> goals;            // of the robot
   sim2d::OccupancyGrid map;                       // empty = none
   std::shared_ptr<Routes> routes;                 // shortest ways; null = straight lines

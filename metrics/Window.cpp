@@ -5,6 +5,7 @@
 
 #include "metrics/Samples.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/trace/Arrival.h"
 
 namespace metrics {
 
@@ -89,9 +90,8 @@ void WindowGate::begin(double time) {
 }
 
 bool WindowGate::ends(const sim2d::Event& event) const {
-  return window_.until == "arrival"
-             ? event.kind == sim2d::EventKind::Arrived && event.hasId && event.id == robotId_
-             : kindOf(window_.until) == event.kind;
+  return window_.until == "arrival" ? sim2d::isRobotsArrival(event, robotId_)
+                                    : kindOf(window_.until) == event.kind;
 }
 
 void WindowGate::note(double time, const sim2d::Event& event) {

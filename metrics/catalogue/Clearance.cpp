@@ -22,10 +22,11 @@ MetricValue timeTooClose(const Times& times, const Instant& last) {
 
 constexpr char kClearanceMetrics[] = R"(
 = Safety & Collisions|higher|robot, obstacles|Francis et al. 2025; SocNavGym; bench-mr
-clearing_distance_min|Smallest clearance|m|(-inf, inf)|min over samples with an obstacle in reach of (its distance - r_r)
-clearing_distance_avg|Mean clearance|m|(-inf, inf)|mean over samples with an obstacle in reach of (its distance - r_r)
+clearing_distance_min|Smallest clearance|m|(-inf, inf)|min over the samples with an edge within 5 m of the clearance (distance from the centre - r_r,
+  negative inside)
+clearing_distance_avg|Mean clearance|m|(-inf, inf)|mean over the same samples of the clearance
 = Safety & Collisions|lower|robot, obstacles|MRPB; SRPB
-obstacle_safety|Time too close to obstacles|%|[0, 100]|share of time with clearance < safety_distance
+obstacle_safety|Time too close to obstacles|%|[0, 100]|share of time with clearance < safety_distance; where no edge is within 5 m it is not
 )";
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "metrics/Motion.h"
+#include "sim2d/trace/Arrival.h"
 
 /// How much went on: turning round each other, new plans, arrivals.
 namespace metrics {
@@ -92,10 +93,11 @@ class Arrivals : public Accumulator {
         wanting_.insert(person.id);
       }
     }
+    robot_.add(at);
   }
   void note(const RunContext& context, double elapsed, const sim2d::Event& event) override {
-    const bool isOtherRobot = event.id < 0 && event.id != context.robotId;
-    if (event.kind == sim2d::EventKind::Arrived && event.hasId && !isOtherRobot) {
+    const bool isPerson = event.kind == sim2d::EventKind::Arrived && event.hasId && event.id >= 0;
+    if (isPerson || sim2d::isRobotsArrival(event, context.robotId)) {
       times_.emplace(event.id, elapsed);
     }
   }
@@ -113,7 +115,12 @@ class Arrivals : public Accumulator {
     for (const int id : wanting_) {
       wait(id);
     }
-    if (last.context.hasRobot && !last.context.goals.empty()) {
+    const std::optional<double> arrival = robot_.time(last);
+    const bool isTold = times_.count(last.context.robotId) > 0;
+    if (last.context.hasRobot && !isTold && arrival && !last.isOriginal()) {
+      sum += *arrival;  // no event can tell it
+      ++count;
+    } else if (last.context.hasRobot && !last.context.goals.empty()) {
       wait(last.context.robotId);
     }
     return count > 0 ? MetricValue(sum) : undefinedValue("nobody has a goal to arrive at");
@@ -122,6 +129,7 @@ class Arrivals : public Accumulator {
  private:
   std::map<int, double> times_;  // [s] from the first sample
   std::set<int> wanting_;        // people that were there
+  Arriving robot_;
 };
 
 /// Distance to the goals while the robot has hardly moved for a while: of that while its places
@@ -156,16 +164,18 @@ class StoppedDistance : public Accumulator {
 
 constexpr char kComplexityMetrics[] = R"(
 = Social Behavior|neutral|robot, people|Mavrogiannis and Knepper 2019
-topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum over i of wrap(change of the bearing of a from the robot)| / 2 pi,
-  but for steps over the seam of wrap_x
+topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum over i of wrap(b_i - b_(i-1))| / 2 pi, b = bearing of a from the robot
+  = angle of C, over the i at which a is there and was at i-1 and has not jumped; of who comes again the sum goes on
 = Navigation Performance|lower|robot|Arena; MRPB
-replanning_count|New plans of the robot||0, 1, ...|number of events replan of the robot
+replanning_count|New plans of the robot||0, 1, ...|number of events replan with the robot's id on its way
 = Navigation Performance|lower|nothing|Francis et al. 2025
-aggregated_time|Aggregated time to the goals|s|[0, inf)|sum of the times of first arrival of people and robot, T for who has goals and does not arrive; people
-  who go round for ever are left out
+aggregated_time|Aggregated time to the goals|s|[0, inf)|sum over the people with goals (goals not empty and cyclic_goals false in trace.json) that
+  were there, whoever has an event arrived, and the robot if it has a goal, of the time of their first event arrived (robot: its arrival) from the
+  first sample of the record, T for who does not arrive; undefined if there is none of them
 = Navigation Performance|lower|robot, goal|SEAN 2.0
-mean_dist_to_target_not_moving|Mean distance to the goal while stopped|m|[0, inf)|mean of the distance to the nearest goal over the samples with
-  |p(t) - p(t - stopped_window)| < stopped_distance
+mean_dist_to_target_not_moving|Mean distance to the goal while stopped|m|[0, inf)|mean over i of min over goals of |p_i - g|, over the i with t_i -
+  t_0 >= stopped_window and |p_i - p_j| < stopped_distance, j = last sample with t_j <= t_i - stopped_window (times to 1e-9 s); undefined if there is
+  none
 )";
 
 }  // namespace

@@ -204,18 +204,21 @@ Stream meanOf(std::size_t measure) {
 
 constexpr char kCrowdMetrics[] = R"(
 = Social Behavior|neutral|people|Steffen and Seyfried 2010
-crowd_density|Density around people|1/m²|[0, inf)|mean over looks (crowd_interval apart) and people of the number within crowd_radius, themselves
-  included, / (pi crowd_radius^2)
-crowd_voronoi_density|Voronoi density|1/m²|[0, inf)|mean over looks and people of 1/area of their cell: nearer to them than to whom they see, within
-  crowd_radius, before walls; doors count as open
+crowd_density|Density around people|1/m²|[0, inf)|mean over looks (crowd_interval) with people of the mean over people of n/(pi crowd_radius^2), n =
+  people within crowd_radius of q, themselves included
+crowd_voronoi_density|Voronoi density|1/m²|[0, inf)|mean over looks (crowd_interval) with people of the mean over people of 1/area of their cell (0 if
+  that is 0): what is within crowd_radius of q, not behind a wall as seen from q (edges of all entries of obstacles but doors), and not nearer to
+  another person within 2 crowd_radius of q (at another place) between whom and q there is no wall
 crowd_voronoi_density_max|Voronoi density, largest look|1/m²|[0, inf)|max over looks of the mean over people of the same
 = Social Behavior|neutral|people|Seyfried et al. 2005
-crowd_specific_flow|Flow per metre of width|1/(m s)|[0, inf)|mean over looks and people of Voronoi density * |u_a| (fundamental diagram)
+crowd_specific_flow|Flow per metre of width|1/(m s)|[0, inf)|mean over looks with people of the mean over people of 1/area of their cell * |u|
+  (fundamental diagram)
 = Social Behavior|neutral|people|Vicsek et al. 1995
-crowd_polarisation|Common direction of the crowd||[0, 1]|mean over looks of |mean of u_a/|u_a|| of who walks
+crowd_polarisation|Common direction of the crowd||[0, 1]|mean over looks at which somebody walks (|u| > 0.05 m/s) of |mean of u/|u|| of who walks
 = Social Behavior|neutral|people|Rex and Loewen 2007
-crowd_lane_order|Lanes of the crowd||[0, 1]|mean over looks and walking people of ((same - opposite)/(same + opposite))^2 within lane_width to each
-  side of the main axis of walking
+crowd_lane_order|Lanes of the crowd||[0, 1]|mean over looks at which somebody walks of the mean over who walks of ((same - opposite)/(same +
+  opposite))^2, over those who walk with |n q_b - n q_a| <= lane_width, a included; main axis m = (cos z, sin z), z = atan2(2 sum u_x u_y, sum (u_x^2
+  - u_y^2))/2 over everybody at that look, n = m turned left; opposite: the sign of m u > 0 differs
 )";
 
 }  // namespace

@@ -58,8 +58,9 @@ class DangerSum : public PersonCosts {
 
 constexpr char kDangerMetrics[] = R"(
 = Danger & Surprise Metrics|lower|robot, people|Singamaneni, Favier, Alami, RO-MAN 2023
-30 danger_fear_cost|Danger: fear|1/s|[0, inf)|sum over i, a of min(1/ttc, fear_cap), 0 without a collision course
-31 danger_panic_cost|Danger: panic|1/s|[0, inf)|sum over i, a of near misses: (|V|/d) * m/(m - R), m = miss distance of the centres
+30 danger_fear_cost|Danger: fear|1/s|[0, inf)|sum over i, a of min(1/ttc, fear_cap), fear_cap for ttc = 0, 0 without a collision course
+31 danger_panic_cost|Danger: panic|1/s|[0, inf)|sum over i, a with C V > 0 and M = g - |V| R > panic_epsilon of (|V|/d) g/M, g = sqrt(max(|V|^2 d^2 -
+  (C V)^2, 0)); near misses, g/|V| being the miss distance
 )";
 
 }  // namespace

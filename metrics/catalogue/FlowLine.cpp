@@ -69,8 +69,10 @@ class LineCrossings : public Accumulator {
 
 constexpr char kFlowLineMetrics[] = R"(
 = Social Behavior|neutral|people|Seyfried et al. 2005
-line_crossings|People through the line||0, 1, ...|number of steps of people that cross the line (flow_line_x1 ...), both ways
-line_flow|Flow through the line|1/(m s)|[0, inf)|line_crossings / T / length of the line
+line_crossings|People through the line||0, 1, ...|number of steps from q_(i-1) to q_i of people (there at both, without event enter since) that cross
+  the line from A = (flow_line_x1, flow_line_y1) to B = (flow_line_x2, flow_line_y2), both ways: cross(B - A, q - A) > 0 holds at one end only, and
+  the crossing point is between A and B, ends included; over the seam the step goes on beyond either end; undefined if A = B
+line_flow|Flow through the line|1/(m s)|[0, inf)|line_crossings / T / |B - A|
 )";
 
 }  // namespace

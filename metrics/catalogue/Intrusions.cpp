@@ -276,22 +276,28 @@ double worst(const Instant& at) {
 
 constexpr char kIntrusionsMetrics[] = R"(
 = Social Behavior|lower|robot, people|SRPB (Kirby's model)
-personal_space_intrusion_gaussian|Intrusion into the Gaussian personal space|%|[0, 100]|time-weighted mean of max over a of exp(-(x^2/2Vx +
-  y^2/2Vs)); Vf = max(2 |u|, 0.5), Vs = 2/3 Vf, Vx = Vf ahead and Vf/2 behind
-personal_space_intrusion_gaussian_min|Intrusion into the Gaussian personal space, smallest|%|[0, 100]|min over samples with people
-personal_space_intrusion_gaussian_max|Intrusion into the Gaussian personal space, largest|%|[0, 100]|max over samples with people
-personal_space_intrusion_gaussian_above|Time inside the Gaussian personal space|%|[0, 100]|share of the time with people above gaussian_threshold
+personal_space_intrusion_gaussian|Intrusion into the Gaussian personal space|%|[0, 100]|time-weighted mean over the samples with people of the largest
+  over a of 100 exp(-(x^2/2Vx + y^2/2Vs)), 0 if there are none; x ahead and y to the left = p - q in the person's frame, Vf = max(2 |u|, 0.5), Vs =
+  2/3 Vf, Vx = Vf if x > 0, else Vf/2 (m^2, u in m/s)
+personal_space_intrusion_gaussian_min|Intrusion into the Gaussian personal space, smallest|%|[0, 100]|min over the samples with people of the same
+personal_space_intrusion_gaussian_max|Intrusion into the Gaussian personal space, largest|%|[0, 100]|max over the samples with people of the same
+personal_space_intrusion_gaussian_above|Time inside the Gaussian personal space|%|[0, 100]|share of the time with people with the same > 100
+  gaussian_threshold, 0 without people
 = Social Behavior|lower|robot, people, groups|SRPB
-formation_space_intrusion|Intrusion into the space of groups|%|[0, 100]|time-weighted mean of max over groups of exp(-(u^2/2Vu + w^2/2Vw)), u, w =
-  robot along the axes of the arrangement of the members, V = (span of the members with their bodies/4)^2
-formation_space_intrusion_max|Intrusion into the space of groups, largest|%|[0, 100]|max over samples of the same
+formation_space_intrusion|Intrusion into the space of groups|%|[0, 100]|time-weighted mean over the samples with groups of the largest over groups of
+  100 exp(-(x^2/(2 X^2) + y^2/(2 Y^2))), 0 if there are none; x, y = p - m along and across the axis of the arrangement, X, Y = a quarter of the span
+  along these (section Groups and crowd)
+formation_space_intrusion_max|Intrusion into the space of groups, largest|%|[0, 100]|max over the samples of the same, 0 without groups
 = Social Behavior|lower|robot, people, groups|Katyal et al. 2022; Okal and Arras 2016
-group_crossings|Groups crossed||0, 1, ...|number of times the robot gets inside the hull of a group or between two of its members
+group_crossings|Groups crossed||0, 1, ...|number of i at which the robot crosses a group and did not at the last sample at which that group was there:
+  it is inside the convex hull of its members (3 or more, the border included), or passed between two members a, b since i-1: 0 <= (b - a)(p - a) <=
+  |b - a|^2 at i, cross(b - a, p - a) > 0 holds at one of i-1 and i only, both were there at i-1 and have not jumped
 = Social Behavior|lower|robot, people|SRPB
-heading_direction_disturbance|Disturbance by the robot's heading|%|[0, 100]|time-weighted mean of max over a of G(offset; disturbance_radius/2) *
-  G(bearing; disturbance_field_of_view/4) * min(s/disturbance_speed, 1) * min((r_r + disturbance_radius)/d, 1); offset: where the line of the robot's
-  heading meets the line across the person, bearing: of the robot in the person's view, G(x; s) = exp(-x^2/2s^2)
-heading_direction_disturbance_max|Disturbance by the robot's heading, largest|%|[0, 100]|max over samples of the same
+heading_direction_disturbance|Disturbance by the robot's heading|%|[0, 100]|time-weighted mean over the samples with people of the largest over a of
+  100 G(y + k m_y; disturbance_radius/2) * G(atan2(y, x); disturbance_field_of_view/4) * min(s/disturbance_speed, 1) * min((r_r +
+  disturbance_radius)/d, 1); x ahead, y left = p - q and m = the robot's heading (unit vector), both in the person's frame, k = -x/m_x (where the line
+  of its heading meets the line across the person; 0 for the whole if k < 0 or not finite, or d = 0), G(z; g) = exp(-z^2/2g^2); 0 without people
+heading_direction_disturbance_max|Disturbance by the robot's heading, largest|%|[0, 100]|max over the samples with people of the same
 )";
 
 }  // namespace

@@ -32,9 +32,11 @@ bool turnsInPlace(const Instant& at) {
 
 constexpr char kManoeuvresMetrics[] = R"(
 = Motion Analysis|lower|robot|SRPB
-oscillations|Hardly moving|%|[0, 100]|share of time with |vx|, |vy|, |v| < oscillation_speed and |w| < oscillation_angular_speed (robot frame)
-backward_movements|Driving backwards|%|[0, 100]|share of time with vx < -backward_speed (robot frame)
-inplace_rotations|Turning in place|%|[0, 100]|share of time with |vx|, |vy| < inplace_speed and |w| >= inplace_angular_speed
+oscillations|Hardly moving|%|[0, 100]|share of time with |vx|, |vy|, s < oscillation_speed and |w| < oscillation_angular_speed; (vx, vy) = v in the
+  frame of the robot, ahead and left
+backward_movements|Driving backwards|%|[0, 100]|share of time with vx < -backward_speed, vx as in oscillations
+inplace_rotations|Turning in place|%|[0, 100]|share of time with |vx|, |vy| < inplace_speed and |w| >= inplace_angular_speed, vx, vy as in
+  oscillations
 )";
 
 }  // namespace

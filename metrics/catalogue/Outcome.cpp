@@ -88,16 +88,19 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
 
 constexpr char kOutcomeMetrics[] = R"(
 = Safety & Collisions|lower|robot, people|Tsoi et al., SEAN 2.0, RA-L 2022
-16 robot_on_person_collision|Robot runs into a person||0, 1, ...|contacts (gap < contact_distance begins) in which the robot closes in faster along the line of centres, as events tell; both when equally fast
-17 person_on_robot_collision|Person runs into the robot||0, 1, ...|contacts (gap < contact_distance begins) in which the person closes in faster along the line of centres, as events tell; both when equally fast
+16 robot_on_person_collision|Robot runs into a person||0, 1, ...|number of contacts (gap < contact_distance begins) that the robot caused or both, by
+  who closes in faster (section Distances and zones)
+17 person_on_robot_collision|Person runs into the robot||0, 1, ...|number of contacts (gap < contact_distance begins) that the person caused or both,
+  by who closes in faster
 = Navigation Performance|higher|robot, people, obstacles, goal|Francis et al. 2025; SocNavBench; CrowdNav; Arena
-success|Success||0 or 1|completed, no contact with a person or an obstacle, no timeout
+success|Success||0 or 1|1 if completed, no contact with a person (gap < contact_distance), obstacle_collisions = 0 (or no obstacles) and not timeout;
+  else 0; undefined without goal
 = Navigation Performance|lower|nothing|all benchmarks
-total_time|Duration of the record|s|[0, inf)|T = t_(N-1) - t_0
+total_time|Duration of the record|s|[0, inf)|T of the whole record, not of the way
 = Navigation Performance|lower|robot|Arena; CrowdNav
-timeout|Timeout||0 or 1|T >= time_limit
+timeout|Timeout||0 or 1|1 if T >= time_limit, T of the way
 = Safety & Collisions|lower|robot, obstacles|SEAN 2.0; SocNavBench; Arena
-obstacle_collisions|Robot runs into an obstacle||0, 1, ...|number of times the clearance of the robot falls to 0 or below
+obstacle_collisions|Robot runs into an obstacle||0, 1, ...|number of i at which the clearance is <= 0 and was not at i-1, the first sample included
 )";
 
 }  // namespace

@@ -20,19 +20,32 @@ double ratioToBest(double best, double actual) {
   return larger > 0.0 ? best / larger : 1.0;
 }
 
-double shortestToGoal(const RobotWay& way, const Instant& last) {
-  return sim2d::lengthOfWay(
-      shortestPath(last.context, way.start(), last.context.goals.front().position));
+double shortestToGoal(const Vec2& start, const Instant& last) {
+  return sim2d::lengthOfWay(shortestPath(last.context, start, last.context.goals.front().position));
 }
 
 double successByLength(const RobotWay& way, const Instant& last) {
   if (last.context.goals.empty()) {
     return kNaN;
   }
-  return isCompleted(last) ? ratioToBest(shortestToGoal(way, last), way.length()) : 0.0;
+  return isCompleted(last) ? ratioToBest(shortestToGoal(way.start(), last), way.length()) : 0.0;
 }
 
-MetricValue successByTime(const RobotWay& way, const Instant& last) {
+/// When it arrived, and from where.
+class ArrivingWay : public Arriving {
+ public:
+  void add(const Instant& at) override {
+    start_ = at.before == nullptr ? at.now.robot.position : start_;
+    Arriving::add(at);
+  }
+  const Vec2& start() const { return start_; }
+
+ private:
+  Vec2 start_ = Vec2::Zero();
+};
+
+/// The original measures the whole record.
+MetricValue successByTime(const ArrivingWay& way, const Instant& last) {
   if (last.context.goals.empty()) {
     return undefinedValue(kNoGoal);
   }
@@ -40,7 +53,12 @@ MetricValue successByTime(const RobotWay& way, const Instant& last) {
   if (!(fastest > 0.0)) {
     return undefinedValue("the robot has no largest speed");
   }
-  return isCompleted(last) ? ratioToBest(shortestToGoal(way, last) / fastest, last.elapsed()) : 0.0;
+  const std::optional<double> arrival = way.time(last);
+  if (!arrival) {
+    return 0.0;
+  }
+  return ratioToBest(shortestToGoal(way.start(), last) / fastest,
+                     last.isOriginal() ? last.elapsed() : *arrival);
 }
 
 std::vector<Vec2> shortestToEnd(const RobotWay& way, const Instant& last) {
@@ -129,23 +147,26 @@ double roughness(const Instant& at) {
 
 constexpr char kPathQualityMetrics[] = R"(
 = Navigation Performance|lower|robot|Perez-Higueras, Caballero, Merino, IJSR 2018
-2 path_length|Path length|m|[0, inf)|sum of |p_(i+1) - p_i|
+2 path_length|Path length|m|[0, inf)|L = sum of |p_(i+1) - p_i|
 = Motion Analysis|lower|robot|Perez-Higueras, Caballero, Merino, IJSR 2018
 3 cumulative_heading_changes|Cumulative heading changes|rad|[0, inf)|sum of |wrap(psi_(i+1) - psi_i)|
 = Navigation Performance|higher|robot, goal|Anderson et al. 2018; Francis et al. 2025
-spl|Success weighted by path length||[0, 1]|completed ? L*/max(L, L*) : 0, L* = shortest way to the goal
+spl|Success weighted by path length||[0, 1]|completed ? L*/max(L, L*) : 0, L* = length of the shortest way from p_0 to the centre of the first goal, L
+  = path_length; 1 if both are 0
 = Navigation Performance|higher|robot, goal|SocNavGym
-stl|Success weighted by time||[0, 1]|completed ? T*/max(T, T*) : 0, T* = L*/v_max
+stl|Success weighted by time||[0, 1]|completed ? T*/max(T*, time_to_reach_goal) : 0, T* = L*/v_max, L* as in spl; 1 if both are 0; undefined if v_max
+  is not above 0
 = Navigation Performance|higher|robot|SEAN 2.0; Arena
-path_efficiency|Path efficiency||[0, 1]|S/max(S, L), S = shortest way from start to final position
+path_efficiency|Path efficiency||[0, 1]|S/max(S, L), S = length of the shortest way from p_0 to p_(N-1), L = path_length; undefined if L = 0
 = Navigation Performance|lower|robot|Guzzi et al. 2013; SocNavBench; SEAN 2.0
-path_irregularity|Path irregularity|rad/m|[0, inf)|max(0, cumulative_heading_changes - turning of the shortest way)/L
+path_irregularity|Path irregularity|rad/m|[0, inf)|max(0, cumulative_heading_changes - turning of the shortest way from p_0 to p_(N-1), from psi_0 on
+  to its first leg and from leg to leg, those below 1e-9 m left out)/L; undefined if L = path_length = 0
 = Motion Analysis|lower|robot|Arena; bench-mr
-angle_over_length|Turning per metre|rad/m|[0, inf)|cumulative_heading_changes / L
-curvature_avg|Mean curvature|1/m|[0, inf)|mean over triples of positions of 4A/(d01 d12 d20), where d01 and d12 >= stop_linear_speed dt;
-  0 if it never moves so
-curvature_max|Largest curvature|1/m|[0, inf)|max over the same triples
-roughness_avg|Mean roughness||[0, 0.87]|mean over the same triples of 2A/max(d01, d12, d20)^2
+angle_over_length|Turning per metre|rad/m|[0, inf)|cumulative_heading_changes / path_length; undefined if the latter is 0
+curvature_avg|Mean curvature|1/m|[0, inf)|mean over i of 4A/(d01 d12 d20), A = area of the triangle p_(i-1), p_i, p_(i+1) with these sides, where dt_i
+  > 0, d01 >= stop_linear_speed dt_(i-1) and d12 >= stop_linear_speed dt_i; 0 where a side is 0, and if no i is so; undefined if N < 3
+curvature_max|Largest curvature|1/m|[0, inf)|max over the same i of the same
+roughness_avg|Mean roughness||[0, 0.87]|mean over the same i of 2A/max(d01, d12, d20)^2, 0 if it never moves so
 )";
 
 }  // namespace
@@ -155,7 +176,7 @@ void addPathQuality(MetricRegistry& to) {
          {{"path_length", streamOf<RobotWay>(&RobotWay::length)},
           {"cumulative_heading_changes", streamOf<RobotWay>(&RobotWay::headingChanges)},
           {"spl", streamOf<RobotWay>(successByLength, kNoGoal)},
-          {"stl", streamOf<RobotWay>(successByTime)},
+          {"stl", streamOf<ArrivingWay>(successByTime)},
           {"path_efficiency", streamOf<RobotWay>(pathEfficiency, kNoWay)},
           {"path_irregularity", streamOf<RobotWay>(pathIrregularity, kNoWay)},
           {"angle_over_length", streamOf<RobotWay>(angleOverLength, kNoWay)},

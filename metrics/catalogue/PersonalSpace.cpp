@@ -85,23 +85,24 @@ double largestOrZero(const Figures& speeds) {
 
 constexpr char kPersonalSpaceMetrics[] = R"(
 = Social Behavior|higher|robot, people|Perez-Higueras, Caballero, Merino, IJSR 2018
-4 avg_distance_to_closest_person|Mean distance to the closest person|m|[0, inf)|mean of c_i over the samples with people; c_i = min over a of
-  max(gap(i,a), 0)
-5 minimum_distance_to_people|Smallest distance to people|m|[0, inf)|min over i, a of max(gap(i,a), 0)
+4 avg_distance_to_closest_person|Mean distance to the closest person|m|[0, inf)|mean of c_i over the samples with people; surfaces, not centres
+5 minimum_distance_to_people|Smallest distance to people|m|[0, inf)|min over i of c_i; surfaces, not centres
 = Navigation Performance|neutral|robot, people|Perez-Higueras, Caballero, Merino, IJSR 2018
-6 maximum_distance_to_people|Largest distance to people|m|[0, inf)|max over i, a of max(gap(i,a), 0)
+6 maximum_distance_to_people|Largest distance to people|m|[0, inf)|max over i, a of max(gap, 0); surfaces, not centres
 = Safety & Collisions|higher|robot, people|Francis et al. 2025; SocNavBench; SocNavGym
 min_time_to_collision|Smallest time to collision|s|[0, inf]|min over i, a of ttc, infinite if never on a collision course
 = Social Behavior|higher|robot, people|Francis et al. 2025; SocNavGym
-space_compliance|Personal space kept|%|[0, 100]|share of samples with the smallest max(gap, 0) >= compliance_distance or nobody there
+space_compliance|Personal space kept|%|[0, 100]|share of samples with c_i >= compliance_distance or nobody there
 = Social Behavior|lower|robot, people|CrowdNav
-discomfort_frequency|Uncomfortably close|%|[0, 100]|share of samples with the smallest max(gap, 0) < discomfort_distance
+discomfort_frequency|Uncomfortably close|%|[0, 100]|share of samples with c_i < discomfort_distance
 = Social Behavior|higher|robot, people|CrowdNav
-discomfort_distance_avg|Mean distance when uncomfortably close|m|[0, inf)|mean of the smallest max(gap, 0) over the samples with it < discomfort_distance
+discomfort_distance_avg|Mean distance when uncomfortably close|m|[0, inf)|mean of c_i over the samples with c_i < discomfort_distance; undefined if
+  there is none
 = Social Behavior|lower|robot, people|Arena
-time_in_personal_space|Time in somebody's personal space|s|[0, T]|sum of dt_i with a person's centre within personal_radius of the robot's
-avg_speed_in_personal_space|Mean speed in personal space|m/s|[0, inf)|mean of |v_i| over those samples, 0 if none
-max_speed_in_intimate_space|Largest speed in intimate space|m/s|[0, inf)|max of |v_i| where the smallest max(gap, 0) < intimate_distance, 0 if none
+time_in_personal_space|Time in somebody's personal space|s|[0, T]|time with d <= personal_radius for some person; centres
+avg_speed_in_personal_space|Mean speed in personal space|m/s|[0, inf)|mean of s_i over the samples with d <= personal_radius for some person, 0 if
+  there is none; centres
+max_speed_in_intimate_space|Largest speed in intimate space|m/s|[0, inf)|max of s_i over the samples with c_i < intimate_distance, 0 if there is none
 )";
 
 }  // namespace

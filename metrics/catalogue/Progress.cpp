@@ -6,29 +6,17 @@ namespace metrics {
 
 namespace {
 
-/// Begin of the stay inside the goal region that still lasts.
-class GoalStay : public Accumulator {
- public:
-  void add(const Instant& at) override {
-    if (!isInGoalRegion(at.context, at.now.robot.position, at.parameters)) {
-      since_.reset();
-    } else if (!since_) {
-      since_ = at.elapsed();
-    }
+/// The original tells how long the record is.
+MetricValue timeToGoal(const Arriving& arriving, const Instant& last) {
+  if (last.isOriginal()) {
+    return last.elapsed();
   }
-  MetricValue time(const Instant& last) const {
-    if (last.isOriginal()) {
-      return last.elapsed();
-    }
-    if (last.context.goals.empty()) {
-      return undefinedValue(kNoGoal);
-    }
-    return since_ ? *since_ : undefinedValue("the goal was not reached");
+  if (last.context.goals.empty()) {
+    return undefinedValue(kNoGoal);
   }
-
- private:
-  std::optional<double> since_;  // [s]
-};
+  const std::optional<double> time = arriving.time(last);
+  return time ? *time : undefinedValue("the goal was not reached");
+}
 
 MetricValue goalDistance(double distance, const Instant& last) {
   if (!last.context.goals.empty()) {
@@ -92,27 +80,28 @@ MetricValue finalDistanceOverLength(const RobotWay& way, const Instant& last) {
 /// failure_to_progress counts samples: twice as many, twice the value.
 constexpr char kProgressMetrics[] = R"(
 = Navigation Performance|lower|robot, goal|Perez-Higueras, Caballero, Merino, IJSR 2018
-1 time_to_reach_goal|Time to reach the goal|s|[0, inf)|t_k - t_0, k = first sample of the last stay inside the goal region
+1 time_to_reach_goal|Time to reach the goal|s|[0, inf)|time of arrival - t_0 (the one arrival, see above), 0 if it lies before t_0; undefined if the
+  robot does not arrive by the last sample
 = Navigation Performance|higher|robot, goal|Tsoi et al., SEAN 2.0, RA-L 2022
-13 completed|Goal reached||0 or 1|some goal g: |p_(N-1) - g| - goal radius < goal_tolerance
+13 completed|Goal reached||0 or 1|1 if the robot has arrived by the last sample (the one arrival, see above), else 0
 = Navigation Performance|lower|robot, goal|Tsoi et al., SEAN 2.0, RA-L 2022
-14 minimum_distance_to_target|Smallest distance to the goal|m|[0, inf)|min over i, g of |p_i - g|
-15 final_distance_to_target|Final distance to the goal|m|[0, inf)|min over g of |p_(N-1) - g|
+14 minimum_distance_to_target|Smallest distance to the goal|m|[0, inf)|min over i and goals g of |p_i - g|, to the centre
+15 final_distance_to_target|Final distance to the goal|m|[0, inf)|min over goals g of |p_(N-1) - g|, to the centre
 = Navigation Performance|lower|robot, goal|Francis et al. 2025; SocNavGym|0.51
-failure_to_progress|Steps away from the goal||0, 1, ...|number of i with |p_i - g| > |p_(i-1) - g| + progress_tolerance, g = first goal
+failure_to_progress|Steps away from the goal||0, 1, ...|number of i > 0 with |p_i - g| > |p_(i-1) - g| + progress_tolerance, g = first goal
 = Navigation Performance|lower|robot|Francis et al. 2025; SocNavGym
-stalled_time|Time stalled|s|[0, T]|sum of dt_i with |v_i| < stall_speed
+stalled_time|Time stalled|s|[0, T]|time with |v_i| < stall_speed, turning or not
 = Navigation Performance|lower|robot, goal|SocNavBench
-goal_traversal_ratio|Share of the distance left||[0, inf)||p_(N-1) - g| / |p_0 - g|, g = first goal
+goal_traversal_ratio|Share of the distance left||[0, inf)||p_(N-1) - g| / |p_0 - g|, g = first goal; undefined if |p_0 - g| <= 1e-9
 = Navigation Performance|lower|robot, goal|SEAN 2.0
-targ_dist_norm|Final distance per path length||[0, inf)|final_distance_to_target / L
+targ_dist_norm|Final distance per path length||[0, inf)|final_distance_to_target / L, L = path_length; undefined if L = 0
 )";
 
 }  // namespace
 
 void addProgress(MetricRegistry& to) {
   to.add(kProgressMetrics,
-         {{"time_to_reach_goal", streamOf<GoalStay>(&GoalStay::time)},
+         {{"time_to_reach_goal", streamOf<Arriving>(timeToGoal)},
           {"completed", streamOfLast(isCompleted)},
           {"minimum_distance_to_target", figuresOf<toNearestGoal>(smallestDistance)},
           {"final_distance_to_target", streamOfLast(finalDistance)},

@@ -83,11 +83,13 @@ class Resolution : public Accumulator {
 
 constexpr char kResponsibilityMetrics[] = R"(
 = Social Behavior|neutral|robot, people|after Wenzel and Probst 2025
-responsibility|Responsibility of the robot|%|[0, 100]|share of the robot in the widening of the passing distance of conflicts (closest approach
-  within conflict_horizon, nearer than R + conflict_margin) by changes of velocity, slower than
-  1 mm/s for none
+responsibility|Responsibility of the robot|%|[0, 100]|100 W_r/(W_r + W_p). For each i > 0 and person there at i-1 and i without event enter since,
+  with C, R and velocities v, u of i-1 and v', u' of i: clear = R + conflict_margin, miss(v, u) = min(|cross(C, V)|/|V|, clear) with V = v - u, clear
+  if C V <= 0. A conflict is C V > 0, C V <= conflict_horizon |V|^2 and miss(v, u) < clear. In one W_r grows by g = ((miss(v', u) - miss(v, u)) +
+  (miss(v', u') - miss(v, u')))/2 if g > 0.001 dt_(i-1), W_p by the same with the parts of robot and person exchanged; undefined if neither grows
 = Social Behavior|higher|robot, people|after Wenzel and Probst 2025
-engagement|Engagement of the robot|m/s|[0, inf)|widening of the passing distance of conflicts by the robot / time with a conflict
+engagement|Engagement of the robot|m/s|[0, inf)|W_r of responsibility / sum of dt_(i-1) of the i with a conflict (conflict_horizon, conflict_margin)
+  with somebody; undefined without conflict
 )";
 
 }  // namespace

@@ -108,14 +108,14 @@ class PeopleObstacles : public Accumulator {
 
 constexpr char kSocialForcesMetrics[] = R"(
 = Social Forces|lower|robot, people|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
-25 social_force_on_agents|Social force of the robot on people|m/s²|[0, inf)|sum over i, a of |F(robot -> a)| with a's own factor
+25 social_force_on_agents|Social force of the robot on people|m/s²|[0, inf)|sum over i, a of |F(robot -> a)|, with a's own factor
 26 social_force_on_robot|Social force of people on the robot|m/s²|[0, inf)|sum over i, a of |F(a -> robot)|
 = Social Forces|lower|robot, people, obstacles|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
-27 social_work|Social work|m/s²|[0, inf)|sum over i of |sum_a F(a -> robot)| + |O(robot)| + sum_a |F(robot -> a)|
+27 social_work|Social work|m/s²|[0, inf)|sum over i of |sum over a of F(a -> robot)| + |O(robot)| + sum over a of |F(robot -> a)|
 = Social Forces|lower|robot, obstacles|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
 28 obstacle_force_on_robot|Obstacle force on the robot|m/s²|[0, inf)|sum over i of |O(robot)|
 = Social Forces|lower|people, obstacles|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
-29 obstacle_force_on_agents|Obstacle force on people|m/s²|[0, inf)|sum over i of mean over a of |O(a)|
+29 obstacle_force_on_agents|Obstacle force on people|m/s²|[0, inf)|sum over i of the mean over a of |O(a)|, 0 where nobody is
 )";
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <limits>
 
+#include "metrics/Jerk.h"
 #include "metrics/TermSums.h"
 
 /// Speeds, accelerations and jerks of the robot, speeds of people.
@@ -39,15 +40,21 @@ double turningSpeed(const Instant& at) {
 }
 
 constexpr char kNeedsTwo[] = "needs two samples at different times";
-constexpr char kNeedsThree[] = "needs three samples at different times";
+constexpr char kNeedsThree[] =
+    "needs three samples at different times, and jerk_window where they are dense";
 
 /// Of the interval that ends here [m/s^2], if time passes in it.
 double acceleration(const Instant& at) {
   return at.step() > 0.0 ? (at.now.robot.speed - at.before->robot.speed) / at.step() : kNaN;
 }
 
-/// Around the sample before [m/s^3], if time passes on both sides of it.
-double jerk(const Instant& at) {
+/// Of the original, which divides the acceleration by the time once more [m/s^3].
+double originalJerk(const Instant& at) {
+  return at.term(acceleration) / at.step();
+}
+
+/// Second difference around the sample before [m/s^3], if time passes on both sides of it.
+double plainJerk(const Instant& at) {
   if (at.earlier == nullptr) {
     return kNaN;
   }
@@ -60,10 +67,47 @@ double jerk(const Instant& at) {
   return (at.term(acceleration) - accelerationBefore) / (span / 2.0);
 }
 
-/// The jerk; the original divides the acceleration by the time once more.
-double overacceleration(const Instant& at) {
-  return at.isOriginal() ? at.term(acceleration) / at.step() : at.term(jerk);
-}
+/// The jerks of the robot. Their series has that of sample i at i + 1, and 0 where it is undefined;
+/// the largest of the original's profile is of second differences.
+class Jerks : public Accumulator {
+ public:
+  explicit Jerks(const MetricParameters& parameters) : jerk_(0.5 * parameters.jerkWindow) {}
+
+  void add(const Instant& at) override {
+    if (at.isOriginal()) {
+      take(at, originalJerk(at));
+      plainLargest_ = std::fmax(plainLargest_, std::fabs(plainJerk(at)));
+      return;
+    }
+    if (at.before == nullptr || at.earlier == nullptr) {
+      series_.add(at, 0.0);  // of none before the first, and of the first
+    }
+    jerk_.add(
+        at.now.time, at.now.robot.speed, [&](double jerk) { take(at, jerk); },
+        [&](double jerk) { largest_ = std::fmax(largest_, std::fabs(jerk)); });
+  }
+  MetricValue mean(const Instant& last) const {
+    const std::size_t divisor = last.isOriginal() ? last.count() : count_;
+    std::vector<double> series = series_.values();
+    series.resize(last.keepsSeries ? last.count() : 0, 0.0);  // those whose window is not over
+    return withSeries(divisor > 0 ? sum_ / static_cast<double>(divisor) : kNaN, std::move(series));
+  }
+  double largest(const Instant& last) const { return last.isOriginal() ? plainLargest_ : largest_; }
+
+ private:
+  void take(const Instant& at, double jerk) {
+    const bool isKnown = !std::isnan(jerk);
+    sum_ += isKnown ? std::fabs(jerk) : 0.0;
+    count_ += isKnown ? 1 : 0;
+    largest_ = std::fmax(largest_, std::fabs(jerk));
+    series_.add(at, isKnown ? jerk : 0.0);
+  }
+
+  Jerk jerk_;
+  double sum_ = 0.0, largest_ = kNaN, plainLargest_ = kNaN;
+  std::size_t count_ = 0;
+  SeriesColumn series_;
+};
 
 /// Mean size of a term that the series has with its sign, 0 where it is undefined; the original
 /// divides by the samples.
@@ -99,10 +143,6 @@ double speed(const Instant& at) {
 
 double accelerationSize(const Instant& at) {
   return std::fabs(at.term(acceleration));
-}
-
-double jerkSize(const Instant& at) {
-  return std::fabs(at.term(jerk));
 }
 
 double turningAcceleration(const Instant& at) {
@@ -168,28 +208,29 @@ double closestSpeed(const Instant& at) {
 /// motion_energy is a sum over samples: twice as many, twice the value.
 constexpr char kSpeedsMetrics[] = R"(
 = Navigation Performance|lower|robot|Tsoi et al., SEAN 2.0, RA-L 2022
-18 time_not_moving|Time standing still|s|[0, T]|sum of dt_i with |s_i| < stop_linear_speed and |w_i| < stop_angular_speed
+18 time_not_moving|Time standing still|s|[0, T]|time with s_i < stop_linear_speed and |w_i| < stop_angular_speed
 = Motion Analysis|neutral|robot|Biswas et al., SocNavBench, THRI 2022
-19 avg_robot_linear_speed|Mean speed of the robot|m/s|[0, inf)|mean of s_i
-20 avg_robot_angular_speed|Mean turning speed of the robot|rad/s|[0, inf)|mean of |w_i|
+19 avg_robot_linear_speed|Mean speed of the robot|m/s|[0, inf)|mean over i of s_i
+20 avg_robot_angular_speed|Mean turning speed of the robot|rad/s|[0, inf)|mean over i of |w_i|
 = Motion Analysis|lower|robot|Biswas et al., SocNavBench, THRI 2022
-21 avg_acceleration|Mean acceleration of the robot|m/s²|[0, inf)|mean of |a_i|, a_i = (s_(i+1) - s_i)/dt_i
-22 avg_overacceleration|Mean jerk of the robot|m/s³|[0, inf)|mean of |jerk_i|, jerk_i = (a_i - a_(i-1))/((t_(i+1) - t_(i-1))/2)
+21 avg_acceleration|Mean acceleration of the robot|m/s²|[0, inf)|mean of |a_i|, a_i = (s_(i+1) - s_i)/dt_i, over the i with dt_i > 0
+22 avg_overacceleration|Mean jerk of the robot|m/s³|[0, inf)|mean of |J_i| over the samples that have a jerk J_i (window jerk_window, section
+  Sampling)
 = Social Behavior|neutral|people|Katyal et al., IROS 2022
-23 avg_pedestrian_velocity|Mean speed of people|m/s|[0, inf)|mean of |u_a| over all samples and people
+23 avg_pedestrian_velocity|Mean speed of people|m/s|[0, inf)|mean over i, a of |u|, each pair of sample and person once
 = Social Behavior|neutral|robot, people|Katyal et al., IROS 2022
-24 avg_closest_pedestrian_velocity|Mean speed of the closest person|m/s|[0, inf)|mean of |u_a| of the person with the smallest gap, over the samples
-  with people
+24 avg_closest_pedestrian_velocity|Mean speed of the closest person|m/s|[0, inf)|mean over the samples with people of |u| of the person with the
+  smallest gap (not cut at 0), of equal gaps the first in trajectory.csv
 = Motion Analysis|neutral|robot|Francis et al. 2025; SocNavGym
-min_robot_linear_speed|Smallest speed of the robot|m/s|[0, inf)|min of |v_i|
-max_robot_linear_speed|Largest speed of the robot|m/s|[0, inf)|max of |v_i|
+min_robot_linear_speed|Smallest speed of the robot|m/s|[0, inf)|min over i of s_i
+max_robot_linear_speed|Largest speed of the robot|m/s|[0, inf)|max over i of s_i
 = Motion Analysis|lower|robot|Francis et al. 2025; SocNavGym
-max_acceleration|Largest acceleration of the robot|m/s²|[0, inf)|max of |a_i|
-max_jerk|Largest jerk of the robot|m/s³|[0, inf)|max of |jerk_i|
+max_acceleration|Largest acceleration of the robot|m/s²|[0, inf)|max of |a_i|, a_i as in avg_acceleration
+max_jerk|Largest jerk of the robot|m/s³|[0, inf)|max of the jerks |J| at the samples and in the middle of each dt_i (jerk_window, section Sampling)
 = Motion Analysis|lower|robot|SRPB
-heading_change_smoothness|Mean turning acceleration|rad/s²|[0, inf)|mean of |w_(i+1) - w_i|/dt_i
+heading_change_smoothness|Mean turning acceleration|rad/s²|[0, inf)|mean of |w_(i+1) - w_i|/dt_i over the i with dt_i > 0
 = Motion Analysis|lower|robot|SocNavBench|0.51
-motion_energy|Motion energy|m²/s²|[0, inf)|sum of (|p_(i+1) - p_i|/dt_i)^2
+motion_energy|Motion energy|m²/s²|[0, inf)|sum of (|p_(i+1) - p_i|/dt_i)^2 over the i with dt_i > 0
 )";
 
 }  // namespace
@@ -200,14 +241,14 @@ void addSpeeds(MetricRegistry& to) {
           {"avg_robot_linear_speed", seriesFiguresOf<drivenSpeed>(&Figures::meanWithSeries)},
           {"avg_robot_angular_speed", meanSizeOf<turningSpeed>()},
           {"avg_acceleration", meanSizeOf<acceleration>(kNeedsTwo)},
-          {"avg_overacceleration", meanSizeOf<overacceleration>(kNeedsThree)},
+          {"avg_overacceleration", streamOf<Jerks>(&Jerks::mean, kNeedsThree)},
           {"avg_pedestrian_velocity", streamOf<SpeedSum>(&SpeedSum::mean)},
           {"avg_closest_pedestrian_velocity",
            seriesFiguresOf<closestSpeed>(&Figures::meanWithSeries, kNobody)},
           {"min_robot_linear_speed", figuresOf<speed>(&Figures::least)},
           {"max_robot_linear_speed", figuresOf<speed>(&Figures::largest)},
           {"max_acceleration", figuresOf<accelerationSize>(&Figures::largest, kNeedsTwo)},
-          {"max_jerk", figuresOf<jerkSize>(&Figures::largest, kNeedsThree)},
+          {"max_jerk", streamOf<Jerks>(&Jerks::largest, kNeedsThree)},
           {"heading_change_smoothness", figuresOf<turningAcceleration>(&Figures::mean, kNeedsTwo)},
           {"motion_energy", figuresOf<energy>(&Figures::sum)}});
 }

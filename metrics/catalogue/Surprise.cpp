@@ -112,9 +112,14 @@ class SurpriseSum : public PersonCosts {
 
 constexpr char kSurpriseMetrics[] = R"(
 = Danger & Surprise Metrics|lower|robot, people, map|Singamaneni, Favier, Alami, RO-MAN 2023
-32 surprise_visibility_cost|Surprise: visibility||[0, inf)|sum over i and a who sees the robot of (d_prox/D) * theta/half field of view
-33 surprise_shock_cost|Surprise: shock||[0, inf)|sum of max((d_prox/D) * (1 - 4 SR), 0), SR = min(time seen/0.6 s, 1)
-34 surprise_react_cost|Surprise: reaction||[0, inf)|sum of (d_prox/D) * (1 - SR), SR = min(time seen/0.6 s, 1)
+32 surprise_visibility_cost|Surprise: visibility||[0, inf)|sum over i and each a who sees the robot (field_of_view, section Walls and obstacles) of
+  (surprise_distance/D) * theta/(field_of_view/2), D = max(gap, surprise_minimum_distance); none for SR = 1 if surprise_visibility_only_unrecognised
+  is 1; none of a robot with s < stop_linear_speed if surprise_requires_motion is 1
+33 surprise_shock_cost|Surprise: shock||[0, inf)|sum over i and each a who sees the robot of max((surprise_distance/D) * (1 - SR
+  reaction_time/recognition_time), 0), SR = min((t_i - t_k)/reaction_time, 1), k = first of the samples since which a has seen it without a break; D
+  and surprise_requires_motion as in surprise_visibility_cost
+34 surprise_react_cost|Surprise: reaction||[0, inf)|sum over i and each a who sees the robot of (surprise_distance/D) * (1 - SR), SR (reaction_time)
+  as in surprise_shock_cost
 )";
 
 }  // namespace

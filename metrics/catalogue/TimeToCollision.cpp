@@ -87,16 +87,20 @@ MetricValue largest(const Figures& figures) {
 
 constexpr char kTimeToCollisionMetrics[] = R"(
 = Safety & Collisions|higher|robot, people|Francis et al. 2025; SocNavGym
-avg_time_to_collision|Mean time to collision|s|[0, inf)|mean over the samples on a collision course of min(min over a of ttc, collision_cap)
+avg_time_to_collision|Mean time to collision|s|[0, inf)|mean over the samples at which somebody is on a collision course of min(min over a of ttc,
+  collision_cap)
 = Safety & Collisions|lower|robot, people|Minderhoud and Bovy 2001
-time_exposed_to_collision|Time with a collision ahead|s|[0, T]|sum of dt_i with min over a of ttc < collision_horizon
-time_integrated_to_collision|Threat of collisions|s²|[0, inf)|sum of (collision_horizon - ttc) dt_i where ttc < collision_horizon
+time_exposed_to_collision|Time with a collision ahead|s|[0, T]|time with min over a of ttc < collision_horizon
+time_integrated_to_collision|Threat of collisions|s²|[0, inf)|sum over i < N-1 of (collision_horizon - m_i) dt_i where m_i = min over a of ttc <
+  collision_horizon
 = Social Behavior|higher|robot, people|Pacchierotti et al. 2006
-avg_passing_distance|Mean passing distance|m|(-inf, social_distance)|mean over people of their smallest gap, of those with it < social_distance
+avg_passing_distance|Mean passing distance|m|(-inf, social_distance)|mean over the people whose gap is < social_distance at some sample of their
+  smallest gap (not cut at 0)
 = Social Behavior|lower|robot, people|Butler and Agah 2001
-max_approach_speed|Largest speed of approach|m/s|[0, inf)|max of the closing speed with the closest person, of samples with gap < personal_distance
+max_approach_speed|Largest speed of approach|m/s|[0, inf)|max over the samples with a gap < personal_distance (d > 0) of C V/d of the person with the
+  smallest gap, not below 0; undefined if there is none
 = Motion Analysis|lower|robot|ISO 2631, comfort of rides
-max_lateral_acceleration|Largest sideways acceleration|m/s²|[0, inf)|max of |s_i w_i|
+max_lateral_acceleration|Largest sideways acceleration|m/s²|[0, inf)|max over i of |s_i w_i|
 )";
 
 }  // namespace

@@ -141,27 +141,30 @@ using PersonalEntries = ContactsWithin<&MetricParameters::personalDistance>;
 
 constexpr char kZonesMetrics[] = R"(
 = Social Behavior|lower|robot, people|Perez-Higueras, Caballero, Merino, IJSR 2018; Hall 1966
-7 intimate_space_intrusions|Intrusions into the intimate space|%|[0, 100]|100/N * samples with c_i in the intimate band
-8 personal_space_intrusions|Intrusions into the personal space|%|[0, 100]|100/N * samples with c_i in the personal band
-9 social_space_intrusions|Intrusions into the social space|%|[0, 100]|100/N * samples with c_i in the social band
+7 intimate_space_intrusions|Intrusions into the intimate space|%|[0, 100]|share of samples with c_i in the intimate band (intimate_distance): surface
+  to surface, Hall measured between persons
+8 personal_space_intrusions|Intrusions into the personal space|%|[0, 100]|share of samples with c_i in the personal band (intimate_distance,
+  personal_distance): surface to surface, Hall measured between persons
+9 social_space_intrusions|Intrusions into the social space|%|[0, 100]|share of samples with c_i in the social band (personal_distance,
+  social_distance): surface to surface, Hall measured between persons
 = Social Behavior|lower|robot, people, groups|Perez-Higueras, Caballero, Merino, IJSR 2018, after Okal and Arras 2016
-10 group_intimate_space_intrusions|Intrusions into the intimate space of groups|%|[0, 100]|100/N * samples with x_i in the intimate band; x_i =
-  max(0, min over groups of |p_i - centre| - r_r)
-11 group_personal_space_intrusions|Intrusions into the personal space of groups|%|[0, 100]|100/N * samples with x_i in the personal band; x_i =
-  max(0, min over groups of |p_i - centre| - r_r)
-12 group_social_space_intrusions|Intrusions into the social space of groups|%|[0, 100]|100/N * samples with x_i in the social band; x_i = max(0, min
-  over groups of |p_i - centre| - r_r)
+10 group_intimate_space_intrusions|Intrusions into the intimate space of groups|%|[0, 100]|share of samples with x_i in the intimate band
+  (intimate_distance), x_i from the centre of the nearest group to the surface of the robot; 0 without groups
+11 group_personal_space_intrusions|Intrusions into the personal space of groups|%|[0, 100]|share of samples with x_i in the personal band
+  (intimate_distance, personal_distance), x_i from the centre of the nearest group to the surface of the robot; 0 without groups
+12 group_social_space_intrusions|Intrusions into the social space of groups|%|[0, 100]|share of samples with x_i in the social band
+  (personal_distance, social_distance), x_i from the centre of the nearest group to the surface of the robot; 0 without groups
 = Social Behavior|lower|robot, people|SEAN 2.0 (distance violations)
 intimate_zone_entries|Entries into the intimate zone||0, 1, ...|number of times a person's gap falls below intimate_distance
-intimate_zone_entries_by_robot|Entries of the robot into the intimate zone||0, 1, ...|number of times a person's gap falls below intimate_distance,
-  the robot closing in faster
-intimate_zone_entries_by_person|Entries of people into the intimate zone||0, 1, ...|number of times a person's gap falls below intimate_distance, the
-  person closing in faster
+intimate_zone_entries_by_robot|Entries of the robot into the intimate zone||0, 1, ...|those of intimate_zone_entries that the robot caused or both, by
+  who closes in faster (intimate_distance; section Distances and zones)
+intimate_zone_entries_by_person|Entries of people into the intimate zone||0, 1, ...|those of intimate_zone_entries that the person caused or both, by
+  who closes in faster (intimate_distance)
 personal_zone_entries|Entries into the personal zone||0, 1, ...|number of times a person's gap falls below personal_distance
-personal_zone_entries_by_robot|Entries of the robot into the personal zone||0, 1, ...|number of times a person's gap falls below personal_distance,
-  the robot closing in faster
-personal_zone_entries_by_person|Entries of people into the personal zone||0, 1, ...|number of times a person's gap falls below personal_distance, the
-  person closing in faster
+personal_zone_entries_by_robot|Entries of the robot into the personal zone||0, 1, ...|those of personal_zone_entries that the robot caused or both, by
+  who closes in faster (personal_distance; section Distances and zones)
+personal_zone_entries_by_person|Entries of people into the personal zone||0, 1, ...|those of personal_zone_entries that the person caused or both, by
+  who closes in faster (personal_distance)
 )";
 
 }  // namespace

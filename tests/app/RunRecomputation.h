@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include <QJsonArray>
@@ -23,7 +22,8 @@ inline double hypot2(double x, double y) {
 struct Run {
   std::vector<Sample> samples;
   std::map<int, double> radius;  // of people, by id [m]
-  double robotRadius = 0, goalX = 0, goalY = 0, goalRadius = 0;
+  double robotRadius = 0, goalX = 0, goalY = 0;
+  bool hasArrived = false;  // with the last of the samples
   QJsonObject metrics;
 
   explicit Run(const QString& folder) {
@@ -45,7 +45,6 @@ struct Run {
       const QJsonObject goal = goals[0].toObject();
       goalX = goal[QStringLiteral("x")].toDouble();
       goalY = goal[QStringLiteral("y")].toDouble();
-      goalRadius = goal[QStringLiteral("radius")].toDouble();
     }
   }
 
@@ -89,19 +88,6 @@ inline double distanceToGroups(const Run& run, const Sample& sample) {
   return least;
 }
 
-/// Seconds until the robot was in its goal and stayed there.
-inline std::optional<double> timeToGoal(const Run& run) {
-  const auto isInside = [&run](const Sample& s) { return run.toGoal(s) - run.goalRadius < 0.3; };
-  if (!isInside(run.samples.back())) {
-    return std::nullopt;
-  }
-  std::size_t first = run.samples.size() - 1;
-  while (first > 0 && isInside(run.samples[first - 1])) {
-    --first;
-  }
-  return run.samples[first].time - run.samples[0].time;
-}
-
 /// Keys 1 to 15 by the written formulas of the corrected profile.
 inline std::map<QString, double> recompute(const Run& run) {
   std::map<QString, double> value;
@@ -139,9 +125,8 @@ inline std::map<QString, double> recompute(const Run& run) {
     }
   }
   const double n = static_cast<double>(count);
-  const std::optional<double> reached = timeToGoal(run);
-  if (reached) {
-    set("time_to_reach_goal", *reached);
+  if (run.hasArrived) {
+    set("time_to_reach_goal", run.samples.back().time - run.samples.front().time);
   }
   set("path_length", length);
   set("cumulative_heading_changes", turning);
@@ -156,7 +141,7 @@ inline std::map<QString, double> recompute(const Run& run) {
                    QStringLiteral("_space_intrusions")),
         100.0 * groupBands[band] / n);
   }
-  set("completed", reached ? 1 : 0);
+  set("completed", run.hasArrived ? 1 : 0);
   set("minimum_distance_to_target", nearestGoal);
   set("final_distance_to_target", run.toGoal(run.samples.back()));
   return value;

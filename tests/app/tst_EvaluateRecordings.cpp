@@ -152,6 +152,21 @@ class EvaluateRecordingsTest : public QObject {
     compare(placesOf(file), robot);
   }
 
+  /// Of the 13 entries of person 171's personal zone 7 are by people who were not there an
+  /// annotation before; of two of these the robot walks and they hardly come nearer. By a reading
+  /// of its own in another language: 4 and 9.
+  void obsmat_zoneEntries_areOfWhoClosesIn() {
+    const QString file = recording(text("eth/obsmat.txt"));
+    if (!QFile::exists(file)) {
+      QSKIP("the recordings are not here (HUNAV_INTEROP_DIR)");
+    }
+    evaluate(file, 171);
+    const QJsonObject metrics = outside::metricsOf(path("out"));
+    QCOMPARE(outside::valueOf(metrics, text("personal_zone_entries")), 13.0);
+    QCOMPARE(outside::valueOf(metrics, text("personal_zone_entries_by_robot")), 4.0);
+    QCOMPARE(outside::valueOf(metrics, text("personal_zone_entries_by_person")), 9.0);
+  }
+
   void otherFormats_samePeople_sameMetrics_data() {
     QTest::addColumn<QString>("format");
     QTest::addColumn<QString>("file");

@@ -59,6 +59,7 @@ class RunProgramTest : public QObject {
       const bool isRobots = row.at(QStringLiteral("id")) == QStringLiteral("-1");
       if (isRobots && row.at(QStringLiteral("kind")) == QStringLiteral("arrived")) {
         run.samples.resize(row.at(QStringLiteral("step")).toUInt() + 1);
+        run.hasArrived = true;
         break;
       }
     }

@@ -1,6 +1,7 @@
 #include <QtTest>
 
 #include "HandMade.h"
+#include "sim2d/trace/Arrival.h"
 
 using namespace metrics;
 using namespace handmade;
@@ -155,6 +156,67 @@ class EndOfWayTest : public QObject {
     QCOMPARE(valueOf(run, "success", parameters), 0.0);
     run.events = {{7.0, arrived()}};
     QVERIFY(isNear(valueOf(run, "stl", parameters), 5.4 / 7.0));
+  }
+  /// Whatever tells of an arrival tells of the same one: in the region it is at 5 s, at its goal at
+  /// 7 s.
+  void everyKey_hasTheArrivalOfTheEvent() {
+    SampledRun run = runAlong({0, 1, 2, 3, 4, 5, 5.1, 5.3, 5.3, 5.3});
+    run.eventsTellArrivals = true;
+    run.events = {{7.0, arrived()}};
+    QCOMPARE(valueOf(run, "time_to_reach_goal"), 7.0);
+    QCOMPARE(valueOf(run, "aggregated_time"), 7.0);
+    QVERIFY(isNear(valueOf(run, "stl"), 5.4 / 7.0));
+    QCOMPARE(valueOf(run, "completed"), 1.0);
+    QCOMPARE(valueOf(run, "success"), 1.0);
+    QCOMPARE(valueOf(run, "path_length"), 5.3);
+    MetricParameters original;  // knows no events: the whole record, and the wide region
+    original.profile = Profile::Hunav2;
+    QCOMPARE(valueOf(run, "time_to_reach_goal", original), 9.0);
+    QVERIFY(isNear(valueOf(run, "stl", original), 5.4 / 9.0));
+  }
+  /// 0.4 m from its goal a robot of a simulation has not arrived, in any key.
+  void simulatedRobotWithoutEvent_hasNotArrived() {
+    SampledRun run = runAlong(parkedAt(5, 20));
+    run.eventsTellArrivals = true;
+    for (const char* key : {"completed", "success", "spl", "stl"}) {
+      QVERIFY2(valueOf(run, key) == 0.0, key);
+    }
+    QVERIFY(std::isnan(valueOf(run, "time_to_reach_goal")));
+    QCOMPARE(valueOf(run, "aggregated_time"), 25.0);  // until the end
+    QCOMPARE(valueOf(run, "stalled_time"), 20.0);     // it goes on
+    MetricParameters original;
+    original.profile = Profile::Hunav2;
+    QCOMPARE(valueOf(run, "completed", original), 1.0);
+    run.eventsTellArrivals = false;  // a record that cannot tell
+    QCOMPARE(valueOf(run, "aggregated_time"), valueOf(run, "time_to_reach_goal"));
+    QCOMPARE(valueOf(run, "completed"), 1.0);
+  }
+  /// It is sent elsewhere on its way, arrives there, and goes on.
+  void arrivalAtAnOrder_isNotTheEnd() {
+    SampledRun run = runAlong({0, 1, 2, 3, 4, 5, 5, 5, 5.3, 5.3});
+    run.eventsTellArrivals = true;
+    sim2d::Event order = arrived();
+    order.text = sim2d::kAtOrder;
+    run.events = {{3.0, order}};
+    QCOMPARE(valueOf(run, "completed"), 0.0);
+    QCOMPARE(valueOf(run, "path_length"), 5.3);
+    QCOMPARE(valueOf(run, "aggregated_time"), 9.0);
+    run.events = {{3.0, order}, {8.0, arrived()}};
+    QCOMPARE(valueOf(run, "time_to_reach_goal"), 8.0);
+    Selection selection;
+    selection.window.until = "arrival";
+    const auto made = evaluate(run, selection, {});
+    QCOMPARE(*made->find("total_time")->value.value, 8.0);
+  }
+  void arrivalBeforeTheWindow_isOneAtItsBegin() {
+    SampledRun run = runAlong(parkedAt(5, 10));
+    run.eventsTellArrivals = true;
+    run.events = {{5.0, arrived()}};
+    Selection selection;
+    selection.window.from = "time 8";
+    const auto made = evaluate(run, selection, {});
+    QCOMPARE(*made->find("completed")->value.value, 1.0);
+    QCOMPARE(*made->find("time_to_reach_goal")->value.value, 0.0);
   }
   void robotWithoutGoal_doesNotFail() {
     MetricParameters parameters;

@@ -16,6 +16,7 @@ class HandCasesTest : public QObject {
   void gaussianSpace_extremesAndTimeAbove();
   void discomfort_meanOfCloseGaps();
   void zoneEntries_byWhoClosesIn();
+  void zoneEntries_ofWhoWasNotThere_areOfOneTime();
   void obstacles_contactsAndTimeTooClose();
   void finalDistance_perMetreDriven();
   void crowd_densestLook();
@@ -112,6 +113,38 @@ void HandCasesTest::zoneEntries_byWhoClosesIn() {
   for (const char* key : tested) {
     QVERIFY2(standardRegistry().find(key) != nullptr, key);
   }
+}
+
+/// Person 171 of the ETH recording as the robot, at frames 8391 and 8397: it stands, then walks at
+/// (-0.524, -0.430) m/s; person 184, at frame 8397 for the first time, is 1.449 m away and comes no
+/// nearer than 0.007 m/s along the line of centres. Velocities of two times would blame the person.
+void HandCasesTest::zoneEntries_ofWhoWasNotThere_areOfOneTime() {
+  std::vector<Sample> samples = {sampleAt(0.0, 0.0, 0.0), sampleAt(0.4, 0.0, 0.0)};
+  Robot& robot = samples[1].robot;
+  robot.velocity = Vec2(-0.52382326, -0.42954246);
+  robot.speed = robot.velocity.norm();
+  // Along the line of centres 0.307 m/s of the robot, 0.0066 m/s of the person.
+  const double along = std::atan2(-0.42954246, -0.52382326) + std::acos(0.3070557 / robot.speed);
+  const Vec2 between(std::cos(along), std::sin(along));
+  const Vec2 person = -0.0065890 * between + 2.1 * Vec2(-between.y(), between.x());
+  samples[1].people = {
+      personAt(184, 1.449 * between.x(), 1.449 * between.y(), person.x(), person.y())};
+  SampledRun recording = recordingOfSamples(samples);
+  QCOMPARE(valueOf(recording, "personal_zone_entries_by_robot"), 1.0);
+  QCOMPARE(valueOf(recording, "personal_zone_entries_by_person"), 0.0);
+  // Who comes anew, elsewhere than before, was not there either.
+  recording.samples[0].people = {personAt(184, 9.0, 9.0, 5.0, 5.0)};
+  sim2d::Event enter;
+  enter.kind = sim2d::EventKind::Enter;
+  enter.id = 184;
+  recording.events = {{0.2, enter}};
+  QCOMPARE(valueOf(recording, "personal_zone_entries_by_robot"), 1.0);
+  // Who was there: the velocities before count for both, as contact may have stopped them.
+  recording.events.clear();
+  recording.samples[0].people = {
+      personAt(184, 3.0 * between.x(), 3.0 * between.y(), -between.x(), -between.y())};
+  QCOMPARE(valueOf(recording, "personal_zone_entries_by_robot"), 0.0);
+  QCOMPARE(valueOf(recording, "personal_zone_entries_by_person"), 1.0);
 }
 
 void HandCasesTest::obstacles_contactsAndTimeTooClose() {
