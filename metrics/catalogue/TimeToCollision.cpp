@@ -17,7 +17,7 @@ double cappedTime(const Instant& at) {
   return std::isnan(time) ? kNaN : std::min(time, at.parameters.collisionCap);
 }
 
-MetricValue average(const Figures& times) {
+MetricValue averageTime(const Figures& times) {
   return times.count() > 0.0 ? times.meanWithSeries() : kNaN;
 }
 
@@ -81,7 +81,7 @@ double sideways(const Instant& at) {
   return std::fabs(at.now.robot.speed * at.now.robot.omega);
 }
 
-MetricValue largest(const Figures& figures) {
+MetricValue largestValue(const Figures& figures) {
   return withSeries(figures.largest(), figures.series());
 }
 
@@ -108,13 +108,13 @@ max_lateral_acceleration|Largest sideways acceleration|m/s²|[0, inf)|max over i
 void addTimeToCollision(MetricRegistry& to) {
   to.add(kTimeToCollisionMetrics,
          {{"avg_time_to_collision",
-           seriesFiguresOf<cappedTime>(average, "never on a collision course")},
+           seriesFiguresOf<cappedTime>(averageTime, "never on a collision course")},
           {"time_exposed_to_collision", timesOf<isThreat>(&Times::time)},
           {"time_integrated_to_collision", figuresOf<threat>(&Figures::integral)},
           {"avg_passing_distance",
            streamOf<PassingDistance>(&PassingDistance::mean, "nobody was passed")},
           {"max_approach_speed", figuresOf<approach>(fastest, "nobody in personal space")},
-          {"max_lateral_acceleration", seriesFiguresOf<sideways>(largest)}});
+          {"max_lateral_acceleration", seriesFiguresOf<sideways>(largestValue)}});
 }
 
 }  // namespace metrics
