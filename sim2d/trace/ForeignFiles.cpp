@@ -58,7 +58,8 @@ bool FirstLook::mentions(std::string_view words) const {
 const TrackFormat* TrackFormats::formatOf(const std::string& path, const std::string& text,
                                           Claim least) const {
   FirstLook look{path, text, {}, false};
-  TextRows(text).next(look.row);
+  constexpr std::size_t kFirstRow = std::size_t{1} << 20U;  // [B]: JSON may be one line
+  TextRows(std::string_view(text).substr(0, kFirstRow)).next(look.row);
   look.isNumbers = isNumberRow(look.row);
   const TrackFormat* best = nullptr;
   Claim highest = Claim::None;

@@ -1,6 +1,7 @@
 #include "sim2d/trace/SqliteLimits.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <sqlite3.h>
 
@@ -20,17 +21,27 @@ int takeFromBudget(void* budget) {
 
 }  // namespace
 
-void limitQueries(sqlite3* database, std::uint64_t fileSize, std::int64_t& budget) {
+std::uint64_t databaseSize(const std::string& path) {
+  std::uint64_t size = 0;
+  for (const char* ending : {"", "-wal"}) {
+    std::error_code none;
+    const std::uintmax_t bytes = std::filesystem::file_size(path + ending, none);
+    size += none ? 0 : bytes;
+  }
+  return size;
+}
+
+void limitQueries(sqlite3* database, std::uint64_t size, std::int64_t& budget) {
   constexpr std::int64_t kStepsOfAny = 10000000;
   constexpr std::int64_t kStepsPerByte = 20;  // a row takes 10 to 30 steps and at least 5 bytes
   constexpr std::uint64_t kLargestValue = std::uint64_t{1} << 30U;  // [B]
   constexpr std::uint64_t kValueOfAny = 1000000;                    // [B]
   constexpr int kLongestPattern = 100;
-  budget = kStepsOfAny + kStepsPerByte * static_cast<std::int64_t>(fileSize);
+  budget = kStepsOfAny + kStepsPerByte * static_cast<std::int64_t>(size);
   sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_limit(database, SQLITE_LIMIT_LENGTH,
-                static_cast<int>(std::clamp(fileSize, kValueOfAny, kLargestValue)));
+                static_cast<int>(std::clamp(size, kValueOfAny, kLargestValue)));
   sqlite3_limit(database, SQLITE_LIMIT_LIKE_PATTERN_LENGTH, kLongestPattern);
   sqlite3_progress_handler(database, kStepsPerCall, takeFromBudget, &budget);
 }

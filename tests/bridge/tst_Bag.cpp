@@ -144,6 +144,14 @@ class BagTest : public QObject {
 
   QTemporaryDir folder_;
 
+  std::string made(const char* name, const std::string& sql) {
+    sqlite3* database = nullptr;
+    sqlite3_open(path(name).c_str(), &database);
+    sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr);
+    sqlite3_close(database);
+    return path(name);
+  }
+
  private Q_SLOTS:
   void initTestCase() {
     const base::Diagnostics problems = runCafeInto(path("run"), kSeconds);
@@ -322,16 +330,31 @@ class BagTest : public QObject {
     QVERIFY(!openBag(written("no.db3", "SQLite format 3 and nothing else")));
   }
 
+  /// 900 sums per message.
+  void read_expensiveColumns_ends() {
+    std::string sum = "id";
+    for (int k = 0; k < 900; ++k) {
+      sum += " + id";
+    }
+    base::Result<std::unique_ptr<Bag>> bag = openBag(made(
+        "steps.db3",
+        "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format "
+        "TEXT); INSERT INTO topics VALUES(1, '/people', 't', 'cdr');"
+        "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data "
+        "AS "
+        "(" +
+            sum +
+            ")); WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n LIMIT 40000)"
+            " INSERT INTO messages SELECT x, 1, x FROM n;"));
+    QVERIFY(static_cast<bool>(bag));
+    base::Diagnostics told;
+    messagesIn(**bag, &told);
+    QCOMPARE(codesOf(told), std::string("bag.bad-database"));
+  }
+
   /// A view may be a query without an end.
   void open_databaseOfViews_isRefused() {
     const char* const endless = "WITH RECURSIVE n(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM n)";
-    const auto made = [&](const char* name, const std::string& sql) {
-      sqlite3* database = nullptr;
-      sqlite3_open(path(name).c_str(), &database);
-      sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr);
-      sqlite3_close(database);
-      return path(name);
-    };
     const std::string topics =
         made("topics.db3", std::string("CREATE VIEW topics AS ") + endless +
                                " SELECT x AS id, '/t' AS name, 't' AS type, 'cdr' AS"

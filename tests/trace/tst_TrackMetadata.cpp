@@ -301,6 +301,21 @@ class TrackMetadataTest : public QObject {
             std::string::npos);
     QVERIFY(isNear(secondTime(read(files_.add("u.csv", "FREQUENCY,100\n" + table))), 0.01));
   }
+  void vadere_step_standsInTheScenarioBeside() {
+    Written folder;
+    const std::string path =
+        folder.add("postvis.traj", "timeStep pedestrianId x-PID1 y-PID1\n1 7 1 2\n2 7 1.4 2\n");
+    QVERIFY(isNear(secondTime(read(path)), 0.4));
+    folder.add(
+        "hall.scenario",
+        R"({"name": "hall", "scenario": {"attributesSimulation": {"simTimeStepLength": 0.1}}})");
+    QVERIFY(isNear(secondTime(read(path)), 0.1));
+    ForeignOptions options;
+    options.framesPerSecond = 5.0;
+    QVERIFY(isNear(secondTime(read(path, options)), 0.2));
+    folder.add("hall.scenario", "{");
+    QVERIFY(isNear(secondTime(read(path)), 0.4));
+  }
   void trajnet_rate_standsInAComment() {
     QVERIFY(isNear(secondTime(read(files_.add("r.txt", "# fps: 5\n0 1 0 0\n1 1 1 0\n2 1 2 0\n"),
                                    [] {

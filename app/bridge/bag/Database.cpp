@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -43,9 +42,7 @@ class Database final : public Bag {
       : path_(std::move(path)), connection_(std::move(connection)) {}
 
   base::Diagnostics readTopics() {
-    std::error_code unknown;  // of what was opened just now: 0 limits it most
-    const std::uintmax_t size = std::filesystem::file_size(path_, unknown);
-    sim2d::limitQueries(connection_.get(), unknown ? 0 : size, budget_);
+    sim2d::limitQueries(connection_.get(), sim2d::databaseSize(path_), budget_);
     const Statement topics =
         prepared(connection_.get(), "SELECT id, name, type, serialization_format FROM topics");
     if (!topics) {

@@ -68,7 +68,7 @@ class JupedsimReader {
       error("tracks.bad-database", {sqlite3_errstr(code)});
       return false;
     }
-    limitQueries(raw, input_.text.size(), budget_);
+    limitQueries(raw, databaseSize(input_.path), budget_);
     return true;
   }
 
@@ -125,7 +125,7 @@ class JupedsimReader {
     }
     constexpr std::size_t kMostProblems = 1000;
     constexpr std::size_t kSmallestRow = 5;  // [B]: its place in the page, size, key, one column
-    const auto mostRows = static_cast<long long>(input_.text.size() / kSmallestRow);
+    const auto mostRows = static_cast<long long>(databaseSize(input_.path) / kSmallestRow);
     long long row = 1;
     int code = sqlite3_step(rows.get());
     for (; code == SQLITE_ROW && input_.problems.size() < kMostProblems; ++row) {

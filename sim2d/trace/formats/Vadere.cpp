@@ -1,10 +1,15 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include <nlohmann/json.hpp>
+
+#include "sim2d/base/Text.h"
 #include "sim2d/trace/ForeignReaders.h"
 
 /// Output of Vadere: positions by time step ("timeStep pedestrianId x y"), or footsteps
-/// ("pedestrianId simTime endTime startX startY endX endY"). Names may end with "-PID1".
+/// ("pedestrianId simTime endTime startX startY endX endY"). Names may end with "-PID1". The length
+/// of a time step is in the scenario that Vadere puts beside its output.
 namespace sim2d {
 
 namespace {
@@ -13,10 +18,42 @@ constexpr double kUsualStep = 0.4;  // [s] of a time step of Vadere
 constexpr double kSameTime = 1e-6;  // [s] a footstep begins when the one before ends
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
+/// [s] of "simTimeStepLength" in the only *.scenario of the folder; 0: there is none.
+double stepBeside(const std::string& path) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(path).parent_path();
+  std::error_code error;
+  std::vector<std::string> scenarios;
+  fs::directory_iterator entry(folder.empty() ? fs::path(".") : folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    if (entry->path().extension() == ".scenario") {
+      scenarios.push_back(entry->path().string());
+    }
+  }
+  if (path == "-" || scenarios.size() != 1) {
+    return 0.0;
+  }
+  const base::Result<std::string> text = base::readTextFile(scenarios.front());
+  const nlohmann::json root = nlohmann::json::parse(text ? *text : "", nullptr, false);
+  for (const char* name : {"scenario", "vadere"}) {
+    const auto place = nlohmann::json::json_pointer("/" + std::string(name) +
+                                                    "/attributesSimulation/simTimeStepLength");
+    if (root.is_object() && root.contains(place) && root[place].is_number()) {
+      const double step = root[place].get<double>();
+      return step > 0.0 && std::isfinite(step) ? step : 0.0;
+    }
+  }
+  return 0.0;
+}
+
 class VadereReader {
  public:
   explicit VadereReader(const ForeignInput& input)
-      : input_(input), words_(input.path, input.problems), rows_(input.text) {}
+      : input_(input), words_(input.path, input.problems), rows_(input.text) {
+    const double rate = input.options.framesPerSecond;
+    const double stated = rate > 0.0 ? 0.0 : stepBeside(input.path);
+    step_ = rate > 0.0 ? 1.0 / rate : stated > 0.0 ? stated : kUsualStep;
+  }
 
   TrackFile read() {
     if (!rows_.next(header_)) {
@@ -35,7 +72,7 @@ class VadereReader {
       return {};
     }
     std::vector<Word> row;
-    while (rows_.next(row)) {
+    while (words_.isUsable() && rows_.next(row)) {
       if (row.size() != header_.size()) {
         words_.error(row.back(), "trace.field-count", {row.size(), header_.size()});
         continue;
@@ -75,7 +112,7 @@ class VadereReader {
     track.id = *number;
     for (std::size_t k = 0; k + 2 < values.size(); k += 3) {
       TrackPoint point;
-      point.time = values[k] * (isStepwise ? step() : 1.0);
+      point.time = values[k] * (isStepwise ? step_ : 1.0);
       point.position = Vec2(values[k + 1], values[k + 2]);
       point.line = row.front().line;
       point.column = row.front().column;
@@ -87,14 +124,9 @@ class VadereReader {
     }
   }
 
-  double step() const {
-    const double rate = input_.options.framesPerSecond;
-    return rate > 0.0 ? 1.0 / rate : kUsualStep;
-  }
-
   TrackFile finish(bool isStepwise) {
     TrackFile file;
-    file.step = isStepwise ? step() : kUsualStep;
+    file.step = isStepwise ? step_ : kUsualStep;
     file.isByFrames = isStepwise;
     file.isSparse = !isStepwise;
     for (auto& [id, track] : tracks_) {
@@ -108,6 +140,7 @@ class VadereReader {
   TextRows rows_;
   std::vector<Word> header_;
   std::map<int, Track> tracks_;
+  double step_ = kUsualStep;  // [s] of a time step
 };
 
 Claim claim(const FirstLook& look) {
