@@ -30,13 +30,13 @@ std::map<int, int> pedestrianIds(const TraceHeader& header) {
 
 base::Diagnostics robotsAsPeople(const TraceHeader& header, const std::map<int, int>& ids,
                                  std::size_t from) {
-  base::Diagnostics told;
+  base::Diagnostics notes;
   for (std::size_t k = from; k < header.robots.size(); ++k) {
     const TraceRobot& robot = header.robots[k];
-    told.push_back(base::problem(base::Severity::Info, "export.robot-as-person",
-                                 {robot.name, ids.at(robot.id)}));
+    notes.push_back(base::problem(base::Severity::Info, "export.robot-as-person",
+                                  {robot.name, ids.at(robot.id)}));
   }
-  return told;
+  return notes;
 }
 
 /// "{"scene": …}" on a line.
@@ -218,12 +218,12 @@ base::Result<std::string> trajnetText(const Trace& trace, double rate) {
       add(ids.at(id), body);
     }
   }
-  base::Diagnostics told = robotsAsPeople(trace.header, ids, 0);
+  base::Diagnostics notes = robotsAsPeople(trace.header, ids, 0);
   std::string text = scenes.text();
   if (text.empty()) {
-    told.push_back(base::warning("export.no-scene", {kSceneSamples}));
+    notes.push_back(base::warning("export.no-scene", {kSceneSamples}));
   }
-  return {text + tracks, std::move(told)};
+  return {text + tracks, std::move(notes)};
 }
 
 base::Result<std::string> socnav3Text(const Trace& trace, double rate) {

@@ -13,8 +13,8 @@ std::uint64_t databaseSize(const std::string& path);
 
 /// Prepares a database for reading tables alone: no views, which can be queries without an end, and
 /// no functions of the schema with effects. Queries are interrupted when they take more steps, and
-/// refused when a value is larger, than its size [B] justifies: a damaged file can show
-/// the same page again and again. `budget` counts the steps of all queries and must outlive the
+/// refused when a value is larger, than its size [B] justifies: a damaged file can refer
+/// to the same page repeatedly. `budget` counts the steps of all queries and must outlive the
 /// connection.
 void limitQueries(sqlite3* database, std::uint64_t size, std::int64_t& budget);
 
