@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "bt/tree/TreeSpec.h"
@@ -98,6 +99,27 @@ void collectKeys(const NodeSpec& node, std::set<std::string>& read,
   }
 }
 
+void collectCalls(const NodeSpec& node, std::set<std::string>& called) {
+  if (node.isSubTree()) {
+    called.insert(node.subTree);
+  }
+  for (const NodeSpec& child : node.children) {
+    collectCalls(child, called);
+  }
+}
+
+/// "'A' (line 3), 'B' (line 8)"
+std::string namesWithLines(const std::vector<const TreeTable::Entry*>& trees) {
+  constexpr std::size_t kShown = 5;
+  std::vector<std::string> names;
+  for (const TreeTable::Entry* const entry : trees) {
+    names.push_back("'" + entry->tree.id + "' (line " + std::to_string(entry->tree.line) + ")");
+  }
+  const bool isLong = names.size() > kShown;
+  names.resize(std::min(names.size(), kShown));
+  return base::join(names, ", ") + (isLong ? " …" : "");
+}
+
 /// "'A', 'B'"
 std::string treesOf(const TreeTable& table) {
   constexpr std::size_t kShown = 5;
@@ -112,11 +134,8 @@ std::string treesOf(const TreeTable& table) {
 
 base::Diagnostics fileProblems(const TreeTable& table) {
   base::Diagnostics problems;
-  if (table.mainTree.empty()) {
-    problems.push_back(base::error("tree.main-not-said", {}, table.file));
-  } else if (!table.find(table.mainTree)) {
-    problems.push_back(
-        base::error("tree.main-unknown", {table.mainTree, treesOf(table)}, table.file));
+  if (std::optional<base::Diagnostic> problem = problemOfMainTree(table, table.mainTree)) {
+    problems.push_back(*std::move(problem));
   }
   for (const TreeTable::TemplateText& text : table.templates) {
     problems.push_back(base::error("tree.is-template", {}, text.file, text.line));
@@ -136,7 +155,7 @@ TreeIssues checkTrees(const TreeTable& table, const NodeCatalogue& catalogue) {
   const TreeIds ids = idsOf(table);
   RecursionFinder recursion(table);
   for (const auto& [id, entry] : table.entries) {
-    append(issues, checkTree(entry.tree, catalogue, ids, entry.file));
+    append(issues, checkTree(entry.tree, catalogue, ids, entry.file, table.declaredNodes));
     recursion.visit(entry);
   }
   append(issues, recursion.takeIssues());
@@ -150,6 +169,46 @@ TreeIssues checkTable(const TreeTable& table, const NodeCatalogue& catalogue) {
   }
   append(issues, checkTrees(table, catalogue));
   return issues;
+}
+
+std::vector<const TreeTable::Entry*> uncalledTrees(const TreeTable& table) {
+  std::set<std::string> called;
+  std::vector<const TreeTable::Entry*> all;
+  for (const auto& [id, entry] : table.entries) {
+    collectCalls(entry.tree.root, called);
+    all.push_back(&entry);
+  }
+  const auto isOwn = [&table](const TreeTable::Entry* entry) { return entry->file == table.file; };
+  if (std::any_of(all.begin(), all.end(), isOwn)) {
+    all.erase(std::stable_partition(all.begin(), all.end(), isOwn), all.end());
+  }
+  const auto isCalled = [&called](const TreeTable::Entry* entry) {
+    return called.count(entry->tree.id) > 0;
+  };
+  all.erase(std::remove_if(all.begin(), all.end(), isCalled), all.end());
+  std::sort(all.begin(), all.end(), [](const auto* a, const auto* b) {
+    return std::tie(a->file, a->tree.line) < std::tie(b->file, b->tree.line);
+  });
+  return all;
+}
+
+std::optional<base::Diagnostic> problemOfMainTree(const TreeTable& table,
+                                                  const std::string& mainTree) {
+  if (table.entries.empty() && table.hasModel) {
+    return base::error("tree.only-models", {}, table.file);
+  }
+  if (!mainTree.empty()) {
+    return table.find(mainTree) ? std::nullopt
+                                : std::optional(base::error(
+                                      "tree.main-unknown", {mainTree, treesOf(table)}, table.file));
+  }
+  const std::vector<const TreeTable::Entry*> candidates = uncalledTrees(table);
+  if (candidates.empty()) {
+    return base::error("tree.main-not-said", {""}, table.file);
+  }
+  const TreeTable::Entry& first = *candidates.front();
+  return base::error("tree.main-not-said", {namesWithLines(candidates)}, first.file,
+                     first.tree.line);
 }
 
 std::vector<std::string> placeholdersIn(const TreeTable& table) {

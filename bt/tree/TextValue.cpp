@@ -55,6 +55,14 @@ std::optional<base::NodeStatus> statusFromText(std::string_view text) {
   return std::nullopt;
 }
 
+std::vector<std::string> elementsOf(std::string_view list) {
+  std::vector<std::string> elements = base::split(std::string(list), ';');
+  if (!elements.empty() && elements.back().empty()) {
+    elements.pop_back();
+  }
+  return elements;
+}
+
 std::optional<double> cutNumber(std::string_view text, PortType type) {
   std::optional<double> read;
   if (type == PortType::Double) {

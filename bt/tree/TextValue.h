@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "bt/tree/NodeCatalogue.h"
 #include "sim2d/base/Types.h"
@@ -16,6 +18,9 @@ std::optional<std::int64_t> unsignedFromText(std::string_view text);  // 0 … 4
 std::optional<double> doubleFromText(std::string_view text);
 std::optional<bool> boolFromText(std::string_view text);  // 0 1 true TRUE True false FALSE False
 std::optional<base::NodeStatus> statusFromText(std::string_view text);
+
+/// The elements of a queue, with ';' between; one behind the last element separates nothing.
+std::vector<std::string> elementsOf(std::string_view list);
 
 /// The number that a port of a numeric type is given by this text, when that is not all that
 /// stands there ("1,5" is 1); nothing when it is, and for text without a number.

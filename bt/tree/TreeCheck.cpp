@@ -25,8 +25,12 @@ std::optional<std::string> nearestTree(const std::string& id, const TreeIds& ids
 class Checker {
  public:
   Checker(const TreeSpec& tree, const NodeCatalogue& catalogue, const TreeIds& treeIds,
-          const std::string& fileName)
-      : tree_(tree), catalogue_(catalogue), treeIds_(treeIds), fileName_(fileName) {}
+          const std::string& fileName, const TreeIds& declaredNodes)
+      : tree_(tree),
+        catalogue_(catalogue),
+        treeIds_(treeIds),
+        fileName_(fileName),
+        declaredNodes_(declaredNodes) {}
 
   TreeIssues run();
 
@@ -55,6 +59,7 @@ class Checker {
   const NodeCatalogue& catalogue_;
   const TreeIds& treeIds_;
   const std::string& fileName_;
+  const TreeIds& declaredNodes_;
   NodePath path_;
   std::vector<const NodeSpec*> parents_;
   std::set<std::string> subTreeNames_;
@@ -115,6 +120,8 @@ void Checker::checkUnknown(const NodeSpec& node) {
     error(node, "tree.node-of-format-three", {node.id});
   } else if (treeIds_.count(node.id) > 0) {
     error(node, "tree.node-is-tree", {node.id});
+  } else if (declaredNodes_.count(node.id) > 0) {
+    error(node, "tree.node-only-declared", {node.id});
   } else {
     error(node, "tree.unknown-node", {node.id, catalogue_.nearest(node.id)});
   }
@@ -186,12 +193,12 @@ void Checker::checkPort(const NodeSpec& node, const Attribute& given, const Port
   if (referencedKey(given.text, port.key)) {
     return;
   }
-  if (port.direction == PortDirection::Output) {
-    warn(node, "tree.output-not-key", {given.name, given.text, "{key}"});
+  if (!isConvertible(given.text, port.portType)) {  // also of an output, as the original
+    error(node, "tree.port-type", {given.name, given.text, portTypeName(port.portType)});
     return;
   }
-  if (!isConvertible(given.text, port.portType)) {
-    error(node, "tree.port-type", {given.name, given.text, portTypeName(port.portType)});
+  if (port.direction == PortDirection::Output) {
+    warn(node, "tree.output-not-key", {given.name, given.text, "{key}"});
     return;
   }
   if (const std::optional<double> read = cutNumber(given.text, port.portType)) {
@@ -238,8 +245,8 @@ base::Diagnostics diagnosticsOf(const TreeIssues& issues) {
 }
 
 TreeIssues checkTree(const TreeSpec& tree, const NodeCatalogue& catalogue, const TreeIds& treeIds,
-                     const std::string& fileName) {
-  return Checker(tree, catalogue, treeIds, fileName).run();
+                     const std::string& fileName, const TreeIds& declaredNodes) {
+  return Checker(tree, catalogue, treeIds, fileName, declaredNodes).run();
 }
 
 }  // namespace bt

@@ -53,9 +53,13 @@ void Includer::add(const TreeFile& file, int depth) {
     table_.entries[tree.id] = {tree, file.path};
   }
   const std::vector<XmlBlock> models = file.model ? file.model->children : std::vector<XmlBlock>();
+  table_.hasModel = table_.hasModel || file.model;
   for (const XmlBlock& entry : models) {
+    const std::string* const id = findText(entry.attributes, "ID");
     if (entry.tag == "SubTree") {
       table_.subTreeModels.push_back(entry);
+    } else if (id) {
+      table_.declaredNodes.insert(*id);
     }
   }
   if (file.templateLine > 0) {
@@ -138,6 +142,14 @@ base::Result<TreeTable> resolveIncludes(const TreeFile& file, const PackageFolde
     table.mainTree = file.trees.front().id;
   } else if (table.mainTree.empty() && table.entries.size() == 1) {
     table.mainTree = table.entries.begin()->first;
+  } else if (table.mainTree.empty()) {
+    const std::vector<const TreeTable::Entry*> candidates = uncalledTrees(table);
+    if (candidates.size() == 1) {
+      const TreeTable::Entry& only = *candidates.front();
+      table.mainTree = only.tree.id;
+      includer.problems().push_back(
+          base::warning("tree.main-chosen", {only.tree.id}, only.file, only.tree.line));
+    }
   }
   return {std::move(table), includer.problems()};
 }

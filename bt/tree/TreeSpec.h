@@ -113,6 +113,8 @@ struct TreeTable {
   std::string mainTree;  // ID of the tree to run; empty = not decided (several trees, none named)
   std::map<std::string, Entry, std::less<>> entries;  // by tree ID
   std::vector<XmlBlock> subTreeModels;                // <SubTree ID=…> of the model blocks
+  std::set<std::string, std::less<>> declaredNodes;   // IDs of the other nodes of these blocks
+  bool hasModel = false;                              // there is such a block
   /// Where a {GOAL_SEQUENCE} was left over.
   struct TemplateText {
     std::string file;
@@ -154,9 +156,9 @@ base::Result<T> after(base::Diagnostics earlier, base::Result<T> result) {
 using TreeIds = std::set<std::string, std::less<>>;
 
 /// Nodes, children, ports and constants of one tree against the catalogue. `treeIds` = the trees
-/// that a SubTree may name.
+/// that a SubTree may name, `declaredNodes` = nodes that a model block names.
 TreeIssues checkTree(const TreeSpec& tree, const NodeCatalogue& catalogue, const TreeIds& treeIds,
-                     const std::string& fileName = {});
+                     const std::string& fileName = {}, const TreeIds& declaredNodes = {});
 /// All trees of the table, and SubTrees that contain themselves.
 TreeIssues checkTrees(const TreeTable& table, const NodeCatalogue& catalogue);
 /// What an importer looks at in a file whose includes have been followed: all its trees, the tree
@@ -164,6 +166,11 @@ TreeIssues checkTrees(const TreeTable& table, const NodeCatalogue& catalogue);
 /// placeholders of HuNavSim 1.5. Scripts, types of entries and references that nothing writes are
 /// the compiler's.
 TreeIssues checkTable(const TreeTable& table, const NodeCatalogue& catalogue);
+/// The trees that no SubTree calls: of the opened file, or of its includes when it has none.
+std::vector<const TreeTable::Entry*> uncalledTrees(const TreeTable& table);
+/// Why it is open which tree is to run: `mainTree` is empty, or names no tree.
+std::optional<base::Diagnostic> problemOfMainTree(const TreeTable& table,
+                                                  const std::string& mainTree);
 /// The placeholders of HuNavSim 1.5 ({dist}, {duration}, {once}, {maxvel}, {forcefactor},
 /// {stopdist}, {frontdist}, {safe_distance}) that the trees read; names without braces.
 std::vector<std::string> placeholdersIn(const TreeTable& table);
