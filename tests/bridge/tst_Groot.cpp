@@ -258,6 +258,35 @@ class GrootTest : public QObject {
     QCOMPARE(unpacked(run.answer({headOf('B'), ""})[1]).size(), std::size_t{1});
   }
 
+  /// As BehaviorTree.CPP registers them: the main tree under its ID, as it has no name.
+  void blackboard_ofTheMainTree_answersToItsId() {
+    const bt::TreeTable table = tableOf(kTwice);
+    bt::TreeState state(*bt::compile(table, bt::humanNodes()));
+    state.tickOnce({});
+    WatchedRun run(watchedTree(table), nameOf('n'));
+    run.setBlackboard(state.entries());
+    const nlohmann::json all = unpacked(run.answer({headOf('B'), "Main;Part"})[1]);
+    QCOMPARE(all.size(), std::size_t{1});
+    QCOMPARE(all.at("Main").at("mine"), nlohmann::json(1));
+  }
+
+  /// Entries of the caller are seen under the keys of the SubTree, also two levels down.
+  void blackboard_ofASubTree_hasWhatItWasGiven() {
+    const bt::TreeTable table = tableOf(R"(<root BTCPP_format="4" main_tree_to_execute="Main">
+      <BehaviorTree ID="Main"><Sequence><Script code="a := 7; free := 'x'"/>
+        <SubTree ID="Part" name="first" given="{a}"/></Sequence></BehaviorTree>
+      <BehaviorTree ID="Part"><Sequence><Script code="own := given"/>
+        <SubTree ID="Inner" name="inner" _autoremap="true"/></Sequence></BehaviorTree>
+      <BehaviorTree ID="Inner"><ScriptCondition code="given == own"/></BehaviorTree></root>)");
+    bt::TreeState state(*bt::compile(table, bt::humanNodes()));
+    QCOMPARE(state.tickOnce({}), base::NodeStatus::Success);
+    WatchedRun run(watchedTree(table), nameOf('n'));
+    run.setBlackboard(state.entries());
+    const nlohmann::json all = unpacked(run.answer({headOf('B'), "first;first/inner"})[1]);
+    QCOMPARE(all.at("first"), nlohmann::json({{"given", 7}, {"own", 7}}));
+    QCOMPARE(all.at("first/inner"), nlohmann::json({{"given", 7}, {"own", 7}}));
+  }
+
   /// Over the wire: after each stretch of a run the statuses are those of its record, and the run
   /// is the one without a watcher.
   void run_watched_tellsItsStatusesAndStaysTheSame() {

@@ -43,6 +43,31 @@ nlohmann::json valueOf(const std::string& text) {
   return number ? nlohmann::json(*number) : nlohmann::json(text);
 }
 
+/// Entries of the part and entries of others that it was given; the latter under its own keys.
+nlohmann::json blackboardOf(const WatchedTree& tree, const WatchedTree::Part& part,
+                            const WatchedRun::Entries& known) {
+  nlohmann::json entries = nlohmann::json::object();
+  const auto add = [&](const std::string& key, const std::string& value) {
+    const bool isOfPart = key.compare(0, part.prefix.size(), part.prefix) == 0;
+    const std::string own = isOfPart ? key.substr(part.prefix.size()) : std::string();
+    if (!own.empty() && own.find('/') == std::string::npos) {
+      entries[own] = valueOf(value);
+    }
+  };
+  for (const auto& [key, value] : known) {
+    add(key, value);
+  }
+  for (const auto& [key, source] : tree.aliases) {
+    const auto entry = std::find_if(known.begin(), known.end(), [&name = source](const auto& each) {
+      return each.first == name;
+    });
+    if (entry != known.end()) {
+      add(key, entry->second);
+    }
+  }
+  return entries;
+}
+
 Message refused(const std::string& why) {
   return {"error", why};
 }
@@ -80,22 +105,17 @@ std::string WatchedRun::statuses() const {
   return bytes;
 }
 
-/// Of the parts that are named, with ';' between, as MessagePack.
+/// Of the parts that are named, with ';' between, as MessagePack. The main tree has no name of its
+/// own, so it answers to its ID.
 std::string WatchedRun::blackboards(const std::string& names) const {
   nlohmann::json all = nlohmann::json::object();
   for (const std::string& name : base::split(names, ';')) {
-    const auto part = std::find_if(tree_.parts.begin(), tree_.parts.end(),
-                                   [&](const auto& each) { return each.fullPath == name; });
-    if (part == tree_.parts.end()) {
-      continue;
-    }
-    nlohmann::json& entries = all[name] = nlohmann::json::object();
-    for (const auto& [key, value] : entries_) {
-      const bool isOfPart = key.compare(0, part->prefix.size(), part->prefix) == 0;
-      const std::string own = isOfPart ? key.substr(part->prefix.size()) : std::string();
-      if (!own.empty() && own.find('/') == std::string::npos) {
-        entries[own] = valueOf(value);
-      }
+    const auto part =
+        std::find_if(tree_.parts.begin(), tree_.parts.end(), [&](const WatchedTree::Part& each) {
+          return each.fullPath == name || (each.fullPath.empty() && each.treeId == name);
+        });
+    if (part != tree_.parts.end()) {
+      all[name] = blackboardOf(tree_, *part, entries_);
     }
   }
   const std::vector<std::uint8_t> bytes = nlohmann::json::to_msgpack(all);

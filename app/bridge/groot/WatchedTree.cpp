@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "bt/engine/Program.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
 
@@ -18,7 +19,9 @@ class Numbering {
     if (const bt::TreeTable::Entry* main = table_.find(table_.mainTree)) {
       addPart(*main, {}, {}, {});
     }
-    const bt::NodeCatalogue catalogue = bt::humanNodes().catalogue();
+    const bt::NodeLibrary library = bt::humanNodes();
+    addAliases(library);
+    const bt::NodeCatalogue& catalogue = library.catalogue();
     file_.model = bt::modelOf(catalogue);
     file_.order.assign(file_.trees.size(), bt::FilePart::Tree);
     file_.order.push_back(bt::FilePart::Model);
@@ -27,10 +30,20 @@ class Numbering {
   }
 
  private:
+  void addAliases(const bt::NodeLibrary& library) {
+    const auto program = bt::compile(table_, library);
+    if (!program) {
+      return;
+    }
+    for (const bt::Program::Entry& alias : (*program)->aliases()) {
+      watched_.aliases.emplace_back(alias.key, (*program)->keyOf(alias.slot));
+    }
+  }
+
   /// `path`: of the node that stands for it; empty: it is the main tree.
   void addPart(const bt::TreeTable::Entry& entry, const std::string& fullPath,
                const std::string& prefix, const std::string& path) {
-    watched_.parts.push_back({fullPath, prefix});
+    watched_.parts.push_back({fullPath, prefix, entry.tree.id});
     const std::size_t place = file_.trees.size();
     bt::TreeSpec& tree = file_.trees.emplace_back();
     tree.id = entry.tree.id;

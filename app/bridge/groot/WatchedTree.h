@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bt/tree/TreeSpec.h"
@@ -13,9 +14,12 @@ struct WatchedTree {
   struct Part {
     std::string fullPath;  // "" = the main tree; "walk", "walk/Greet::7": names of SubTrees
     std::string prefix;    // of its entries on the blackboard, "" or "Main/walk/"
+    std::string treeId;
   };
   std::string xml;
   std::vector<Part> parts;  // the main tree first
+  /// Keys of SubTrees that are entries of their callers, and those entries: {"Main/walk/x", "y"}.
+  std::vector<std::pair<std::string, std::string>> aliases;
   int nodes = 0;
 };
 
