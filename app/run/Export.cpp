@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "app/run/ProgramRegistries.h"
+#include "bt/engine/Program.h"
 #include "bt/human/HumanNodes.h"
+#include "bt/human/TreeBehavior.h"
 #include "bt/human/TreeExport.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
@@ -251,8 +253,28 @@ const char* stateName(ExportPlan::State state) {
   return kNames[static_cast<int>(state)];
 }
 
+base::Diagnostics notesOnTrees(const Bundle& source) {
+  base::Diagnostics notes;
+  std::set<std::string> seen;  // files of several people
+  const bt::NodeLibrary library = bt::humanNodes();
+  for (const sim2d::Human& human : source.scenario->humans) {
+    const auto file = source.trees.find(human.name);
+    const bool isOwn = human.listed && file != source.trees.end() && !file->second.isGenerated();
+    if (!isOwn || (!file->second.path.empty() && !seen.insert(file->second.path).second)) {
+      continue;
+    }
+    if (const base::Result<bt::TreeTable> table =
+            bt::treeOf(human, source.trees, *source.scenario)) {
+      base::append(notes, bt::notesOnOriginal(*table, library));
+    }
+  }
+  return notes;
+}
+
 ExportPlan planExport(const Bundle& source, const ExportRequest& request) {
-  return PlanMaker(source, request).run();
+  ExportPlan plan = PlanMaker(source, request).run();
+  base::append(plan.report, notesOnTrees(source));
+  return plan;
 }
 
 base::Diagnostics writeExport(const ExportPlan& plan) {

@@ -69,32 +69,25 @@ base::NodeStatus Ticker::whileDoElse(int node) {
 
 namespace {
 
-/// As text, else as whole numbers, else as reals.
-bool sameCase(const Value& a, const Value& b) {
-  if (a.type == ValueType::String && b.type == ValueType::String && a.text == b.text) {
+/// As text, else as numbers.
+bool sameCase(std::string_view a, std::string_view b) {
+  if (a == b) {
     return true;
   }
-  const auto number = [](const Value& value) {
-    return value.type == ValueType::String ? base::parseDouble(value.text)
-                                           : std::optional<double>(value.number());
-  };
-  const std::optional<double> x = number(a);
-  const std::optional<double> y = number(b);
-  if (!x || !y) {
-    return false;
-  }
-  return std::fabs(*x - *y) <= kScriptTolerance;
+  const std::optional<double> x = base::parseDouble(a);
+  const std::optional<double> y = base::parseDouble(b);
+  return x && y && std::fabs(*x - *y) <= kScriptTolerance;
 }
 
 }  // namespace
 
 /// Node of the child that the variable selects.
 int Ticker::selectedCase(int node) {
-  const Value* const variable = portValue(node, 0);
+  const std::optional<std::string_view> variable = textOf(node, 0);
   const int last = program_.node(node).children;  // cases and the default
   int child = node + 1;
   for (int i = 1; i < last; ++i, child = endOf(child)) {
-    const Value* const value = portValue(node, i);
+    const std::optional<std::string_view> value = textOf(node, i);
     if (variable && value && sameCase(*variable, *value)) {
       return child;
     }

@@ -74,6 +74,7 @@ int Compiler::addNode(const NodeSpec& spec, const std::string& path, const Place
     checkQueue(spec, place);
   }
   node.conditions = bindConditions(spec, place);
+  noteNode(spec, place);
   program_->nodes_.push_back(node);
   if (spec.isSubTree()) {
     addSubTree(spec, index, place);
@@ -180,6 +181,7 @@ void Compiler::takeOver() {
   }
   program_->initialSlots_ = scopes_.slots();
   program_->entries_ = scopes_.entries();
+  program_->aliases_ = scopes_.aliases();
   if (!program_->keysInEntries_.empty()) {
     program_->scopes_ = scopes_.take();
   }
@@ -187,12 +189,14 @@ void Compiler::takeOver() {
 }
 
 base::Result<std::shared_ptr<const Program>> Compiler::run(const CompileOptions& options) {
+  notesOnOriginal_ = options.notesOnOriginal;
   addHostEntries(options.hostEntries);
   Place place;
   place.tree = table_.find(options.mainTree);
   const NodeSpec& root = place.tree->tree.root;
   addNode(root, root.label(), place);
   warnUnwritten();
+  noteEntries();
   if (base::hasErrors(problems_)) {
     return problems_;
   }
@@ -230,10 +234,8 @@ base::Result<std::shared_ptr<const Program>> compile(const TreeTable& table,
     chosen.mainTree = table.mainTree;
   }
   base::Diagnostics problems = diagnosticsOf(checkTrees(table, library.catalogue()));
-  if (chosen.mainTree.empty()) {
-    problems.push_back(base::error("tree.main-not-said", {}, table.file));
-  } else if (!table.find(chosen.mainTree)) {
-    problems.push_back(base::error("tree.main-unknown", {chosen.mainTree, ""}, table.file));
+  if (std::optional<base::Diagnostic> problem = problemOfMainTree(table, chosen.mainTree)) {
+    problems.push_back(*std::move(problem));
   }
   for (const TreeTable::TemplateText& text : table.templates) {
     problems.push_back(base::warning("tree.template-ignored", {}, text.file, text.line));

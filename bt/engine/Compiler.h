@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -35,11 +38,12 @@ class Scopes {
 
   /// What is known about a slot beside its first value.
   struct Use {
-    bool literal = false;  // a constant of a SubTree: takes the type of its first reader
+    bool literal = false;   // a constant of a SubTree: takes the type of its first reader
+    bool inScript = false;  // a script assigns it
+    std::optional<base::Diagnostic> textSet;  // by SetBlackboard; not yet known whether it matters
+    std::optional<base::Diagnostic> removed;  // idem, by UnsetBlackboard
     bool written = false;
     bool read = false;
-    bool inPort = false;     // a port names it
-    bool loose = false;      // the first port that named it takes any type: so do all then
     std::string firstTyped;  // who fixed the type, for messages
     std::string firstRead;   // "{key}" of the first reader
     std::string file;
@@ -50,6 +54,8 @@ class Scopes {
   const std::vector<Slot>& slots() const { return slots_; }
   const std::vector<Use>& uses() const { return uses_; }
   const std::vector<Program::Entry>& entries() const { return entries_; }
+  /// The keys of SubTrees that are entries of another blackboard.
+  std::vector<Program::Entry> aliases() const;
   std::vector<Program::Scope> take() { return std::move(scopes_); }
 
  private:
@@ -92,9 +98,12 @@ class Compiler {
   void bindPorts(const NodeSpec& spec, const Place& place);
   PortBinding bindPort(const NodeSpec& spec, const PortSpec& port, const Place& place);
   PortBinding constantPort(const std::string& text, PortType type, bool isDefault);
+  PortType elementOf(const NodeSpec& spec, const PortSpec& port) const;
   int bindEntry(const NodeSpec& spec, const PortSpec& port, const std::string& key,
                 const Place& place);
   bool adaptLiteral(int slot, PortType type);
+  void declare(int slot, const NodeSpec& spec, const PortSpec& port, PortType element,
+               const std::string& key, const Place& place);
   int bindConditions(const NodeSpec& spec, const Place& place);
   int addScript(const NodeSpec& spec, const std::string& source, const Place& place);
   int scriptOfPort(const NodeSpec& spec, const char* port, const Place& place);
@@ -103,6 +112,13 @@ class Compiler {
 
   void noteRead(int slot, const NodeSpec& spec, const std::string& key, const Place& place);
   void warnUnwritten();
+  void noteNode(const NodeSpec& spec, const Place& place);
+  void noteConstant(const NodeSpec& spec, const PortSpec& port, int slot, const std::string& key,
+                    const Place& place);
+  void noteEntries();
+  void note(base::Diagnostic remark);
+  base::Diagnostic remarkAt(const NodeSpec& spec, const Place& place, std::string_view code,
+                            base::ProblemValues values) const;
   void error(const NodeSpec& spec, const Place& place, base::Diagnostic problem);
   void takeOver();
 
@@ -116,6 +132,8 @@ class Compiler {
   std::map<std::string, int> functions_;
   std::map<std::string, const XmlBlock*> subTreeModels_;
   base::Diagnostics problems_;
+  std::set<std::string> notes_;  // texts, each noted once
+  bool notesOnOriginal_ = false;
   std::size_t pathBytes_ = 0;
   bool full_ = false;  // too large: nothing more is added
 };

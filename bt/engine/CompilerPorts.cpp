@@ -9,7 +9,10 @@
 namespace bt {
 namespace {
 
-const char* shownType(PortType type) {
+std::string shownType(PortType type, PortType element) {
+  if (type == PortType::Queue) {
+    return std::string("a queue of ") + portTypeName(element);
+  }
   return type == PortType::Any ? "any" : portTypeName(type);
 }
 
@@ -25,18 +28,17 @@ int Scopes::add(int parent, bool autoRemap, const std::string& path) {
   return static_cast<int>(scopes_.size()) - 1;
 }
 
-/// Whole numbers become Int, other numbers Double, the rest text.
+/// Whole numbers become Int, other numbers Double, the rest text, which declares no type.
 void Scopes::setConstant(int scope, const std::string& key, const std::string& text) {
   const int index = addSlot(scope, key);
   Slot& target = slot(index);
   if (const std::optional<long long> whole = base::parseInt(text); whole && intFromText(text)) {
     target.type = PortType::Int;
-    target.value = Value::of(static_cast<std::int64_t>(*whole));
+    target.value = Value::of(static_cast<int>(*whole));
   } else if (const std::optional<double> number = base::parseDouble(text)) {
     target.type = PortType::Double;
     target.value = Value::of(*number);
   } else {
-    target.type = PortType::String;
     target.value = Value::of(std::string_view(text));
   }
   target.exists = true;
@@ -55,6 +57,18 @@ int Scopes::addSlot(int scope, const std::string& key) {
   uses_.emplace_back();
   entries_.push_back({path.empty() ? key : path + "/" + key, index});
   return index;
+}
+
+std::vector<Program::Entry> Scopes::aliases() const {
+  std::vector<Program::Entry> all;
+  for (std::size_t scope = 1; scope < scopes_.size(); ++scope) {
+    for (const auto& [key, slot] : scopes_[scope].slots) {
+      if (!isOwn(static_cast<int>(scope), slot)) {
+        all.push_back({paths_[scope] + "/" + key, slot});
+      }
+    }
+  }
+  return all;
 }
 
 int Scopes::slotOf(int scope, const std::string& key) {
@@ -115,12 +129,21 @@ PortBinding Compiler::bindPort(const NodeSpec& spec, const PortSpec& port, const
   return constantPort(text, port.portType, !given);
 }
 
+/// The type of the elements, of a port that takes a queue.
+PortType Compiler::elementOf(const NodeSpec& spec, const PortSpec& port) const {
+  const PortSpec* const value = port.portType == PortType::Queue
+                                    ? library_.catalogue().find(spec.id)->port("value")
+                                    : nullptr;
+  return value ? value->portType : PortType::Any;
+}
+
 PortBinding Compiler::constantPort(const std::string& text, PortType type, bool isDefault) {
   PortBinding binding;
   binding.isDefault = isDefault;
   binding.type = type;
-  // Only a default may not fit: checkTrees() refuses a given text.
-  if (const std::optional<Value> value = convertTo(Value::of(std::string_view(text)), type)) {
+  // Only a default may not fit: checkTrees() refuses a given text. A queue stays as it is written.
+  const PortType asType = type == PortType::Queue ? PortType::String : type;
+  if (const std::optional<Value> value = convertTo(Value::of(std::string_view(text)), asType)) {
     binding.kind = PortBinding::Kind::Constant;
     binding.offset = offsetOf(program_->constants_.size());
     program_->constants_.emplace_back().value = *value;
@@ -146,7 +169,6 @@ bool Compiler::adaptLiteral(int slot, PortType type) {
 int Compiler::bindEntry(const NodeSpec& spec, const PortSpec& port, const std::string& key,
                         const Place& place) {
   const int slot = scopes_.slotOf(place.scope, key);
-  Slot& entry = scopes_.slot(slot);
   Scopes::Use& use = scopes_.use(slot);
   if (port.direction != PortDirection::Input) {
     use.written = true;
@@ -154,24 +176,35 @@ int Compiler::bindEntry(const NodeSpec& spec, const PortSpec& port, const std::s
   if (port.direction != PortDirection::Output) {
     noteRead(slot, spec, key, place);
   }
-  entry.exists = true;
-  use.loose = use.loose || (!use.inPort && port.portType == PortType::Any);
-  use.inPort = true;
-  const bool typed = entry.type != PortType::Any;
-  if (port.portType == PortType::Any || (typed && entry.type == PortType::String)) {
-    return slot;
-  }
-  if (!typed) {
-    entry.type = port.portType;
-    use.firstTyped = spec.label() + "." + port.key;
-  } else if (entry.type != port.portType && use.loose) {
-    entry.type = PortType::Any;
-  } else if (entry.type != port.portType && !adaptLiteral(slot, port.portType)) {
-    error(spec, place,
-          base::error("tree.key-type", {port.key, shownType(port.portType), "{" + key + "}",
-                                        shownType(entry.type), use.firstTyped}));
-  }
+  declare(slot, spec, port, elementOf(spec, port), key, place);
   return slot;
+}
+
+/// The first port that names an entry makes it, of its type; the types of later ones must be the
+/// same, unless one of the two takes any or the entry holds text.
+void Compiler::declare(int slot, const NodeSpec& spec, const PortSpec& port, PortType element,
+                       const std::string& key, const Place& place) {
+  Slot& entry = scopes_.slot(slot);
+  Scopes::Use& use = scopes_.use(slot);
+  if (!entry.exists) {
+    entry.exists = true;
+    entry.type = port.portType;
+    entry.element = element;
+    use.firstTyped = spec.label() + "." + port.key;
+    return;
+  }
+  const bool isLoose = entry.type == PortType::Any || entry.type == PortType::String ||
+                       port.portType == PortType::Any;
+  const bool isSame = entry.type == port.portType && entry.element == element;
+  if (!isLoose && !isSame && use.literal) {
+    noteConstant(spec, port, slot, key, place);
+  }
+  if (!isLoose && !isSame && !adaptLiteral(slot, port.portType)) {
+    error(
+        spec, place,
+        base::error("tree.key-type", {port.key, shownType(port.portType, element), "{" + key + "}",
+                                      shownType(entry.type, entry.element), use.firstTyped}));
+  }
 }
 
 void Compiler::noteRead(int slot, const NodeSpec& spec, const std::string& key,
@@ -197,6 +230,7 @@ int Compiler::addScript(const NodeSpec& spec, const std::string& source, const P
   }
   for (const int slot : script->written) {
     scopes_.use(slot).written = true;
+    scopes_.use(slot).inScript = true;
   }
   program_->scripts_.push_back(*script);
   return static_cast<int>(program_->scripts_.size()) - 1;
@@ -241,6 +275,12 @@ int Compiler::slotOfKeyPort(const NodeSpec& spec, const char* port, const Place&
   const bool unsets = spec.id == "UnsetBlackboard";
   const std::optional<std::string> reference = referencedKey(*text, port);
   const int slot = scopes_.slotOf(place.scope, reference.value_or(*text));
+  if (reference) {
+    const bool isNew = !scopes_.slot(slot).exists;
+    const PortSpec& named = *library_.catalogue().find(spec.id)->port(port);
+    declare(slot, spec, named, PortType::Any, *reference, place);
+    scopes_.slot(slot).isObject = isNew && !sets && !unsets;  // declared as BT::Any
+  }
   if (reference && (sets || unsets)) {
     noteRead(slot, spec, *reference, place);
     program_->keysInEntries_.push_back({slot, place.scope});
@@ -262,7 +302,7 @@ void Compiler::checkQueue(const NodeSpec& spec, const Place& place) {
     return;
   }
   const PortType type = manifest.port("value")->portType;
-  for (const std::string& element : base::split(*text, ';')) {
+  for (const std::string& element : elementsOf(*text)) {
     if (!isConvertible(element, type)) {
       error(spec, place, base::error("tree.queue-element", {element, portTypeName(type)}));
     }

@@ -99,24 +99,21 @@ int Ticker::threshold(int node, int port) {
 }
 
 /// IDLE as long as nothing is decided.
-base::NodeStatus Ticker::decideParallel(int node, int skipped) {
+base::NodeStatus Ticker::decideParallel(int node, int skipped, const Thresholds& limits) {
   const auto& own = memory<ParallelMemory>(node);
-  const int children = program_.node(node).children;
-  const int needed = threshold(node, 0);
-  const int allowed = needed < 0 ? needed : threshold(node, 1);
-  if (allowed < 0) {
-    return kFault;
-  }
-  const bool countsSkipped = *need<int>(node, 0) < 0;
-  if (own.successes >= needed || (countsSkipped && own.successes + skipped >= needed)) {
+  const int counted = own.successes + (limits.countsSkipped ? skipped : 0);
+  if (counted >= limits.successes) {
     return Status::Success;
   }
-  const bool hasFailed = children - own.failures < needed || own.failures == allowed;
+  const int children = program_.node(node).children;
+  const bool hasFailed =
+      children - own.failures < limits.successes || own.failures == limits.failures;
   return hasFailed ? Status::Failure : Status::Idle;
 }
 
-/// Ticks the children that are not done in this run. IDLE = nothing is decided.
-base::NodeStatus Ticker::tickParallelChildren(int node, int& skipped, bool untilDecided) {
+/// Ticks the children that are not done in this run, with limits until they decide. IDLE = nothing
+/// is decided.
+base::NodeStatus Ticker::tickParallelChildren(int node, int& skipped, const Thresholds* limits) {
   auto& own = memory<ParallelMemory>(node);
   auto* const bits = static_cast<unsigned char*>(memoryOf(node)) + sizeof(ParallelMemory);
   int number = 0;
@@ -132,7 +129,7 @@ base::NodeStatus Ticker::tickParallelChildren(int node, int& skipped, bool until
     } else if (status != Status::Running) {
       return unexpected(child, status);
     }
-    const Status decided = untilDecided ? decideParallel(node, skipped) : Status::Idle;
+    const Status decided = limits ? decideParallel(node, skipped, *limits) : Status::Idle;
     if (decided != Status::Idle) {
       return decided;
     }
@@ -147,9 +144,16 @@ void Ticker::haltParallel(Ticker& ticker, int node) {
 }
 
 base::NodeStatus Ticker::parallel(int node) {
+  Thresholds limits;
+  limits.successes = threshold(node, 0);
+  limits.failures = limits.successes < 0 ? -1 : threshold(node, 1);
+  if (limits.failures < 0) {
+    return kFault;
+  }
+  limits.countsSkipped = need<int>(node, 0).value_or(0) < 0;
   stored(node) = Status::Running;
   int skipped = 0;
-  const Status decided = tickParallelChildren(node, skipped, true);
+  const Status decided = tickParallelChildren(node, skipped, &limits);
   if (isDone(decided)) {
     haltParallel(*this, node);
   }
@@ -166,7 +170,7 @@ base::NodeStatus Ticker::parallelAll(int node) {
   }
   stored(node) = Status::Running;
   int skipped = 0;
-  if (tickParallelChildren(node, skipped, false) == kFault) {
+  if (tickParallelChildren(node, skipped, nullptr) == kFault) {
     return kFault;
   }
   const ParallelMemory own = memory<ParallelMemory>(node);

@@ -124,17 +124,21 @@ base::NodeStatus Ticker::customDecorator(int node) {
 
 base::NodeStatus Ticker::precondition(int node) {
   auto& isRunning = memory<bool>(node);
+  const int script = program_.node(node).detail;
+  if (script == kMissing) {
+    return fault(node, "input 'if' is missing");
+  }
+  const std::optional<Status> otherwise = need<Status>(node, 1);  // a fault also if it is true
+  if (!otherwise) {
+    return kFault;
+  }
   if (!isRunning) {
-    const int script = program_.node(node).detail;
-    if (script == kMissing) {
-      return fault(node, "input 'if' is missing");
-    }
     bool truth = false;
     if (!truthOf(node, script, truth)) {
       return kFault;
     }
     if (!truth) {
-      return need<Status>(node, 1).value_or(kFault);
+      return *otherwise == Status::Idle ? unexpected(node, Status::Idle) : *otherwise;
     }
   }
   const Status status = tickOnlyChild(node, false);  // it stays IDLE when the child is skipped
@@ -156,27 +160,60 @@ bool Ticker::storeElement(int node, std::string_view element) {
   return true;
 }
 
-/// Takes the next element of the list, which stays as it is. False = there is none, nothing = a
-/// fault was noted.
+/// Takes the next element. False = there is none, nothing = a fault was noted.
 std::optional<bool> Ticker::takeElement(int node) {
-  const Value* const list = portValue(node, 0);
-  if (!list || list->text.empty()) {
-    return false;
+  const PortBinding& binding = nodes_[node].ports[0];
+  if (binding.kind == PortBinding::Kind::Entry) {
+    return takeFromEntry(node);
   }
+  const Value* const list = portValue(node, 0);
+  if (!list) {
+    fault(node, "input 'queue' is missing");
+    return std::nullopt;
+  }
+  return takeWritten(node, *list);
+}
+
+/// A queue that is written out in the file begins anew with each start.
+std::optional<bool> Ticker::takeWritten(int node, const Value& list) {
   auto& own = memory<LoopMemory>(node);
-  std::string_view rest = list->text;
+  std::string_view rest = list.text;
   for (int i = 0; i < own.taken; ++i) {
     const std::size_t separator = rest.find(';');
-    if (separator == std::string_view::npos) {
-      return false;
-    }
-    rest.remove_prefix(separator + 1);
+    rest.remove_prefix(separator == std::string_view::npos ? rest.size() : separator + 1);
+  }
+  if (rest.empty()) {
+    return false;
   }
   if (!storeElement(node, rest.substr(0, rest.find(';')))) {
     return std::nullopt;
   }
   ++own.taken;
   return true;
+}
+
+/// An element that is taken from an entry is gone.
+std::optional<bool> Ticker::takeFromEntry(int node) {
+  Slot& entry = boundSlot(slots(), nodes_[node].ports[0]);
+  Value& list = entry.value;
+  const PortType element = nodes_[node].ports[2].type;
+  if (!entry.exists) {  // was removed: the port makes it anew
+    entry.exists = true;
+    entry.type = PortType::Queue;
+    entry.element = element;
+  }
+  if (list.type != ValueType::List || list.element != element) {
+    fault(node, list.type == ValueType::Unset ? "the entry of 'queue' has no value"
+                                              : "the entry of 'queue' holds no such queue");
+    return std::nullopt;
+  }
+  if (list.integer == 0) {
+    return false;
+  }
+  const std::string first = list.text.substr(0, list.text.find(';'));
+  list.text.erase(0, first.size() + 1);
+  --list.integer;
+  return storeElement(node, first) ? std::optional(true) : std::nullopt;
 }
 
 base::NodeStatus Ticker::loop(int node) {
@@ -187,7 +224,8 @@ base::NodeStatus Ticker::loop(int node) {
   if (!own.running) {
     const std::optional<bool> taken = takeElement(node);
     if (!taken || !*taken) {
-      return taken ? need<Status>(node, 1).value_or(kFault) : kFault;
+      const Status atEnd = taken ? need<Status>(node, 1).value_or(kFault) : kFault;
+      return atEnd == Status::Idle ? unexpected(node, atEnd) : atEnd;
     }
   }
   const Status status = tickOnlyChild(node);

@@ -63,6 +63,13 @@ void LeafContext::faultOfPort(int port) {
                                      : "input '" + name + "' is missing");
 }
 
+void LeafContext::faultOfOutput(int port, const Value& value) {
+  const std::string& name =
+      ticker_->program().manifest(head_->index).ports[static_cast<std::size_t>(port)].key;
+  ticker_->fault(head_->index, "output '" + name + "' is '" + value.toText() +
+                                   "', which does not fit the type of its entry");
+}
+
 int ParentContext::childCount() const {
   return ticker().program().node(node()).children;
 }

@@ -62,15 +62,24 @@ class LeafContext {
   /// Any value as text ("2,3", or a number); for ports of type Any. May allocate.
   std::optional<std::string> text(int port) const;
 
-  /// Output port. False = the port is no "{key}" or the entry has another type; nothing written.
+  /// Output port. False = the port is no "{key}", or the value does not fit the type of the entry,
+  /// which marks the tree faulty; nothing is written then.
   template <class T>
   bool set(int port, T value) {
     Slot* const slot = slotOf(port);
-    if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double>) {
-      return slot && store(*slot, value);
-    } else {
-      return slot && store(*slot, Value::of(value));
+    if (!slot) {
+      return false;
     }
+    bool isWritten = false;
+    if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double>) {
+      isWritten = store(*slot, value);
+    } else {
+      isWritten = store(*slot, Value::of(value));
+    }
+    if (!isWritten) {
+      faultOfOutput(port, Value::of(value));
+    }
+    return isWritten;
   }
 
   /// The leaf's own bytes, asked for when it was registered: zero when the tree is made or reset,
@@ -124,6 +133,7 @@ class LeafContext {
   }
   void* memoryBytes();
   void faultOfPort(int port);
+  [[gnu::cold]] void faultOfOutput(int port, const Value& value);
 
   template <class T>
   [[gnu::noinline, gnu::cold]] T requireSlowly(int port);

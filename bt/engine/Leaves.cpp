@@ -89,7 +89,7 @@ std::optional<Slot*> Ticker::target(int node, const char* port, bool isOwn) {
   int slot = nodes_[node].detail;
   if (slot <= kFirstKeyInEntry) {
     const Program::KeyInEntry& key = program_.keyInEntry(slot);
-    const std::string name = state_.get(key.slot).toText();
+    const std::string name = engineText(state_.get(key.slot));
     slot =
         name.empty() ? kMissing : program_.slotOf(key.scope, name, isOwn).value_or(kNobodysEntry);
   }
@@ -114,19 +114,38 @@ base::NodeStatus Ticker::setBlackboard(int node) {
   if (copies && !from.exists) {
     return fault(node, "the entry to copy does not exist");
   }
+  if (copies && *to != nullptr && !(*to)->exists) {
+    (*to)->type = from.type;
+    (*to)->element = from.element;
+    (*to)->isObject = from.isObject;
+    (*to)->exists = true;
+  }
   if (copies && from.value.type == ValueType::Unset) {
     return Status::Failure;
   }
   if (*to == nullptr) {
     return Status::Success;  // nobody reads it
   }
-  if (copies && !(*to)->exists && (*to)->type == PortType::Any) {
-    (*to)->type = from.type;
+  return setEntry(node, **to, from.value) ? Status::Success : kFault;
+}
+
+/// Text is converted to the declared type; of anything else the type must be that of the entry.
+bool Ticker::setEntry(int node, Slot& to, const Value& value) {
+  const bool isText = value.type == ValueType::String;
+  if (!isText || !to.exists || to.type == PortType::String || to.type == PortType::Any) {
+    if (storeAny(to, value)) {
+      return true;
+    }
+    fault(node, "'" + value.toText() + "' has another type than the entry");
+    return false;
   }
-  if (!store(**to, from.value)) {
-    return fault(node, "'" + from.value.toText() + "' does not fit the type of the entry");
+  const std::optional<Value> converted =
+      to.type == PortType::Status ? std::nullopt : convertTo(value, to.type, to.element);
+  if (converted && storeAny(to, *converted)) {
+    return true;
   }
-  return Status::Success;
+  fault(node, "'" + value.toText() + "' does not fit the type of the entry");
+  return false;
 }
 
 /// Entries of other blackboards stay.
@@ -136,9 +155,7 @@ base::NodeStatus Ticker::unsetBlackboard(int node) {
     return kFault;
   }
   if (*slot != nullptr) {
-    (*slot)->value.type = ValueType::Unset;
-    (*slot)->type = PortType::Any;  // the next entry of this name is a new one
-    (*slot)->exists = false;
+    remove(**slot);  // the next entry of this name is a new one
   }
   return Status::Success;
 }
@@ -153,8 +170,9 @@ bool Ticker::wasUpdated(int node, UpdateMemory& own) {
   if (!entry.exists) {
     return false;
   }
-  const bool updated = entry.version != own.version;
-  own.version = entry.version;
+  const std::uint32_t seen = entry.version + 1;  // 0: it was never looked at
+  const bool updated = seen != own.seen;
+  own.seen = seen;
   return updated;
 }
 

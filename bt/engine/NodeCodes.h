@@ -52,11 +52,11 @@ struct TimerMemory {
   bool started = false;
 };
 struct LoopMemory {
-  std::int32_t taken = 0;  // elements of the list, since it started
+  std::int32_t taken = 0;  // elements of a queue that is written out, since it started
   bool running = false;
 };
 struct UpdateMemory {
-  std::uint32_t version = 0;
+  std::uint32_t seen = 0;  // version of the entry and 1; 0: never looked at
   bool running = false;
 };
 

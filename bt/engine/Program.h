@@ -47,6 +47,7 @@ struct HostEntry {
 struct CompileOptions {
   std::string mainTree;  // empty = as the file says
   std::vector<HostEntry> hostEntries = {{"id", PortType::Int}, {"dt", PortType::Double}};
+  bool notesOnOriginal = false;  // also what BehaviorTree.CPP 4.10 does otherwise with the file
 };
 
 class Program {
@@ -117,6 +118,9 @@ class Program {
   /// Slot of CompileOptions::hostEntries[index]; always there.
   int hostSlot(int index) const { return hostSlots_[static_cast<std::size_t>(index)]; }
   const std::vector<Entry>& entries() const { return entries_; }  // all scopes, root first
+  const std::string& keyOf(int slot) const { return entries_[static_cast<std::size_t>(slot)].key; }
+  /// Keys of SubTrees that are mapped to entries of their callers, named as those of entries().
+  const std::vector<Entry>& aliases() const { return aliases_; }
 
   // For the engine.
   const KeyInEntry& keyInEntry(int detail) const {
@@ -155,6 +159,7 @@ class Program {
   std::vector<NodeManifest> manifests_;
   std::vector<Origin> origins_;
   std::vector<Entry> entries_;
+  std::vector<Entry> aliases_;
   std::vector<int> hostSlots_;
   std::vector<Scope> scopes_;  // only if keys stand in entries
   std::vector<KeyInEntry> keysInEntries_;
@@ -171,5 +176,9 @@ base::Result<std::shared_ptr<const Program>> compile(const TreeTable& table,
 base::Result<std::shared_ptr<const Program>> compile(const TreeFile& file,
                                                      const NodeLibrary& library,
                                                      const CompileOptions& options = {});
+
+/// What BehaviorTree.CPP 4.10 does otherwise with a table that can be compiled; see the README.
+base::Diagnostics notesOnOriginal(const TreeTable& table, const NodeLibrary& library,
+                                  CompileOptions options = {});
 
 }  // namespace bt

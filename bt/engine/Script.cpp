@@ -60,6 +60,17 @@ const base::LexerRules& scriptWords() {
   return kRules;
 }
 
+/// Without a point or exponent it is a whole number.
+Value numberOf(const Token& token) {
+  const bool isHexadecimal = token.text.rfind("0x", 0) == 0 || token.text.rfind("0X", 0) == 0;
+  const bool isWord = token.text == "true" || token.text == "false";
+  const bool isWhole =
+      isHexadecimal || isWord || token.text.find_first_of(".eE") == std::string::npos;
+  constexpr double kLargest = 9.2e18;  // of 64 bits
+  return isWhole && token.number < kLargest ? Value::of(static_cast<std::int64_t>(token.number))
+                                            : Value::of(token.number);
+}
+
 /// Recursive descent; one function per level of the grammar.
 class ScriptCompiler {
  public:
@@ -209,10 +220,9 @@ ScriptExpression ScriptCompiler::unary() {
 ScriptExpression ScriptCompiler::primary() {
   ScriptExpression expression;
   if (token().kind == Token::Kind::Number) {
-    expression.number = token().number;
+    expression.constant = numberOf(token());
   } else if (token().kind == Token::Kind::Text) {
-    expression.kind = Kind::Text;
-    expression.text = token().text;
+    expression.constant = Value::of(std::string_view(token().text));
   } else if (token().kind == Token::Kind::Name) {
     expression.kind = Kind::Load;
     expression.slot = slotOf_(token().text);

@@ -11,8 +11,9 @@
 #include "bt/engine/Value.h"
 #include "sim2d/base/Result.h"
 
-/// The script language of conditions and Script nodes, compiled to expressions. Numbers are
-/// doubles; there is no short-circuit: both sides of && and || are evaluated.
+/// The script language of conditions and Script nodes, compiled to expressions. Numbers as written
+/// are whole (64 bits) or real, what is computed is real; there is no short-circuit: both sides of
+/// && and || are evaluated.
 namespace bt {
 
 enum class ScriptSign : std::uint8_t {
@@ -41,19 +42,17 @@ enum class ScriptSign : std::uint8_t {
 
 struct ScriptExpression {
   enum class Kind : std::uint8_t {
-    Number,   // number
-    Text,     // text
-    Load,     // the value of `slot`
-    Assign,   // its part to `slot`
-    Unary,    // a sign before its part
-    Combine,  // a + b - c: signs between the parts, from the left
-    Compare,  // a < b < c: all of the comparisons hold
-    Choose    // a ? b : c
+    Constant,  // constant
+    Load,      // the value of `slot`
+    Assign,    // its part to `slot`
+    Unary,     // a sign before its part
+    Combine,   // a + b - c: signs between the parts, from the left
+    Compare,   // a < b < c: all of the comparisons hold
+    Choose     // a ? b : c
   };
-  Kind kind = Kind::Number;
-  double number = 0.0;
+  Kind kind = Kind::Constant;
+  Value constant = {};
   int slot = -1;
-  std::string text;
   std::vector<ScriptSign> signs;
   std::vector<ScriptExpression> parts;
 };
@@ -81,14 +80,14 @@ class ScriptRunner {
   bool run();
   /// Value of the last statement, after run().
   const Value& result() const { return result_; }
-  /// The result as a condition; nothing = it is no number.
+  /// The result as a condition; nothing = text, or a whole number but 0 and 1.
   std::optional<bool> truth() const;
   const std::string& error() const { return error_; }
 
  private:
   bool evaluate(const ScriptExpression& expression, Value& result);
   bool chain(const ScriptExpression& expression, Value& result);
-  bool load(const Value& value, Value& result);
+  bool load(const Slot& slot, Value& result);
   bool assign(Slot& slot, ScriptSign sign, Value& value);
   bool combine(ScriptSign sign, Value& left, const Value& right);
   bool join(Value& left, const Value& right);

@@ -17,31 +17,27 @@ void setNumber(Value& value, double number) {
   value.text.clear();
 }
 
-/// Numbers within a script are doubles.
-void copyNumber(Value& to, const Value& from) {
-  if (from.type == ValueType::String) {
-    to = from;
-  } else {
-    setNumber(to, from.number());
-  }
-}
-
+/// As the original asks, which is another thing of numbers that are none (0 / 0).
 template <class T>
 bool ordered(ScriptSign sign, const T& left, const T& right) {
   switch (sign) {
     case ScriptSign::Less:
-      return left < right;
+      return !(left >= right);
     case ScriptSign::Greater:
-      return left > right;
+      return !(left <= right);
     case ScriptSign::LessEqual:
-      return left <= right;
+      return !(left > right);
     case ScriptSign::GreaterEqual:
-      return left >= right;
+      return !(left < right);
     case ScriptSign::NotEqual:
       return left != right;
     default:
       return left == right;
   }
+}
+
+bool isOperand(const Value& value) {
+  return value.isNumber() || value.type == ValueType::String;
 }
 
 std::optional<double> numberOf(const Value& value) {
@@ -53,16 +49,18 @@ std::optional<double> numberOf(const Value& value) {
                 : doubleFromText(value.text);
 }
 
-/// Nothing = neither true nor false.
+/// Nothing = text, or a whole number but 0 and 1.
 std::optional<bool> truthOf(const Value& value) {
-  const std::optional<double> number = numberOf(value);
-  return number && !std::isnan(*number) ? std::optional<bool>(*number != 0.0) : std::nullopt;
+  return value.isNumber() ? valueAs<bool>(value) : std::nullopt;
 }
 
-/// Nothing = text that is no number against a number.
+/// Nothing = text that is no number against a number, or no value.
 std::optional<bool> compareValues(ScriptSign sign, const Value& left, const Value& right) {
   if (left.type == ValueType::String && right.type == ValueType::String) {
     return ordered(sign, left.text, right.text);
+  }
+  if (!isOperand(left) || !isOperand(right)) {
+    return std::nullopt;
   }
   const std::optional<double> a = numberOf(left);
   const std::optional<double> b = numberOf(right);
@@ -74,6 +72,12 @@ std::optional<bool> compareValues(ScriptSign sign, const Value& left, const Valu
     return same == (sign == ScriptSign::Equal);
   }
   return ordered(sign, *a, *b);
+}
+
+std::string unfitting(const Slot& slot, const Value& value) {
+  const bool isCut = slot.value.isWhole() && value.type == ValueType::Double;
+  return "the value '" + value.toText() + "' does not fit the type of the entry" +
+         (isCut ? ", which holds a whole number (begin with 1.0 instead of 1)" : "");
 }
 
 std::optional<std::int64_t> bitsOf(const Value& value) {
@@ -102,15 +106,11 @@ std::optional<bool> ScriptRunner::truth() const {
 
 bool ScriptRunner::evaluate(const ScriptExpression& expression, Value& result) {
   switch (expression.kind) {
-    case Kind::Number:
-      setNumber(result, expression.number);
-      return true;
-    case Kind::Text:
-      result.type = ValueType::String;
-      result.text = expression.text;
+    case Kind::Constant:
+      copyValue(result, expression.constant);
       return true;
     case Kind::Load:
-      return load(slots_[expression.slot].value, result);
+      return load(slots_[expression.slot], result);
     case Kind::Assign:
       return evaluate(expression.parts.front(), result) &&
              assign(slots_[expression.slot], expression.signs.front(), result);
@@ -136,57 +136,39 @@ bool ScriptRunner::chain(const ScriptExpression& expression, Value& result) {
   return isFine;
 }
 
-bool ScriptRunner::load(const Value& value, Value& result) {
-  if (value.type == ValueType::Unset) {
-    return fail("a variable of the script has no value");
-  }
-  copyNumber(result, value);
-  return true;
+bool ScriptRunner::load(const Slot& slot, Value& result) {
+  copyValue(result, slot.value);
+  return slot.exists || fail("a variable of the script has no value");
 }
-
-namespace {
-
-/// An entry that holds a number takes text as a number; an empty one takes every number, whatever
-/// its type.
-bool put(Slot& slot, const Value& value) {
-  const bool isEmpty = slot.value.type == ValueType::Unset;
-  const bool holdsText = slot.value.type == ValueType::String;
-  const bool givesText = value.type == ValueType::String;
-  if (slot.type == PortType::Any && !isEmpty && holdsText != givesText) {
-    const std::optional<double> number = givesText ? numberOf(value) : std::nullopt;
-    return number && store(slot, *number);
-  }
-  if (store(slot, value)) {
-    return true;
-  }
-  if (!isEmpty || givesText) {
-    return false;
-  }
-  slot.value = value;
-  slot.exists = true;
-  ++slot.version;
-  return true;
-}
-
-}  // namespace
 
 bool ScriptRunner::assign(Slot& slot, ScriptSign sign, Value& value) {
   if (!slot.exists && sign != ScriptSign::Create) {
     return fail("an entry that is assigned does not exist (create it with ':=')");
   }
-  if (sign != ScriptSign::Create && sign != ScriptSign::Assign) {
+  if (value.type == ValueType::Unset) {
+    return fail("what is assigned has no value");
+  }
+  if (sign == ScriptSign::Create || sign == ScriptSign::Assign) {
+    const bool isText = value.type == ValueType::String;
+    if (!bt::assign(slot, value, isText ? numberOf(value) : std::nullopt)) {
+      return fail(unfitting(slot, value));
+    }
+  } else {
     if (slot.value.type == ValueType::Unset) {
       return fail("an entry that is changed has no value");
     }
     Value changed;
-    copyNumber(changed, slot.value);
+    copyValue(changed, slot.value);
     if (!arithmetic(sign, changed, value)) {
       return false;
     }
-    value = changed;
+    if (!copyInto(slot.value, changed)) {
+      return fail(unfitting(slot, changed));
+    }
+    ++slot.version;
   }
-  return put(slot, value) ||
-         fail("the value '" + value.toText() + "' does not fit the type of the entry");
+  copyValue(value, slot.value);
+  return true;
 }
 
 bool ScriptRunner::combine(ScriptSign sign, Value& left, const Value& right) {
@@ -195,10 +177,11 @@ bool ScriptRunner::combine(ScriptSign sign, Value& left, const Value& right) {
       return join(left, right);
     case ScriptSign::And:
     case ScriptSign::Or: {
-      const std::optional<bool> a = left.isNumber() ? truthOf(left) : std::nullopt;
-      const std::optional<bool> b = right.isNumber() ? truthOf(right) : std::nullopt;
+      const std::optional<bool> a = truthOf(left);
+      const std::optional<bool> b = truthOf(right);
       if (!a || !b) {
-        return fail("'&&' and '||' take numbers");
+        return fail(
+            "'&&' and '||' take neither text nor whole numbers but 0 and 1 (compare: 'n != 0')");
       }
       setNumber(left, (sign == ScriptSign::And ? *a && *b : *a || *b) ? 1.0 : 0.0);
       return true;
@@ -213,10 +196,17 @@ bool ScriptRunner::combine(ScriptSign sign, Value& left, const Value& right) {
 }
 
 bool ScriptRunner::join(Value& left, const Value& right) {
-  if (left.type != ValueType::String) {
-    left = Value::of(std::string_view(left.toText()));
+  if (!isOperand(left) || !isOperand(right)) {
+    return fail("'..' joins something that has no value");
   }
-  left.text += right.toText();
+  if (left.isNumber() && right.isNumber()) {
+    left = Value();  // as in the original, which says so where the result is used
+    return true;
+  }
+  if (left.isNumber()) {
+    left = Value::of(std::string_view(engineText(left)));
+  }
+  left.text += engineText(right);
   return left.text.size() <= kMostText || fail("a text of more than 1 MB");
 }
 
@@ -303,6 +293,9 @@ bool ScriptRunner::choose(const ScriptExpression& expression, Value& result) {
   const bool isText = result.type == ValueType::String;
   if (isText && result.text.empty()) {
     return fail("an empty text is used as a condition");
+  }
+  if (!isText && !result.isNumber()) {
+    return fail("a condition has no value");
   }
   const bool holds = isText || result.number() != 0.0;  // any text
   return evaluate(expression.parts[holds ? 1 : 2], result);

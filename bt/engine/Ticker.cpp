@@ -163,7 +163,12 @@ bool Ticker::runScript(int node, int script, bool* truth) {
   }
   const std::optional<bool> result = runner.truth();
   if (!result) {
-    fault(node, "script '" + code.source + "' gives text, not true or false");
+    const Value& given = runner.result();
+    const std::string what = given.type == ValueType::String  ? "text"
+                             : given.type == ValueType::Unset ? "no value"
+                                                              : given.toText();
+    fault(node,
+          "script '" + code.source + "' gives " + what + ", not true or false (compare: 'n != 0')");
     return false;
   }
   *truth = *result;

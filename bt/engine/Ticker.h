@@ -104,8 +104,14 @@ class Ticker {
   Status reactive(int node);
   Status parallel(int node);
   Status parallelAll(int node);
-  Status tickParallelChildren(int node, int& skipped, bool untilDecided);
-  Status decideParallel(int node, int skipped);
+  /// Of a Parallel, read when a tick begins. countsSkipped: as successes.
+  struct Thresholds {
+    int successes = 0;
+    int failures = 0;
+    bool countsSkipped = false;
+  };
+  Status tickParallelChildren(int node, int& skipped, const Thresholds* limits);
+  Status decideParallel(int node, int skipped, const Thresholds& limits);
   int threshold(int node, int port);
   Status ifThenElse(int node);
   Status whileDoElse(int node);
@@ -135,6 +141,8 @@ class Ticker {
   Status precondition(int node);
   Status loop(int node);
   std::optional<bool> takeElement(int node);
+  std::optional<bool> takeWritten(int node, const Value& list);
+  std::optional<bool> takeFromEntry(int node);
   bool storeElement(int node, std::string_view element);
   template <Status otherwise>
   Status ifUpdated(int node);
@@ -191,6 +199,7 @@ class Ticker {
   std::optional<Slot*> target(int node, const char* port, bool isOwn);
   Status setBlackboard(int node);
   Status unsetBlackboard(int node);
+  bool setEntry(int node, Slot& to, const Value& value);
   bool wasUpdated(int node, UpdateMemory& memory);
   void note(int node, LeafEvent::Kind kind);
 
@@ -206,6 +215,10 @@ class Ticker {
     return isFaulty() ? std::nullopt : std::optional<T>(value);
   }
   const Value* portValue(int node, int port) const;
+  std::optional<std::string_view> textOf(int node, int port) const {
+    const Value* const value = portValue(node, port);
+    return value ? valueAs<std::string_view>(*value) : std::nullopt;
+  }
   bool hasElapsed(const TimerMemory& timer, std::int64_t milliseconds) const;
 
   const Program& program_;

@@ -14,6 +14,8 @@ std::optional<PortType> typeOf(const Value& value) {
   switch (value.type) {
     case ValueType::Int:
       return PortType::Int;
+    case ValueType::Unsigned:
+      return PortType::Unsigned;
     case ValueType::Long:
     case ValueType::Double:
       return PortType::Double;
@@ -21,6 +23,7 @@ std::optional<PortType> typeOf(const Value& value) {
       return PortType::Bool;
     case ValueType::Unset:
     case ValueType::String:
+    case ValueType::List:
       break;
   }
   return std::nullopt;
@@ -93,9 +96,18 @@ bool TreeState::setFromText(const std::string& key, const std::string& text) {
   const Value value = Value::of(std::string_view(text));
   Slot& entry = slots_[static_cast<std::size_t>(slot)];
   const std::optional<PortType> now =
-      entry.type == PortType::Any ? typeOf(entry.value) : std::nullopt;
-  const std::optional<Value> asBefore = now ? convertTo(value, *now) : std::nullopt;
-  return (!now || asBefore) && store(entry, asBefore.value_or(value));
+      entry.type == PortType::Any ? typeOf(entry.value) : std::optional(entry.type);
+  const std::optional<Value> fitting = now ? convertTo(value, *now, entry.element) : value;
+  if (!fitting) {
+    return false;
+  }
+  const bool staysLong = entry.value.type == ValueType::Long && copyInto(entry.value, *fitting);
+  if (!staysLong) {
+    copyValue(entry.value, *fitting);
+  }
+  entry.exists = true;
+  ++entry.version;
+  return true;
 }
 
 std::vector<std::pair<std::string, std::string>> TreeState::entries() const {

@@ -1,5 +1,7 @@
 #include "bt/engine/Value.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -10,6 +12,8 @@
 namespace bt {
 namespace {
 
+constexpr double kLargestLong = 9.2e18;  // a real beyond it is no int64_t
+
 /// A whole number within the limits, or nothing.
 std::optional<std::int64_t> wholeNumber(const Value& value, double lowest, double highest) {
   const double number = value.number();
@@ -17,15 +21,6 @@ std::optional<std::int64_t> wholeNumber(const Value& value, double lowest, doubl
     return std::nullopt;
   }
   return static_cast<std::int64_t>(number);
-}
-
-/// A number in an entry for text stays a number, for scripts, and carries its text as well.
-Value withText(const Value& value) {
-  Value result = value;
-  if (value.isNumber()) {
-    result.text = value.toText();
-  }
-  return result;
 }
 
 template <class T>
@@ -41,15 +36,42 @@ std::string Value::toText() const {
       return {};
     case ValueType::Int:
     case ValueType::Long:
+    case ValueType::Unsigned:
       return std::to_string(integer);
     case ValueType::Double:
       return base::formatDouble(real);
     case ValueType::Bool:
       return integer != 0 ? "true" : "false";
     case ValueType::String:
+    case ValueType::List:
       return text;
   }
   return {};
+}
+
+std::string engineText(const Value& value) {
+  if (value.isWhole()) {
+    return std::to_string(value.integer);
+  }
+  if (value.type != ValueType::Double) {
+    return value.toText();
+  }
+  constexpr int kDigits = 6;          // as std::to_string, whatever the locale
+  std::array<char, 400> buffer = {};  // the largest double has 309 digits in front
+  const std::to_chars_result end = std::to_chars(buffer.data(), buffer.data() + buffer.size(),
+                                                 value.real, std::chars_format::fixed, kDigits);
+  return {buffer.data(), end.ptr};
+}
+
+void copyValue(Value& to, const Value& from) {
+  to.type = from.type;
+  to.element = from.element;
+  to.integer = from.integer;  // or the bits of a real
+  if (from.isNumber()) {
+    to.text.clear();
+  } else {
+    to.text = from.text;
+  }
 }
 
 namespace detail {
@@ -89,24 +111,109 @@ std::optional<bool> valueAs(const Value& value) {
   if (value.type == ValueType::String) {
     return boolFromText(value.text);
   }
-  const std::optional<std::int64_t> whole =
-      value.isNumber() ? wholeNumber(value, 0.0, 1.0) : std::nullopt;
-  return whole ? std::optional<bool>(*whole == 1) : std::nullopt;
+  if (value.type == ValueType::Double) {
+    return value.real != 0.0;
+  }
+  const bool isOne = value.isWhole() && (value.integer == 0 || value.integer == 1);
+  return isOne ? std::optional<bool>(value.integer == 1) : std::nullopt;
 }
 
 template <>
 std::optional<std::string_view> valueAs(const Value& value) {
-  const bool hasText =
-      value.type == ValueType::String || (value.type != ValueType::Unset && !value.text.empty());
-  return hasText ? std::optional<std::string_view>(value.text) : std::nullopt;
+  if (value.type == ValueType::Unset || value.type == ValueType::List) {
+    return std::nullopt;
+  }
+  if (value.isNumber() && value.text.empty()) {
+    value.text = engineText(value);
+  }
+  return value.text;
 }
 
 template <>
 std::optional<base::NodeStatus> valueAs(const Value& value) {
+  constexpr int kStatuses = 5;
+  if (value.isNumber()) {
+    const std::optional<int> number = detail::convertedToInt(value);
+    const bool isOne = number && *number >= 0 && *number < kStatuses;
+    return isOne ? std::optional(static_cast<base::NodeStatus>(*number)) : std::nullopt;
+  }
   return value.type == ValueType::String ? statusFromText(value.text) : std::nullopt;
 }
 
-std::optional<Value> convertTo(const Value& value, PortType type) {
+namespace {
+
+/// A text as a queue; nothing: an element is not of that type.
+std::optional<Value> listFrom(const Value& text, PortType element) {
+  if (text.type != ValueType::String) {
+    return std::nullopt;
+  }
+  Value list(ValueType::List, 0, text.text);
+  list.element = element;
+  for (const std::string& part : elementsOf(text.text)) {
+    if (!isConvertible(part, element)) {
+      return std::nullopt;
+    }
+    ++list.integer;
+  }
+  return list;
+}
+
+/// What a value of this type declares an entry to be.
+PortType declaredBy(const Value& value) {
+  switch (value.type) {
+    case ValueType::Int:
+      return PortType::Int;
+    case ValueType::Unsigned:
+      return PortType::Unsigned;
+    case ValueType::Bool:
+      return PortType::Bool;
+    case ValueType::Double:
+      return PortType::Double;
+    case ValueType::String:
+      return PortType::String;
+    case ValueType::List:
+      return PortType::Queue;
+    case ValueType::Long:  // of no port, so that it meets no entry that is declared
+    case ValueType::Unset:
+      break;
+  }
+  return PortType::Any;
+}
+
+bool isDeclaredAs(const Slot& slot, const Value& value) {
+  return declaredBy(value) == slot.type &&
+         (slot.type != PortType::Queue || slot.element == value.element);
+}
+
+bool noteWrite(Slot& slot) {
+  slot.exists = true;
+  ++slot.version;
+  return true;
+}
+
+void declare(Slot& slot, const Value& value) {
+  slot.type = declaredBy(value);
+  slot.element = value.element;
+  slot.isObject = false;
+}
+
+/// A number may be written where another kind of number was declared, if it fits.
+bool isSafe(const Value& value, PortType type) {
+  switch (type) {
+    case PortType::Int:
+      return detail::convertedToInt(value).has_value();
+    case PortType::Unsigned:
+      return valueAs<std::int64_t>(value).has_value();
+    case PortType::Double:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+std::optional<Value> convertTo(const Value& value, PortType type, PortType element) {
   if (value.type == ValueType::Unset) {
     return std::nullopt;
   }
@@ -116,7 +223,10 @@ std::optional<Value> convertTo(const Value& value, PortType type) {
     case PortType::Int:
       return wrapped(valueAs<int>(value));
     case PortType::Unsigned:
-      return wrapped(valueAs<std::int64_t>(value));
+      if (const std::optional<std::int64_t> number = valueAs<std::int64_t>(value)) {
+        return Value(ValueType::Unsigned, *number);
+      }
+      return std::nullopt;
     case PortType::Double:
       return wrapped(valueAs<double>(value));
     case PortType::Bool:
@@ -124,50 +234,120 @@ std::optional<Value> convertTo(const Value& value, PortType type) {
     case PortType::Status:
       return valueAs<base::NodeStatus>(value) ? std::optional<Value>(value) : std::nullopt;
     case PortType::String:
+      return value.type == ValueType::List
+                 ? std::nullopt
+                 : std::optional(Value::of(std::string_view(*valueAs<std::string_view>(value))));
     case PortType::Queue:
-      return withText(value);
+      return value.type == ValueType::List ? std::optional(value) : listFrom(value, element);
   }
   return std::nullopt;
 }
 
-bool store(Slot& slot, const Value& value) {
-  std::optional<Value> converted = convertTo(value, slot.type);
-  if (!converted) {
+bool copyInto(Value& to, const Value& from) {
+  if (to.type == ValueType::Unset) {
+    copyValue(to, from);
+    return true;
+  }
+  if (to.isNumber() && from.isNumber()) {
+    if (to.type == ValueType::Double) {
+      to.real = from.number();
+    } else if (from.isWhole()) {
+      to.integer = from.integer;
+    } else {
+      const std::optional<std::int64_t> whole = wholeNumber(from, -kLargestLong, kLargestLong);
+      if (!whole) {
+        return false;
+      }
+      to.integer = *whole;
+    }
+    const bool isLarge = to.type == ValueType::Int && to.integer != static_cast<int>(to.integer);
+    to.type = isLarge ? ValueType::Long : to.type;
+    to.text.clear();
+    return true;
+  }
+  if (to.type != from.type || (to.type == ValueType::List && to.element != from.element)) {
     return false;
   }
-  slot.value = *std::move(converted);
-  slot.exists = true;
-  ++slot.version;
+  copyValue(to, from);
   return true;
 }
 
-namespace {
-
-/// A number was written in place.
-bool noteWrite(Slot& slot, ValueType type) {
-  slot.value.type = type;
-  slot.value.text.clear();
-  slot.exists = true;
-  ++slot.version;
-  return true;
+bool assign(Slot& slot, const Value& value, const std::optional<double>& number) {
+  const bool isEmpty = slot.value.type == ValueType::Unset;
+  const bool isDeclared = slot.type != PortType::Any || slot.isObject;
+  if (value.type == ValueType::String && slot.value.type != ValueType::String &&
+      (isDeclared || !isEmpty)) {
+    // Only text is converted, to the declared type; without one to a number.
+    const bool hasConverter = slot.type != PortType::Any && slot.type != PortType::Status;
+    if (hasConverter) {
+      const std::optional<Value> converted = convertTo(value, slot.type, slot.element);
+      if (!converted) {
+        return false;
+      }
+      copyValue(slot.value, *converted);
+    } else if (!slot.value.isNumber() || !number) {
+      return false;
+    } else {
+      copyValue(slot.value, Value::of(*number));
+    }
+    return noteWrite(slot);
+  }
+  return copyInto(slot.value, value) && noteWrite(slot);
 }
 
-}  // namespace
+bool storeAny(Slot& slot, const Value& value) {
+  if (!slot.exists) {
+    declare(slot, value);
+  } else if (slot.type == PortType::Any) {
+    slot.isObject = true;
+  } else if (!isDeclaredAs(slot, value)) {
+    return false;
+  }
+  copyValue(slot.value, value);
+  return noteWrite(slot);
+}
+
+void remove(Slot& slot) {
+  slot = Slot();
+}
+
+bool store(Slot& slot, const Value& value) {
+  if (!slot.exists || slot.type == PortType::Any) {
+    const bool wasThere = slot.exists;
+    declare(slot, value);
+    if (!wasThere && value.type == ValueType::String) {
+      slot.type = PortType::Any;  // a text that makes an entry declares nothing
+    }
+    copyValue(slot.value, value);
+    return noteWrite(slot);
+  }
+  if (isDeclaredAs(slot, value)) {
+    return copyInto(slot.value, value) && noteWrite(slot);
+  }
+  if (value.type == ValueType::String) {
+    const std::optional<Value> converted = convertTo(value, slot.type, slot.element);
+    return converted && copyInto(slot.value, *converted) && noteWrite(slot);
+  }
+  return value.isNumber() && isSafe(value, slot.type) && copyInto(slot.value, value) &&
+         noteWrite(slot);
+}
 
 bool store(Slot& slot, double value) {
-  if (slot.type != PortType::Double && slot.type != PortType::Any) {
+  if (slot.type != PortType::Double || slot.value.type != ValueType::Double) {
     return store(slot, Value::of(value));
   }
   slot.value.real = value;
-  return noteWrite(slot, ValueType::Double);
+  slot.value.text.clear();
+  return noteWrite(slot);
 }
 
 bool store(Slot& slot, int value) {
-  if (slot.type != PortType::Int && slot.type != PortType::Any) {
+  if (slot.type != PortType::Int || slot.value.type != ValueType::Int) {
     return store(slot, Value::of(value));
   }
   slot.value.integer = value;
-  return noteWrite(slot, ValueType::Int);
+  slot.value.text.clear();
+  return noteWrite(slot);
 }
 
 }  // namespace bt

@@ -9,28 +9,28 @@
 #include "bt/tree/NodeCatalogue.h"
 #include "sim2d/base/Types.h"
 
-/// Values of blackboard entries and ports.
+/// Values of blackboard entries and ports, with the types and conversions of BT::Any and
+/// BT::Blackboard of BehaviorTree.CPP 4.10.
 namespace bt {
 
-/// Long: a whole number that is too large for an int.
-enum class ValueType : std::uint8_t { Unset, Int, Long, Double, Bool, String };
+/// The type with which a value was made. Long: a whole number written in a script (int64_t), which
+/// no port has. List: what is left of a queue.
+enum class ValueType : std::uint8_t { Unset, Int, Long, Unsigned, Bool, Double, String, List };
 
 struct Value {
   ValueType type = ValueType::Unset;
+  PortType element = PortType::Any;  // of a List
   union {
-    std::int64_t integer = 0;  // Int, Long, Bool
+    std::int64_t integer = 0;  // whole numbers and Bool; of a List how many elements are left
     double real;               // Double
   };
-  std::string text;  // String; also of a number in an entry for text, otherwise empty then
+  mutable std::string text;  // String; elements with ';' between; of a number its text, once asked
 
   Value() = default;
   Value(ValueType itsType, std::int64_t whole, std::string_view itsText = {})
       : type(itsType), integer(whole), text(itsText) {}
-  static Value of(int value) { return of(static_cast<std::int64_t>(value)); }
-  static Value of(std::int64_t value) {
-    const bool isInt = value == static_cast<int>(value);
-    return {isInt ? ValueType::Int : ValueType::Long, value};
-  }
+  static Value of(int value) { return {ValueType::Int, value}; }
+  static Value of(std::int64_t value) { return {ValueType::Long, value}; }
   static Value of(bool value) { return {ValueType::Bool, value ? 1 : 0}; }
   static Value of(double value) {
     Value result(ValueType::Double, 0);
@@ -38,13 +38,19 @@ struct Value {
     return result;
   }
   static Value of(std::string_view value) { return {ValueType::String, 0, value}; }
-  bool isNumber() const { return type != ValueType::Unset && type != ValueType::String; }
+  bool isWhole() const { return type >= ValueType::Int && type <= ValueType::Bool; }
+  bool isNumber() const { return type >= ValueType::Int && type <= ValueType::Double; }
   double number() const { return type == ValueType::Double ? real : static_cast<double>(integer); }
-  std::string toText() const;  // for lists; "" when unset
+  std::string toText() const;  // for people: "0.5", "true"; "" when unset
 };
+/// The text that string ports and '..' see: "0.500000" for a real, "1" for true.
+std::string engineText(const Value& value);
+/// Copies without touching the text of numbers.
+void copyValue(Value& to, const Value& from);
 
 /// Reads with the conversions that ports allow: text is parsed, a real becomes a whole number only
-/// when it is one, a number becomes a bool only when it is 0 or 1. Nothing = does not fit.
+/// when it is one, a whole number becomes a bool only when it is 0 or 1 (a real always), a number
+/// becomes text. Nothing = does not fit.
 namespace detail {
 std::optional<int> convertedToInt(const Value& value);
 std::optional<double> convertedToDouble(const Value& value);
@@ -69,20 +75,33 @@ std::optional<std::string_view> valueAs(const Value& value);
 template <>
 std::optional<base::NodeStatus> valueAs(const Value& value);
 
-/// `value` as an entry of type `type` takes it, or nothing.
-std::optional<Value> convertTo(const Value& value, PortType type);
+/// `value` as a port of this type takes it, or nothing. `element`: of a queue.
+std::optional<Value> convertTo(const Value& value, PortType type, PortType element = PortType::Any);
 
-/// One entry of the blackboard. `type` is fixed by its first typed use; Any = not yet fixed.
+/// One entry of the blackboard. `type` is what the first port or typed value declared; what is
+/// written later has to fit it or the value that is there, see below.
 struct Slot {
   Value value;
-  PortType type = PortType::Any;
-  bool exists = false;        // created at load or written since
-  std::uint32_t version = 0;  // counts the writes
+  PortType type = PortType::Any;     // Any: not declared yet
+  PortType element = PortType::Any;  // of a Queue
+  bool exists = false;               // made at load or written since
+  bool isObject = false;             // declared as BT::Any: its first value is no text of a script
+  std::uint32_t version = 0;         // counts the writes
 };
+
+/// Blackboard::set<T> of a value of type T: what a leaf writes to an output port, or the host.
 /// False = the value does not fit the type of the entry; nothing is written then.
 bool store(Slot& slot, const Value& value);
 bool store(Slot& slot, double value);  // the two that are written in every step; no allocation
 bool store(Slot& slot, int value);
+/// Any::copyInto: the value that is there keeps its type. False = it does not fit.
+bool copyInto(Value& to, const Value& from);
+/// The assignment of a script. `number`: of a text; nothing = it is none.
+bool assign(Slot& slot, const Value& value, const std::optional<double>& number);
+/// Blackboard::set<Any>, as SetBlackboard does: the type must be that of the entry.
+bool storeAny(Slot& slot, const Value& value);
+/// As if it had never been.
+void remove(Slot& slot);
 
 /// Where a port takes its value. Eight bytes, as ports are most of what a tick reads.
 struct PortBinding {

@@ -94,6 +94,8 @@ void rowsOfParallels() {
       "<Parallel><AlwaysSuccess _skipIf='1'/><S/></Parallel>", "S -> SUCCESS");
   row("parallel, threshold too large", "<Parallel success_count='3'><S/><S/></Parallel>",
       "!success_count");
+  row("parallel, the counts are read before the first child",
+      "<Parallel success_count='1' failure_count='2'><S/></Parallel>", "!failure_count");
   row("parallel forgets when halted",
       "<ReactiveFallback><TD delay='0.2'><S name='t'/></TD><Parallel><S name='a'/><St runs='9'/>"
       "</Parallel></ReactiveFallback>",
@@ -247,13 +249,61 @@ void rowsOfSetting() {
       "!does not fit");
 }
 
+/// As BehaviorTree.CPP 4.10 keeps the types of entries.
+void rowsOfTypes() {
+  row("a script's real for a port of whole numbers that is skipped",
+      "<Sequence><Script code='d := 0.5'/><Repeat num_cycles='{d}' _skipIf='true'><S/></Repeat>"
+      "</Sequence>",
+      "-> SUCCESS|-> SUCCESS|-> SUCCESS");
+  row("a whole number stays one", "<Script code='n := 1; n := 0.5'/>", "!does not fit");
+  row("a whole number takes a whole real",
+      "<Sequence><Script code='n := 1; n := 4.0 / 2'/><ReadText value='{n}'/></Sequence>",
+      "2 -> SUCCESS");
+  row("a real is text with six digits",
+      "<Sequence><Script code='n := 0.5'/><ReadText value='{n}'/></Sequence>",
+      "0.500000 -> SUCCESS");
+  row("a real output to a whole number of a script",
+      "<Sequence><Script code='n := 2'/><LoopDouble queue='0.5' value='{n}'><S/></LoopDouble>"
+      "</Sequence>",
+      "!does not fit");
+  row("a whole output to a whole number of a script",
+      "<Sequence><Script code='n := 2'/><LoopDouble queue='3' value='{n}'><ReadDouble value='{n}'/>"
+      "</LoopDouble></Sequence>",
+      "3 -> RUNNING");
+  row("an output to an entry of text",
+      "<Sequence><ForceSuccess><S _skipIf='true'/></ForceSuccess><ForceSuccess><Sequence>"
+      "<AlwaysFailure/><ReadText value='{n}'/></Sequence></ForceSuccess><Put value='{n}'/>"
+      "</Sequence>",
+      "!does not fit");
+  row("set, a number of a script is no int",
+      "<Sequence><Script code='a := 3'/><SetBlackboard value='{a}' output_key='n'/>"
+      "<ReadInt value='{n}'/></Sequence>",
+      "!another type");
+  row("set, a real of a script is a double",
+      "<Sequence><Script code='a := 0.5'/><SetBlackboard value='{a}' output_key='n'/>"
+      "<ReadDouble value='{n}'/></Sequence>",
+      "0.5 -> SUCCESS");
+  row("set, a number of a script to a new entry",
+      "<Sequence><Script code='a := 3'/><SetBlackboard value='{a}' output_key='n'/>"
+      "<ScriptCondition code='n == 3'/></Sequence>",
+      "-> SUCCESS|-> SUCCESS");
+  row("set, text to an entry that a script made",
+      "<Sequence><Script code=\"a := 'x'\"/><SetBlackboard value='5' output_key='a'/>"
+      "<ScriptCondition code='a == 5'/></Sequence>",
+      "-> SUCCESS");
+  row("precondition, its other result is read first",
+      "<Precondition if='true' else='{k}'><S/></Precondition>", "!'else' is missing");
+}
+
 void rowsOfOtherLeaves() {
   row("empty script", "<Script code=''/>", "-> SUCCESS");
   row("empty condition", "<ScriptCondition code=''/>", "!'code' is missing");
-  row("condition of text",
-      "<Sequence><ScriptCondition code=\"'1'\"/><ScriptCondition code=\"'0'\"/></Sequence>",
-      "-> FAILURE");
-  row("condition of no number", "<ScriptCondition code='0 / 0'/>", "!true or false");
+  row("condition of text", "<ScriptCondition code=\"'1'\"/>", "!text, not true or false");
+  row("condition of no number", "<ScriptCondition code='0 / 0'/>", "-> SUCCESS");
+  row("condition of a real", "<ScriptCondition code='0.5'/>", "-> SUCCESS");
+  row("condition of a whole number", "<ScriptCondition code='2'/>", "!gives 2, not true or false");
+  row("condition of what was computed", "<ScriptCondition code='1 + 1'/>", "-> SUCCESS");
+  row("pre-condition of text", "<S _skipIf=\"'1'\"/>", "!text, not true or false");
   row("script",
       "<Sequence><Script code='n := 2; n *= 3'/><ScriptCondition code='n == 6'/>"
       "<ReadDouble value='{n}'/></Sequence>",
@@ -271,7 +321,14 @@ void rowsOfOtherLeaves() {
   row("input of the wrong type",
       "<Sequence><Script code=\"k := 'abc'\"/><ReadInt value='{k}'/></Sequence>", "!does not fit");
   row("trailing characters", "<ReadInt value='5abc'/>", "5 -> SUCCESS");
-  row("output without a reference", "<Put value='k'/>", "-> FAILURE");
+  row("output without a reference", "<Put value='5'/>", "-> FAILURE");
+  row("entry updated, declared and never written", "<WasEntryUpdated entry='{k}'/>",
+      "-> SUCCESS|-> FAILURE");
+  row("entry updated, no such entry", "<WasEntryUpdated entry='k'/>", "-> FAILURE|-> FAILURE");
+  row("entry updated, removed and made again: written as often as before",
+      "<Sequence><SetBlackboard value='5' output_key='k'/><WasEntryUpdated entry='k'/>"
+      "<UnsetBlackboard key='k'/></Sequence>",
+      "-> SUCCESS|-> FAILURE");
 }
 
 }  // namespace
@@ -279,6 +336,7 @@ void rowsOfOtherLeaves() {
 void ControlsTest::tick_leaf_givesTrace_data() {
   columns();
   rowsOfSetting();
+  rowsOfTypes();
   rowsOfOtherLeaves();
 }
 

@@ -89,11 +89,24 @@ void rowsOfEntries() {
       "<Timeout msec='200'><LoopInt queue='4;5;6' value='{v}'><Sequence><ReadInt value='{v}'/>"
       "<St runs='2'/></Sequence></LoopInt></Timeout>",
       "4 start -> RUNNING|run1 -> RUNNING|halt -> FAILURE|4 start -> RUNNING");
-  row("loop over an entry, which stays",
+  row("loop over an entry, from which the elements are taken",
       "<Sequence><RunOnce><Script code=\"q := '1;2'\"/></RunOnce>"
-      "<LoopInt queue='{q}' value='{v}'><ReadInt value='{v}'/></LoopInt>"
-      "<ScriptCondition code=\"q == '1;2'\"/></Sequence>",
+      "<LoopInt queue='{q}' value='{v}'><ReadInt value='{v}'/></LoopInt></Sequence>",
+      "1 -> RUNNING|2 -> RUNNING|-> SUCCESS|-> SUCCESS");
+  row("loop over an entry that is written again",
+      "<Sequence><Script code=\"q := '1;2'\"/>"
+      "<LoopInt queue='{q}' value='{v}'><ReadInt value='{v}'/></LoopInt></Sequence>",
       "1 -> RUNNING|2 -> RUNNING|-> SUCCESS|1 -> RUNNING");
+  row("loop over an entry that SetBlackboard fills",
+      "<Sequence><SetBlackboard value='1;2;' output_key='q'/>"
+      "<LoopInt queue='{q}' value='{v}'><ReadInt value='{v}'/></LoopInt></Sequence>",
+      "1 -> RUNNING|2 -> RUNNING|-> SUCCESS|1 -> RUNNING");
+  row("loop over an entry that was never written",
+      "<LoopDouble queue='{q}' value='{v}'><S/></LoopDouble>", "!has no value");
+  row("loop over a text in an entry of any type",
+      "<Sequence><ForceSuccess><SetBlackboard value='{q}' output_key='m'/></ForceSuccess>"
+      "<Script code=\"q := '1;2'\"/><LoopInt queue='{q}' value='{v}'><S/></LoopInt></Sequence>",
+      "!no such queue");
   row("loop over an entry",
       "<Sequence><RunOnce><Script code=\"q := '1.5;2'\"/></RunOnce>"
       "<LoopDouble queue='{q}' value='{v}' if_empty='FAILURE'><ReadDouble "
@@ -118,12 +131,14 @@ void rowsOfEntries() {
       "<SkipUnlessUpdated entry='{k}'><S/></SkipUnlessUpdated></Sequence>",
       "S -> SUCCESS|-> SKIPPED|-> SKIPPED");
   row("skip unless updated, never written",
-      "<SkipUnlessUpdated entry='{k}'><S/></SkipUnlessUpdated>", "-> SKIPPED|-> SKIPPED");
+      "<SkipUnlessUpdated entry='{k}'><S/></SkipUnlessUpdated>", "S -> SUCCESS|-> SKIPPED");
+  row("skip unless updated, no such entry", "<SkipUnlessUpdated entry='k'><S/></SkipUnlessUpdated>",
+      "-> SKIPPED|-> SKIPPED");
   row("wait for an update",
       "<Parallel success_count='1' failure_count='-1'><WaitValueUpdate entry='{k}'><St/>"
       "</WaitValueUpdate><Inverter><TD delay='0.1'><SetBlackboard value='1' output_key='k'/></TD>"
       "</Inverter></Parallel>",
-      "-> SUCCESS");
+      "start halt -> SUCCESS");
   row("custom decorator forgets when halted",
       "<Timeout msec='300'><TD delay='0.1'><St runs='9'/></TD></Timeout>",
       "-> FAILURE|start -> RUNNING|run1 -> RUNNING|run2 -> RUNNING|halt -> FAILURE|-> FAILURE");

@@ -96,7 +96,9 @@ void rowsOfChoicesAndTexts() {
   row("1 ? a : unknown", "2");
   row("'ab' + 'cd'", "abcd");
   row("'n = ' .. 3", "n = 3");
-  row("1 .. 2", "12");
+  row("1 .. 2", "");  // no value, as soon as it is used a fault
+  row("'n = ' .. 0.5", "n = 0.500000");
+  row("'n = ' .. (1 + 2)", "n = 3.000000");
   row("'a' < 'b'", "1");
   row("'3' == 3", "1");
   row("4 > '3'", "1");
@@ -131,6 +133,10 @@ void rowsOfTheEngine() {
   row("a > 1 ? b := 4 : 5; b", "4");
   row("x := 1 y := 2", "1");  // a ';' is missing: the rest is not run
   row("1 2", "1");
+  row("0.5 && 1", "1");
+  row("x := 1; x := 2.0; x", "2");
+  row("x := 1.0; x := 0.5; x", "0.5");
+  row("x := 2; y := x = 3.0; y", "3");
 }
 
 }  // namespace
@@ -166,8 +172,12 @@ void ScriptsTest::run_badScript_fails_data() {
   }
   row(doubling, "more than 1 MB");
   row("s -= 'a'", "arithmetic with text");
-  row("1 && 's'", "take numbers");
-  row("0 / 0 || 1", "take numbers");
+  row("1 && 's'", "take neither text");
+  row("2 && 1", "whole numbers but 0 and 1");
+  row("x := 1 .. 2", "has no value");
+  row("x := 1; x := 0.5", "does not fit");
+  row("x := 1; x += 0.5", "does not fit");
+  row("x := 'a'; x := 1", "does not fit");
   row("s == 3", "no number");
   row("-s", "a sign before text");
   row("1.5 & 1", "no whole number");

@@ -8,6 +8,7 @@
 #include "app/run/Echoes.h"
 #include "app/run/Experiment.h"
 #include "app/run/ExperimentRunner.h"
+#include "app/run/Export.h"
 #include "app/run/Nav2Robots.h"
 #include "bt/engine/Program.h"
 #include "bt/human/HumanNodes.h"
@@ -48,8 +49,12 @@ FileKind kindOf(const std::string& text) {
 base::Diagnostics checkScenarioFile(const std::string& path, const CheckOptions& options) {
   RunOptions run = options.scenario;
   run.scenario = path;
-  Verdict verdict = check(readBundle(run, {}, loadMapImage));
+  const Bundle bundle = readBundle(run, {}, loadMapImage);
+  Verdict verdict = check(bundle);
   base::append(verdict.problems, verdict.worldRemarks);
+  if (bundle.hasScenario()) {
+    base::append(verdict.problems, notYetTold(verdict.problems, notesOnTrees(bundle)));
+  }
   return verdict.problems;
 }
 
@@ -63,7 +68,9 @@ base::Diagnostics checkTree(const std::string& path) {
   const bt::NodeLibrary library = bt::humanNodes();
   base::append(found, bt::diagnosticsOf(bt::checkTable(*table, library.catalogue())));
   if (!base::hasErrors(found)) {  // the compiler checks once more on its own
-    base::append(found, notYetTold(found, bt::compile(*table, library).diagnostics()));
+    bt::CompileOptions options;
+    options.notesOnOriginal = true;
+    base::append(found, notYetTold(found, bt::compile(*table, library, options).diagnostics()));
   }
   return found;
 }
