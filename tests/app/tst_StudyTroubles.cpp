@@ -313,7 +313,7 @@ class StudyTroublesTest : public QObject {
           folder_.study(), folder_.path(text("it's")),
           {text("--script"), text(kind), text("--retry-failed"), text("--time-limit"), text("9")}));
       QCOMPARE(script.exitCode, 0);
-      QVERIFY2(script.out.contains(text("MORE='--retry-failed --time-limit 9.0'\n")),
+      QVERIFY2(script.out.contains(text("MORE='--retry-failed --time-limit 9'\n")),
                qPrintable(script.out));
       outside::writeText(folder_.path(text("check.sh")), script.out.toUtf8());
       QProcess bash;
