@@ -6,8 +6,7 @@ namespace app {
 
 namespace {
 
-/// How many runs failed and why the first of them did: also what explains the exit code to who
-/// wants no other output.
+/// How many runs failed, and the reason of the first: explains the exit code, with --quiet too.
 base::Diagnostics failuresOf(const BatchFolder& folder) {
   const ResultStore& store = folder.store();
   base::Diagnostics said;

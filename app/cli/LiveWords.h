@@ -29,7 +29,7 @@ std::unique_ptr<live::LiveRun> openLive(const RunOptions& options, const Bundle&
 std::unique_ptr<groot::GrootRun> openGroot(const RunOptions& options, const Bundle& bundle,
                                            sim2d::World& world);
 
-/// What was opened for others to watch, and nobody does: reported once, after the first seconds.
+/// Warns once, after the first seconds, of each port that no client has connected to.
 class NoViewerCheck {
  public:
   /// Null: not opened. Both must outlive this.

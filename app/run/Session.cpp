@@ -254,7 +254,7 @@ void Session::serve(sim2d::HumanBehavior& behavior, const sim2d::WorldView& view
   }
 }
 
-/// Without the lock: whoever sees the state may give orders, or hold locks of others who do.
+/// Called without the lock: the callback may give orders, or take locks of threads that do.
 void Session::refresh(const sim2d::World& world, std::unique_lock<std::mutex>& lock) {
   wantsRefresh_ = false;
   if (refresh_) {

@@ -215,7 +215,7 @@ void FoxgloveServerTest::connect_besideManyHalfOpen_opensAtOnce_data() {
   }
 }
 
-/// Whoever sends the whole request is served within a second, and stays.
+/// A client with a complete request is served within a second and stays connected.
 void FoxgloveServerTest::connect_besideManyHalfOpen_opensAtOnce() {
   QFETCH(const QByteArray, said);
   QFETCH(const int, count);
@@ -287,7 +287,7 @@ void FoxgloveServerTest::subscribe_latched_comesAtOnce() {
   QCOMPARE(client.awaitBinary(1), "\x01" + number(3, 4) + number(6, 8) + "the map");
 }
 
-/// Of a channel that is not latched: whoever has got a message of it gets no other one.
+/// Of a channel that is not latched: a subscription that has had a message gets no extra one.
 void FoxgloveServerTest::subscribe_messageMadeForIt_comesToNobodyElse() {
   Scene scene;
   std::atomic<int> calls{0};

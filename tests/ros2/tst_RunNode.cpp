@@ -274,7 +274,7 @@ void RunNodeTest::run_noOtherParticipant_isToldOnce() {
   QFETCH(const bool, isAlone);
   Drive drive(false);
   QVERIFY(drive.run && drive.verdict.world);
-  if (isAlone) {  // one that nobody answers: of another domain
+  if (isAlone) {  // in an empty domain
     constexpr int kEmptyDomain = 61;
     drive.run = *RunNode::create(drive.verdict.world->header(), {}, {inDomain(kEmptyDomain)},
                                  [&](const base::Diagnostic& said) { drive.told.push_back(said); });

@@ -103,8 +103,8 @@ class BatchFolderTest : public QObject {
     QVERIFY(work(0, 3, Earlier::Replace));
   }
 
-  /// Of three failed runs the machine ended one: a resumed batch makes that one again, and all of
-  /// them if it is told to.
+  /// Of three failed runs the machine ended one: a resumed batch makes that one again, a retry
+  /// makes all of them again.
   void resume_failedRuns_areMissing_data() {
     QTest::addColumn<int>("earlier");
     QTest::addColumn<QVector<int>>("missing");

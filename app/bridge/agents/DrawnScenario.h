@@ -15,7 +15,7 @@ namespace bridge {
 /// made of it.
 base::Result<std::shared_ptr<const sim2d::Scenario>> drawnScenario(const app::Bundle& bundle);
 
-/// The variation without all that is told in requests or drawn before.
+/// The variation without what requests contain or what is already drawn.
 sim2d::VariationSettings reactionTimesAlone(sim2d::VariationSettings variation);
 
 }  // namespace bridge

@@ -44,8 +44,8 @@ struct Qos {
   bool transientLocal = false;  // who comes later gets the last ones
   int depth = 10;               // of the history
   double lifespan = 0.0;        // [s]; 0: for ever
-  /// Of a subscription: publishers that offer less than it wants are heard too, without repeats of
-  /// what is lost. DDS alone would not match them.
+  /// Of a subscription: publishers that offer less than it requests are received too, without
+  /// retransmission of lost samples. DDS alone does not match them.
   bool anyPublisher = false;
 
   static Qos keepLast(int depth) { return {true, false, depth, 0.0, false}; }

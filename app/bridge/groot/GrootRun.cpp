@@ -42,7 +42,7 @@ GrootRun::GrootRun(sim2d::World& world, int human, std::unique_ptr<GrootServer> 
 
 void GrootRun::show(const sim2d::Frame& frame) {
   const auto now = std::chrono::steady_clock::now();
-  // Also while nobody watches: who comes in a pause sees the entries of before it.
+  // Also without a client: one that connects during a pause gets the entries from before it.
   const bool isDue = !told_ || now - *told_ >= kBetweenBlackboards;
   server_->change([&](WatchedRun& run) {
     frame.treeChanges.forEach(

@@ -14,8 +14,8 @@ constexpr std::size_t kMostParts = 8;              // of a request
 constexpr std::int64_t kLargestRequest = 1 << 20;  // [B] of a part
 constexpr int kTrials = 20;                        // for two free ports side by side
 constexpr int kHandshakeTime = 1000;               // [ms]; a client of this machine takes a few
-/// Connections that the system keeps until they are taken; the system allows less where it wants.
-/// With the 100 of ZeroMQ a burst of others makes clients try again after seconds.
+/// Length of the queue of connections not yet accepted, limited by the system. With ZeroMQ's
+/// default of 100 a burst of connections makes further clients retry after seconds.
 constexpr int kMostWaitingToConnect = 4096;
 
 struct CloseContext {

@@ -62,7 +62,7 @@ struct FoxgloveSettings {
   std::vector<Inlet> inlets;          // none: clients publish nothing
   std::vector<Parameter> parameters;  // none: there are none
   std::function<void()> tick;         // called ten times a second or more often; may be null
-  std::function<void()> subscribed;   // somebody waits for a first message (`isAwaited`); idem
+  std::function<void()> subscribed;   // a subscription has no message yet (`isAwaited`); idem
   std::function<void(const std::string& origin)> refused;  // a page that may not connect; idem
 };
 
@@ -91,9 +91,9 @@ class FoxgloveServer : private WebSocketServer::Handler {
   };
   /// Messages of one instant [ns of simulated time], which is told as well.
   void publish(std::uint64_t time, const std::vector<Message>& messages);
-  /// Somebody has subscribed to the channel and got no message yet.
+  /// A subscription to the channel has had no message yet.
   bool isAwaited(ChannelId channel) const { return outlets_.at(channel - 1)->awaited > 0; }
-  /// Messages of the newest instant for those alone who have got none of the channel yet.
+  /// Messages of the newest instant, only for subscriptions that have had none yet.
   void catchUp(std::uint64_t time, const std::vector<Message>& messages);
   /// A parameter was changed by somebody else than a client: whoever watches it is told.
   void noteParameters();

@@ -61,10 +61,10 @@ class LiveRun {
   void meet(const sim2d::Frame& frame);
   using Wants = std::function<bool(ChannelId)>;
   void publish(const sim2d::Frame& frame, Clock::time_point now);
-  /// The messages of the frame that are wanted; metrics of those channels too, if told so.
+  /// The messages of the frame that are wanted; metrics of those channels too if `withMetrics`.
   std::vector<FoxgloveServer::Message> messagesOf(const sim2d::Frame& frame, const Wants& wants,
                                                   bool withMetrics);
-  /// Somebody came, or the run begins to wait: the newest state for whoever has not got it.
+  /// After a subscription or at the begin of a pause: the newest state for all that lack it.
   void catchUp(const sim2d::Frame& frame);
   bool wantsMetrics(const Wants& wants) const;
   bool isFasterThanScreens() const;

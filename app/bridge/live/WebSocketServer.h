@@ -17,8 +17,8 @@
 namespace live {
 
 constexpr std::size_t kMostClients = 32;  // open connections at once
-/// Connections at once that have not opened: their request has not come or was refused. Beyond
-/// them the oldest is closed, so that requests which never end keep nobody away.
+/// Unopened connections at once: their request is incomplete or was refused. Beyond this number the
+/// oldest is closed, so that incomplete requests block no other client.
 constexpr std::size_t kMostUnopened = 64;
 
 /// Where a server listens and whom it serves.

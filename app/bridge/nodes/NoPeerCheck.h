@@ -12,7 +12,7 @@ namespace bridge {
 constexpr std::chrono::seconds kNoPeerAfter(5);
 
 /// The warning that no other participant of the domain was discovered in the first seconds. A
-/// program that publishes to nobody looks like one that works.
+/// program without subscribers looks like one that works.
 class NoPeerCheck {
  public:
   explicit NoPeerCheck(const DomainSettings& settings)

@@ -63,7 +63,7 @@ class RunTopics {
   /// Sends what the frame tells, in a fixed order of topics. What `wants` denies is not made;
   /// empty: all is wanted. The first frame brings what is latched too.
   void tell(const sim2d::Frame& frame, const Send& send, const Wants& wants = {});
-  /// The next frame brings its scans though they were told before.
+  /// Scans are sent again with the next frame.
   void repeatScans();
   /// Each frame of the run, told or not, before it is told: robots get goals and pass them.
   void note(const sim2d::Frame& frame);
