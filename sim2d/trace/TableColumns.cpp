@@ -7,15 +7,6 @@
 namespace sim2d {
 namespace {
 
-/// Without the brackets around it, in lower case.
-std::string unitWord(std::string_view text) {
-  text = withoutBlanks(text);
-  while (text.size() > 1 && (text.front() == '[' || text.front() == '(')) {
-    text = withoutBlanks(text.substr(1, text.size() - 2));
-  }
-  return base::lowered(text);
-}
-
 /// [m/s] of "m/s", "mm/s", "km/h".
 std::optional<double> speedUnitOf(const std::string& word) {
   const std::size_t slash = word.find('/');
@@ -64,6 +55,14 @@ std::string_view withoutBlanks(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(kBlanks);
   const std::size_t end = text.find_last_not_of(kBlanks);
   return begin == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1);
+}
+
+std::string unitWord(std::string_view text) {
+  text = withoutBlanks(text);
+  while (text.size() > 1 && (text.front() == '[' || text.front() == '(')) {
+    text = withoutBlanks(text.substr(1, text.size() - 2));
+  }
+  return base::lowered(text);
 }
 
 void TableColumns::read(const CsvRow& header) {

@@ -11,6 +11,8 @@
 namespace sim2d {
 
 std::string_view withoutBlanks(std::string_view text);
+/// A unit in lower case, without blanks and the brackets around it: "[m]", "(s)".
+std::string unitWord(std::string_view text);
 
 /// Which column of a table holds what, and in which unit. Problems are noted in the input.
 class TableColumns {

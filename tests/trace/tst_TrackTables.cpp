@@ -58,6 +58,13 @@ class TrackTablesTest : public QObject {
     QVERIFY(isNear(file->tracks[0].points[1].time, 30.0));
     QVERIFY(isNear(file->tracks[0].points[1].position.x(), 6.096));  // 0.3048 m per foot
   }
+  void pathfinder_unitsInBrackets_areRecognised() {
+    const base::Result<TrackFile> file =
+        read(files_.add("b.csv", "t;id;x;y\n;;[cm];[cm]\n0;1;100;0\n0.5;1;150;0\n"));
+    QVERIFY2(file, textOf(file.diagnostics()).c_str());
+    QVERIFY(isNear(file->tracks[0].points[1].time, 0.5));
+    QVERIFY(isNear(file->tracks[0].points[1].position.x(), 1.5));
+  }
   void pathfinder_missingColumn_namesTheOption() {
     const std::string told =
         textOf(read(files_.add("no.csv", "t,agent,x,y\ns,,m,m\n0,1,1,1\n")).diagnostics());

@@ -36,17 +36,21 @@ Claim claim(const FirstLook& look) {
   if (!reader.next(names) || !reader.next(units) || names.size() != units.size()) {
     return Claim::None;
   }
-  const auto isUnit = [&](const char* name, auto unitOf) {
+  const auto unitBelow = [&](const char* name) -> std::optional<std::string> {
     const auto at = std::find_if(names.begin(), names.end(), [name](const CsvField& field) {
       return base::lowered(withoutBlanks(field.text)) == name;
     });
-    const auto place = static_cast<std::size_t>(at - names.begin());
-    const std::string word = at == names.end() ? "" : base::lowered(units[place].text);
-    return unitOf(base::trimmed(word)).has_value();
+    if (at == names.end()) {
+      return std::nullopt;
+    }
+    return unitWord(units[static_cast<std::size_t>(at - names.begin())].text);
   };
-  const bool isTable = (isUnit("t", timeUnitOf) || isUnit("time", timeUnitOf)) &&
-                       isUnit("x", lengthUnitOf) && isUnit("y", lengthUnitOf);
-  return isTable ? Claim::ByContent : Claim::None;
+  const auto isLength = [&](const char* name) {
+    return lengthUnitOf(unitBelow(name).value_or("")).has_value();
+  };
+  const auto time = unitBelow("t") ? unitBelow("t") : unitBelow("time");
+  const bool isTime = time && (time->empty() || timeUnitOf(*time));  // seconds without a unit
+  return isTime && isLength("x") && isLength("y") ? Claim::ByContent : Claim::None;
 }
 
 }  // namespace
