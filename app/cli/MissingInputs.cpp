@@ -28,7 +28,7 @@ bool hasOutlines(const sim2d::TraceHeader& header) {
                      [](const sim2d::TraceObstacle& each) { return !each.outlines.empty(); });
 }
 
-/// Somebody comes with a factor of the social force.
+/// Some person has a factor of the social force.
 bool hasFactors(const std::vector<sim2d::TraceHuman>& humans) {
   return std::any_of(humans.begin(), humans.end(), [](const sim2d::TraceHuman& human) {
     return std::any_of(human.parameters.begin(), human.parameters.end(),
@@ -54,20 +54,19 @@ class MissingInputs {
     const bool hasRobot = !header_.robots.empty();
     findPoints();
     if (header_.map.isEmpty() && hasRobot) {
-      tell("bag.no-map", [](const MetricInfo& info) { return info.needs.map; });
+      add("bag.no-map", [](const MetricInfo& info) { return info.needs.map; });
     }
     if (hasRobot && header_.robots.front().goals.empty()) {
-      tell("bag.no-goal", [](const MetricInfo& info) { return info.needs.goal; });
+      add("bag.no-goal", [](const MetricInfo& info) { return info.needs.goal; });
     }
     const bool usesFactors = profile_ == metrics::Profile::Corrected;
     if (usesFactors && hasRobot && !header_.humans.empty() && !hasFactors(header_.humans)) {
-      tell("bag.no-factors", [](const MetricInfo& info) {
+      add("bag.no-factors", [](const MetricInfo& info) {
         return isKey(info, "social_force_on_agents") || isKey(info, "social_work");
       });
     }
     if (hasRobot) {
-      tell("bag.no-replans",
-           [](const MetricInfo& info) { return isKey(info, "replanning_count"); });
+      add("bag.no-replans", [](const MetricInfo& info) { return isKey(info, "replanning_count"); });
     }
     return std::move(missing_);
   }
@@ -77,20 +76,20 @@ class MissingInputs {
   void findPoints() {
     const bool hasWalls = hasOutlines(header_);
     if (!header_.humans.empty() && !points_.hasPeople()) {
-      tell(hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-people",
-           [](const MetricInfo& info) { return info.needs.obstacles && !info.needs.robot; });
+      add(hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-people",
+          [](const MetricInfo& info) { return info.needs.obstacles && !info.needs.robot; });
     }
     if (!header_.robots.empty() && !points_.hasRobot()) {
-      tell(hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-robot",
-           [hasWalls](const MetricInfo& info) {
-             const bool isForce =
-                 isKey(info, "obstacle_force_on_robot") || isKey(info, "social_work");
-             return info.needs.obstacles && info.needs.robot && (!hasWalls || isForce);
-           });
+      add(hasWalls ? "bag.points-of-walls" : "bag.no-obstacles-of-robot",
+          [hasWalls](const MetricInfo& info) {
+            const bool isForce =
+                isKey(info, "obstacle_force_on_robot") || isKey(info, "social_work");
+            return info.needs.obstacles && info.needs.robot && (!hasWalls || isForce);
+          });
     }
   }
 
-  void tell(const char* code, const std::function<bool(const MetricInfo&)>& lacks) {
+  void add(const char* code, const std::function<bool(const MetricInfo&)>& lacks) {
     std::vector<std::string> keys;
     for (const metrics::MetricEntry& entry : entries_) {
       if (lacks(entry.info)) {

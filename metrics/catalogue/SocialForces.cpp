@@ -103,7 +103,7 @@ class PeopleObstacles : public Accumulator {
  private:
   SeriesSum sum_;
   bool empty_ = false;
-  bool hadPoints_ = false;  // somebody
+  bool hadPoints_ = false;  // some person
 };
 
 constexpr char kSocialForcesMetrics[] = R"(

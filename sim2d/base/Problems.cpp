@@ -743,7 +743,7 @@ constexpr ProblemText kTexts[] = {
      "holds no goal of the robot (goals, /goal_pose; --robot-goal gives one): undefined, or as "
      "without a goal, are {metrics}"},
     {"bag.no-factors",
-     "holds no social_force_factor of anybody: that of the evaluator makes {metrics}"},
+     "holds no social_force_factor of any person: that of the evaluator makes {metrics}"},
     {"bag.no-replans", "holds no new plans of the robot: 0 is {metrics}"},
     {"bag.no-messages", "topic {topic} has no message that can be read"},
     {"bag.same-stamp",

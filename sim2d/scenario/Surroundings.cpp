@@ -116,7 +116,8 @@ Surroundings makeSurroundings(const Scenario& scenario, OccupancyGrid grid,
 
 std::string mapBaseName(const std::string& map) {
   const fs::path name = fs::path(map).filename();
-  static const std::vector<std::string> kExtensions = {".yaml", ".yml", ".pgm", ".png", ".bmp"};
+  static const std::vector<std::string> kExtensions = {".yaml", ".yml", ".pgm", ".png",
+                                                       ".bmp",  ".jpg", ".jpeg"};
   const std::string extension = base::lowered(name.extension().string());
   const bool isKnown =
       std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();

@@ -27,7 +27,7 @@ class RecordedPoints {
   };
   Range of(std::int64_t step, int id, bool isRobot) const;
   bool isEmpty() const { return entries_.empty(); }
-  bool hasPeople() const { return hasPeople_; }  // somebody has points at some step
+  bool hasPeople() const { return hasPeople_; }  // some person has points at some step
   bool hasRobot() const { return hasRobot_; }
 
   /// The text of obstacle_points.csv.

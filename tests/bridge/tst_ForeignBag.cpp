@@ -171,6 +171,28 @@ class ForeignBagTest : public QObject {
     QCOMPARE(bag.trace->frames[5].humans.group[2], 4);
   }
 
+  /// people_msgs hold the type of behaviour as a tag of HuNavSim.
+  void read_tagsOfPeople_giveTheBehavior() {
+    Wrapper wrapper(path("tags.mcap"));
+    for (int k = 0; k < kSamples; ++k) {
+      people_msgs::People people;
+      people.header.stamp = stampOfSample(k);
+      people.people.emplace_back().name = "anna";
+      people.people.back().tagnames = {"id", "group_id", "behavior"};
+      people.people.back().tags = {"7", "2", "4"};
+      wrapper.write("/people", k, people);
+    }
+    QVERIFY(wrapper.finish());
+    const base::Result<sim2d::Trace> trace = readBagTrace(path("tags.mcap"), {}, {});
+    QVERIFY2(static_cast<bool>(trace), textsOf(trace.diagnostics()).c_str());
+    const sim2d::TraceHuman& anna = trace->header.humans.front();
+    QCOMPARE(anna.id, 7);
+    QCOMPARE(anna.group, 2);
+    QCOMPARE(anna.behavior, 4);
+    QCOMPARE(anna.radius, 0.35);
+    QCOMPARE(anna.desiredSpeed, 1.0);
+  }
+
   void read_goalPose_isTheGoal() {
     Wrapper wrapper(path("goal.mcap"));
     for (int k = 0; k < kSamples; ++k) {
@@ -194,7 +216,7 @@ class ForeignBagTest : public QObject {
     QCOMPARE(bag.value("completed"), 1.0);
   }
 
-  /// What cannot be a number is left out with the sample, and told once per topic and field.
+  /// What cannot be a number is left out with the sample, with one warning per topic and field.
   void read_badNumbers_areLeftOut() {
     QVERIFY(writeWrapper(path("bad.mcap"), [](int k, auto& people, auto& robot) {
       people.agents[0].position.position.x = k == 3 || k == 4 ? kNan : 2.0;

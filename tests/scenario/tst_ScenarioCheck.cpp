@@ -353,6 +353,7 @@ class ScenarioCheckTest : public QObject {
     QTest::newRow("plain") << QByteArray("yard") << QByteArray("yard");
     QTest::newRow("extension") << QByteArray("yard.yaml") << QByteArray("yard");
     QTest::newRow("folder") << QByteArray("/a/b/yard.PGM") << QByteArray("yard");
+    QTest::newRow("photograph") << QByteArray("yard.jpg") << QByteArray("yard");
     QTest::newRow("dot in the name") << QByteArray("yard.v2") << QByteArray("yard.v2");
     QTest::newRow("empty") << QByteArray("") << QByteArray("");
   }

@@ -128,6 +128,9 @@ void BagBodies::takePeople(std::size_t channel, std::string_view bytes) {
     BagBody& body = people_[known];
     body.id = known;
     body.name = person.name;
+    if (const std::optional<int> type = tagOf(person, "behavior"); type && !body.told) {
+      body.told.emplace().behavior.type = static_cast<std::uint8_t>(std::clamp(*type, 1, 6));
+    }
     BagSample sample;
     sample.time = nanosecondsOf(all->header.stamp);
     sample.pose.position = frame.toWorld({person.position.x, person.position.y});

@@ -196,8 +196,8 @@ class FileRow final : public Bag {
   std::vector<std::vector<std::size_t>> places_;  // of each file's channels in channels_
 };
 
-/// Where the file lies that the metadata names: early versions name its folder as well, and who
-/// decompressed it has left the name as it was. Empty: not there.
+/// Where the file lies that the metadata names: early versions name its folder as well, and a file
+/// that was decompressed by hand has lost its last ending. Empty: not there.
 std::string placeOf(const std::string& folder, const std::string& name) {
   const fs::path file = fs::path(name).filename();
   const std::string ending = base::lowered(file.extension().string());

@@ -152,7 +152,7 @@ void DatabaseWriter::addMetadata(const std::string& name, const Entries& entries
   }
 }
 
-/// Those with messages, and all that rosbag2 wants to know of the file.
+/// Those with messages, and the description of the file that rosbag2 reads.
 void DatabaseWriter::writeTopics() {
   const Statement insert = prepared("INSERT INTO topics VALUES(?1, ?2, ?3, 'cdr', ?4)");
   std::vector<BagTopic> topics;

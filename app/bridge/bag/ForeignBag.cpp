@@ -13,7 +13,7 @@ namespace bridge {
 namespace {
 
 constexpr double kUsualGoalRadius = 0.2;  // [m]
-constexpr double kStanding = 0.05;        // [m]: noise of who does not move
+constexpr double kStanding = 0.05;        // [m]: noise of a body at rest
 constexpr double kArrivalSlack = 0.3;     // [m]: goals that end farther away were given up
 
 /// A recording of others, brought onto a grid of times.
@@ -61,7 +61,7 @@ class ForeignTrace {
     }
   }
 
-  /// Some wrappers tell of a robot of another id until theirs is there.
+  /// Some wrappers publish a robot of another id until theirs is there.
   const BagBody* robotSeenMost() const {
     const BagBody* most = nullptr;
     for (const auto& [id, body] : bodies_.robots()) {
@@ -70,7 +70,7 @@ class ForeignTrace {
     return most;
   }
 
-  /// Who is the robot of the record: by the words of the user a person may be.
+  /// The body that is the robot of the record: a person, if the user has chosen one.
   const BagBody* robotOfTrace() const {
     const auto link =
         std::find_if(links_.links.begin(), links_.links.end(),
@@ -156,7 +156,8 @@ class ForeignTrace {
       return;
     }
     const hunav_msgs::Agent& agent = *body.told;
-    human.desiredSpeed = asWritten(agent.desiredVelocity);
+    human.desiredSpeed =
+        agent.desiredVelocity > 0.0F ? asWritten(agent.desiredVelocity) : human.desiredSpeed;
     human.behavior = std::clamp<int>(agent.behavior.type, 1, 6);
     human.configuration = std::clamp<int>(agent.behavior.configuration, 0, 3);
     human.cyclicGoals = agent.cyclicGoals;
