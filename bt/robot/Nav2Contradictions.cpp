@@ -30,6 +30,7 @@ class Contradictions {
     for (const auto& [node, costmap] : {std::pair("local_costmap", &parameters_.localCostmap),
                                         std::pair("global_costmap", &parameters_.globalCostmap)}) {
       checkShape(node, costmap->parameters);
+      checkBody(node, costmap->parameters);
     }
     for (const Named& controller : controllers()) {
       checkScaling(controller);
@@ -102,6 +103,29 @@ class Contradictions {
     const bool hasFootprint = !costmap.footprint.empty() && costmap.footprint != "[]";
     if (hasFootprint && isGiven(node + ".robot_radius")) {
       add(node + ".robot_radius", "nav2.two-shapes", {});
+    }
+  }
+
+  /// What collides in the simulator is the robot's body; what Nav2 avoids with is the costmap's.
+  void checkBody(const std::string& node, const CostmapParameters& costmap) {
+    constexpr double kAlike = 0.02;  // [m]
+    const bool hasFootprint = !costmap.footprint.empty() && costmap.footprint != "[]";
+    const std::string key = node + (hasFootprint ? ".footprint" : ".robot_radius");
+    if (setup_ == nullptr || !isGiven(key)) {
+      return;
+    }
+    double reach = costmap.robotRadius;
+    if (hasFootprint) {
+      const base::Result<Polygon> corners = readPolygon(costmap.footprint);
+      if (!corners) {
+        return;  // an error of the costmap
+      }
+      reach = circumscribedRadius(*corners);
+    }
+    const double body = sim2d::reachOf(setup_->body.footprint);
+    if (std::abs(reach - body) > kAlike) {
+      const auto shown = [](double length) { return std::round(1e3 * length) / 1e3; };
+      add(key, "nav2.body-differs", {key, shown(reach), setup_->robot, shown(body)});
     }
   }
 

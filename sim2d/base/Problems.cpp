@@ -376,6 +376,9 @@ constexpr ProblemText kTexts[] = {
     {"nav2.drive", "robot '{robot}': {what}"},
     {"nav2.tree", "robot '{robot}': {what}"},
     {"nav2.no-footprint", "{key} needs a footprint, local_costmap has none: Nav2 does not start"},
+    {"nav2.body-differs",
+     "{key} reaches {reach} m from the centre, the body of robot '{robot}' {body} m: Nav2 avoids "
+     "obstacles with the former, contacts are those of the latter"},
     {"nav2.two-shapes", "both footprint and robot_radius are given: footprint counts"},
     {"nav2.scaling-differs",
      "{controller}.inflation_cost_scaling_factor is {found}, the inflation layer of local_costmap "

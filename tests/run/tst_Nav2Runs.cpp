@@ -40,6 +40,8 @@ class Nav2RunsTest : public QObject {
   void badInput_isToldNotRun_data();
   void badInput_isToldNotRun();
   void monitor_thatIsDisabled_changesNothing();
+  void bodyOfTheFile_otherThanTheRobots_isReported_data();
+  void bodyOfTheFile_otherThanTheRobots_isReported();
   void errorOfTheFile_isAtItsLine_data();
   void errorOfTheFile_isAtItsLine();
 };
@@ -460,6 +462,43 @@ void Nav2RunsTest::monitor_thatIsDisabled_changesNothing() {
   const Driven driven = drive(options, 12.0);
   QVERIFY2(!driven.places.empty() && driven.places.back().x() > 2.0,
            (driven.problems + driven.failure).c_str());
+}
+
+void Nav2RunsTest::bodyOfTheFile_otherThanTheRobots_isReported_data() {
+  QTest::addColumn<QString>("shape");
+  QTest::addColumn<QString>("told");  // after the path; empty: nothing
+  QTest::newRow("radius") << "robot_radius: 0.175"
+                          << ":8:21: warning: local_costmap.robot_radius reaches 0.175 m from the "
+                             "centre, the body of robot 'robot1' 0.35 m";
+  // hypot(0.3, 0.4) = 0.5
+  QTest::newRow("corners") << "footprint: \"[[0.3, 0.4], [-0.3, 0.4], [-0.3, -0.4], [0.3, -0.4]]\""
+                           << ":8:18: warning: local_costmap.footprint reaches 0.5 m from the "
+                              "centre, the body of robot 'robot1' 0.35 m";
+  QTest::newRow("the same") << "robot_radius: 0.35"
+                            << "";
+  QTest::newRow("not given") << "robot_base_frame: base_link"
+                             << "";
+}
+
+/// The robot of the scenario is a disc of 0.35 m.
+void Nav2RunsTest::bodyOfTheFile_otherThanTheRobots_isReported() {
+  QFETCH(QString, shape);
+  QFETCH(QString, told);
+  const std::string path = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_body.yaml";
+  base::writeFileAtomically(
+      path,
+      "controller_server:\n  ros__parameters:\n    FollowPath:\n      plugin: "
+      "\"nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController\"\n"
+      "local_costmap:\n  local_costmap:\n    ros__parameters:\n      " +
+          shape.toStdString() + "\n");
+  app::RunOptions options = optionsOf(boxScenario(), "generic");
+  options.nav2Params = path;
+  const app::Verdict verdict = prepared(options);
+  const std::string text = textOf(verdict.problems) + textOf(verdict.worldRemarks);
+  const bool isReported = text.find(" reaches ") != std::string::npos;
+  QVERIFY2(isReported != told.isEmpty(), text.c_str());
+  QVERIFY2(told.isEmpty() || text.find(path + told.toStdString()) != std::string::npos,
+           text.c_str());
 }
 
 void Nav2RunsTest::errorOfTheFile_isAtItsLine_data() {

@@ -303,7 +303,13 @@ double xyGoalTolerance(const Nav2Parameters& parameters) {
   const auto names = controllerValue<std::vector<std::string>>(parameters, "goal_checker_plugins",
                                                                {"goal_checker"});
   const std::string first = names.empty() ? std::string() : names.front();
-  return controllerValue(parameters, first + ".xy_goal_tolerance", 0.25);
+  for (const char* const key :
+       {".xy_goal_tolerance", ".along_path_tolerance", ".fine_xy_goal_tolerance"}) {
+    if (parameters.controllerServer.count(first + key) != 0) {
+      return controllerValue(parameters, first + key, 0.25);
+    }
+  }
+  return 0.25;
 }
 
 }  // namespace sim2d::nav2
