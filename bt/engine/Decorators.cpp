@@ -150,7 +150,7 @@ base::NodeStatus Ticker::precondition(int node) {
 bool Ticker::storeElement(int node, std::string_view element) {
   const PortBinding& binding = nodes_[node].ports[2];
   if (binding.kind != PortBinding::Kind::Entry) {
-    return true;  // nobody wants it
+    return true;  // no entry is named
   }
   const std::optional<Value> value = convertTo(Value::of(element), binding.type);
   if (!value || !store(boundSlot(slots(), binding), *value)) {

@@ -83,7 +83,7 @@ base::NodeStatus Ticker::sleep(int node) {
   return Status::Success;
 }
 
-/// The entry that a node works on: its slot, null when it is nobody's; a fault when the name of the
+/// The entry that a node works on: its slot, null when no node uses it; a fault when the name of the
 /// entry is missing.
 std::optional<Slot*> Ticker::target(int node, const char* port, bool isOwn) {
   int slot = nodes_[node].detail;
@@ -124,7 +124,7 @@ base::NodeStatus Ticker::setBlackboard(int node) {
     return Status::Failure;
   }
   if (*to == nullptr) {
-    return Status::Success;  // nobody reads it
+    return Status::Success;  // no node reads it
   }
   return setEntry(node, **to, from.value) ? Status::Success : kFault;
 }

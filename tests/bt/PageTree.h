@@ -309,6 +309,7 @@ class Node {
   bool wasUpdated();
   Status setBlackboard();
   Status scripted(bool isStateful);
+  Status portLeaf();
   int threshold(const std::string& port, const char* fallback) {
     const int given = wholeInput(port, fallback);
     const int count = static_cast<int>(children.size());
@@ -339,4 +340,5 @@ std::unique_ptr<Node> makeNode(const Spec& spec, Board& board, Stage& stage, con
 
 }  // namespace page
 
+#include "tests/bt/PageControls.h"
 #include "tests/bt/PageNodes.h"
