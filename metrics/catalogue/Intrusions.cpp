@@ -286,7 +286,7 @@ personal_space_intrusion_gaussian_above|Time inside the Gaussian personal space|
 = Social Behavior|lower|robot, people, groups|SRPB
 formation_space_intrusion|Intrusion into the space of groups|%|[0, 100]|time-weighted mean over the samples with groups of the largest over groups of
   100 exp(-(x^2/(2 X^2) + y^2/(2 Y^2))), 0 if there are none; x, y = p - m along and across the axis of the arrangement, X, Y = a quarter of the span
-  along these (section Groups and crowd)
+  along these (METRICS.md, Groups and crowd)
 formation_space_intrusion_max|Intrusion into the space of groups, largest|%|[0, 100]|max over the samples of the same, 0 without groups
 = Social Behavior|lower|robot, people, groups|Katyal et al. 2022; Okal and Arras 2016
 group_crossings|Groups crossed||0, 1, ...|number of i at which the robot crosses a group and did not at the last sample at which that group was there:

@@ -89,7 +89,7 @@ class Collisions : public ContactsWithin<&MetricParameters::contactDistance> {
 constexpr char kOutcomeMetrics[] = R"(
 = Safety & Collisions|lower|robot, people|Tsoi et al., SEAN 2.0, RA-L 2022
 16 robot_on_person_collision|Robot runs into a person||0, 1, ...|number of contacts (gap < contact_distance begins) that the robot caused or both, by
-  who closes in faster (section Distances and zones)
+  who closes in faster (METRICS.md, Distances and zones)
 17 person_on_robot_collision|Person runs into the robot||0, 1, ...|number of contacts (gap < contact_distance begins) that the person caused or both,
   by who closes in faster
 = Navigation Performance|higher|robot, people, obstacles, goal|Francis et al. 2025; SocNavBench; CrowdNav; Arena

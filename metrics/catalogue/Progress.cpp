@@ -80,10 +80,10 @@ MetricValue finalDistanceOverLength(const RobotWay& way, const Instant& last) {
 /// failure_to_progress counts samples: twice as many, twice the value.
 constexpr char kProgressMetrics[] = R"(
 = Navigation Performance|lower|robot, goal|Perez-Higueras, Caballero, Merino, IJSR 2018
-1 time_to_reach_goal|Time to reach the goal|s|[0, inf)|time of arrival - t_0 (the one arrival, see above), 0 if it lies before t_0; undefined if the
+1 time_to_reach_goal|Time to reach the goal|s|[0, inf)|time of arrival - t_0 (METRICS.md, The robot's way), 0 if it lies before t_0; undefined if the
   robot does not arrive by the last sample
 = Navigation Performance|higher|robot, goal|Tsoi et al., SEAN 2.0, RA-L 2022
-13 completed|Goal reached||0 or 1|1 if the robot has arrived by the last sample (the one arrival, see above), else 0
+13 completed|Goal reached||0 or 1|1 if the robot has arrived by the last sample (METRICS.md, The robot's way), else 0
 = Navigation Performance|lower|robot, goal|Tsoi et al., SEAN 2.0, RA-L 2022
 14 minimum_distance_to_target|Smallest distance to the goal|m|[0, inf)|min over i and goals g of |p_i - g|, to the centre
 15 final_distance_to_target|Final distance to the goal|m|[0, inf)|min over goals g of |p_(N-1) - g|, to the centre

@@ -214,8 +214,7 @@ constexpr char kSpeedsMetrics[] = R"(
 20 avg_robot_angular_speed|Mean turning speed of the robot|rad/s|[0, inf)|mean over i of |w_i|
 = Motion Analysis|lower|robot|Biswas et al., SocNavBench, THRI 2022
 21 avg_acceleration|Mean acceleration of the robot|m/s²|[0, inf)|mean of |a_i|, a_i = (s_(i+1) - s_i)/dt_i, over the i with dt_i > 0
-22 avg_overacceleration|Mean jerk of the robot|m/s³|[0, inf)|mean of |J_i| over the samples that have a jerk J_i (window jerk_window, section
-  Sampling)
+22 avg_overacceleration|Mean jerk of the robot|m/s³|[0, inf)|mean of |J_i| over the samples that have a jerk J_i (window jerk_window; METRICS.md, Sampling)
 = Social Behavior|neutral|people|Katyal et al., IROS 2022
 23 avg_pedestrian_velocity|Mean speed of people|m/s|[0, inf)|mean over i, a of |u|, each pair of sample and person once
 = Social Behavior|neutral|robot, people|Katyal et al., IROS 2022
@@ -226,7 +225,7 @@ min_robot_linear_speed|Smallest speed of the robot|m/s|[0, inf)|min over i of s_
 max_robot_linear_speed|Largest speed of the robot|m/s|[0, inf)|max over i of s_i
 = Motion Analysis|lower|robot|Francis et al. 2025; SocNavGym
 max_acceleration|Largest acceleration of the robot|m/s²|[0, inf)|max of |a_i|, a_i as in avg_acceleration
-max_jerk|Largest jerk of the robot|m/s³|[0, inf)|max of the jerks |J| at the samples and in the middle of each dt_i (jerk_window, section Sampling)
+max_jerk|Largest jerk of the robot|m/s³|[0, inf)|max of the jerks |J| at the samples and in the middle of each dt_i (jerk_window; METRICS.md, Sampling)
 = Motion Analysis|lower|robot|SRPB
 heading_change_smoothness|Mean turning acceleration|rad/s²|[0, inf)|mean of |w_(i+1) - w_i|/dt_i over the i with dt_i > 0
 = Motion Analysis|lower|robot|SocNavBench|0.51

@@ -112,7 +112,7 @@ class SurpriseSum : public PersonCosts {
 
 constexpr char kSurpriseMetrics[] = R"(
 = Danger & Surprise Metrics|lower|robot, people, map|Singamaneni, Favier, Alami, RO-MAN 2023
-32 surprise_visibility_cost|Surprise: visibility||[0, inf)|sum over i and each a who sees the robot (field_of_view, section Walls and obstacles) of
+32 surprise_visibility_cost|Surprise: visibility||[0, inf)|sum over i and each a who sees the robot (field_of_view; METRICS.md, Walls and obstacles) of
   (surprise_distance/D) * theta/(field_of_view/2), D = max(gap, surprise_minimum_distance); none for SR = 1 if surprise_visibility_only_unrecognised
   is 1; none of a robot with s < stop_linear_speed if surprise_requires_motion is 1
 33 surprise_shock_cost|Surprise: shock||[0, inf)|sum over i and each a who sees the robot of max((surprise_distance/D) * (1 - SR

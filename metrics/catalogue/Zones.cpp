@@ -157,12 +157,12 @@ constexpr char kZonesMetrics[] = R"(
 = Social Behavior|lower|robot, people|SEAN 2.0 (distance violations)
 intimate_zone_entries|Entries into the intimate zone||0, 1, ...|number of times a person's gap falls below intimate_distance
 intimate_zone_entries_by_robot|Entries of the robot into the intimate zone||0, 1, ...|those of intimate_zone_entries that the robot caused or both, by
-  who closes in faster (intimate_distance; section Distances and zones)
+  who closes in faster (intimate_distance; METRICS.md, Distances and zones)
 intimate_zone_entries_by_person|Entries of people into the intimate zone||0, 1, ...|those of intimate_zone_entries that the person caused or both, by
   who closes in faster (intimate_distance)
 personal_zone_entries|Entries into the personal zone||0, 1, ...|number of times a person's gap falls below personal_distance
 personal_zone_entries_by_robot|Entries of the robot into the personal zone||0, 1, ...|those of personal_zone_entries that the robot caused or both, by
-  who closes in faster (personal_distance; section Distances and zones)
+  who closes in faster (personal_distance; METRICS.md, Distances and zones)
 personal_zone_entries_by_person|Entries of people into the personal zone||0, 1, ...|those of personal_zone_entries that the person caused or both, by
   who closes in faster (personal_distance)
 )";
