@@ -84,12 +84,9 @@ void ServeProgramTest::run_optionsOfRos2WithoutIt_areAWrongCommandLine() {
 void ServeProgramTest::help_ofRos2_saysWhoIsFound() {
   for (const char* command : {"run", "serve", "evaluate"}) {
     const QString help = runProgram({text(command), text("--help")}).out.simplified();
-    const int at = help.indexOf(QRegularExpression(text("--ros2 (?=Tell|Offer|Listen)")));
-    QVERIFY2(at >= 0, qPrintable(help));
-    const QString said = help.mid(at, 400);
-    for (const char* word : {"loopback", "--network", "--domain", "ROS_DOMAIN_ID"}) {
-      QVERIFY2(said.contains(text(word)), qPrintable(said));
-    }
+    QVERIFY2(help.contains(text("loopback interface alone unless --network is given, and in one "
+                                "domain: --domain or ROS_DOMAIN_ID")),
+             qPrintable(help));
   }
 }
 
