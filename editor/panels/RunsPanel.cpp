@@ -181,6 +181,10 @@ int RunsPanel::styleOf(const Row& row) const {
 }
 
 void RunsPanel::fillList() {
+  if (isTakingEdit_) {  // Qt still uses the edited row
+    later_.start();
+    return;
+  }
   const QScopedValueRollback<bool> filling(isFilling_, true);
   const std::optional<Row> before = chosen();
   const std::vector<Row> all = rows();
@@ -275,13 +279,14 @@ void RunsPanel::takeCheck(QTreeWidgetItem* item, int column) {
     return;
   }
   const Row& row = all[index];
-  if (item->text(RunNameColumn) != row.name) {
-    context_.runner.renameBranch(row.branch, item->text(RunNameColumn));
-  }
   if (item->checkState(RunNameColumn) == Qt::Checked) {
     ticked_.insert(row);
   } else {
     ticked_.erase(row);
+  }
+  const QScopedValueRollback<bool> taking(isTakingEdit_, true);
+  if (const QString name = item->text(RunNameColumn); name != row.name) {
+    context_.runner.renameBranch(row.branch, name);
   }
   later_.start();
 }

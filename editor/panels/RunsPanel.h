@@ -87,7 +87,8 @@ class RunsPanel : public QWidget {
   std::set<Row> ticked_;
   std::unique_ptr<SideBySide> side_;
   bool isFilling_ = false;
-  QTimer later_;  // the list is not filled anew while it tells of a tick
+  bool isTakingEdit_ = false;  // the rows of the list must stay meanwhile
+  QTimer later_;               // fills the list after the edit
   LatestTask<std::shared_ptr<ReadRun>> reading_;
 };
 
