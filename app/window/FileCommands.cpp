@@ -18,6 +18,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/MapEdit.h"
 #include "editor/document/QtImageLoader.h"
+#include "editor/look/ClearLater.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -224,7 +225,7 @@ void FileCommands::askOpen() {
 }
 
 void FileCommands::fillRecentMenu(QMenu& menu) {
-  menu.clear();
+  editor::clearLater(menu);
   for (const QString& path : memory_.recentFiles()) {
     QAction* action = menu.addAction(QFileInfo(path).fileName());
     action->setStatusTip(path);

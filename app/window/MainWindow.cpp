@@ -30,6 +30,7 @@
 #include "editor/look/HouseStyle.h"
 #include "editor/look/Icons.h"
 #include "editor/look/Later.h"
+#include "editor/look/Typing.h"
 #include "editor/panels/BehaviorPanel.h"
 #include "editor/panels/GoalAssignment.h"
 #include "editor/panels/IssuesPanel.h"
@@ -183,8 +184,7 @@ void MainWindow::connectFiles() {
   connect(actions_->history, &QAction::triggered, this,
           [this] { askHistory(memory_, workspace_.runner(), workspace_.theme(), this); });
   connect(actions_->about, &QAction::triggered, this, &MainWindow::tellAbout);
-  connect(recent_->menuAction(), &QAction::hovered, this,
-          [this] { files_->fillRecentMenu(*recent_); });
+  connect(recent_, &QMenu::aboutToShow, this, [this] { files_->fillRecentMenu(*recent_); });
   files_->fillRecentMenu(*recent_);
   connect(files, &FileCommands::recentChanged, this, [this] {
     files_->fillRecentMenu(*recent_);
@@ -213,6 +213,8 @@ void MainWindow::connectFiles() {
     }
   });
   editor::ScenarioDocument& document = workspace_.document();
+  connect(&document, &editor::ScenarioDocument::aboutToBeReplaced, this,
+          [this] { editor::finishTyping(*this); });
   connect(&document, &editor::ScenarioDocument::pathChanged, this, &MainWindow::showTitle);
   connect(&document, &editor::ScenarioDocument::dirtyChanged, this, &MainWindow::showTitle);
 }
@@ -241,7 +243,10 @@ void MainWindow::connectView() {
     rememberTheme();
   });
   connect(actions_->rename, &QAction::triggered, this, [this] {
-    docks_->panel<editor::ScenarioPanel>().rename(workspace_.document().selection().front());
+    const std::vector<editor::EntityId>& selection = workspace_.document().selection();
+    if (!selection.empty()) {
+      docks_->panel<editor::ScenarioPanel>().rename(selection.front());
+    }
   });
   connect(&docks_->context(), &editor::PanelContext::besideWanted, this, &MainWindow::showBeside);
   connect(&docks_->context(), &editor::PanelContext::fileWanted, this, &MainWindow::showFile);

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include "editor/look/ClearLater.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 
@@ -107,11 +108,7 @@ void NoticeBar::rebuild() {
   if (QWidget* focus = window()->focusWidget(); focus != nullptr && isAncestorOf(focus)) {
     Q_EMIT keyboardFree();  // before Qt hands it to whatever is next
   }
-  while (QLayoutItem* item = rows_->takeAt(0)) {
-    item->widget()->hide();
-    item->widget()->deleteLater();  // it may be the one whose button was pressed
-    delete item;
-  }
+  editor::clearLater(*rows_);
   for (const Notice& notice : notices_) {
     rows_->addWidget(rowOf(notice));
   }

@@ -6,6 +6,7 @@
 #include "app/window/FileCommands.h"
 #include "app/window/TreeChoiceDialog.h"
 #include "editor/document/Autosave.h"
+#include "editor/look/Typing.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/map/MapReader.h"
 
@@ -87,6 +88,7 @@ bool FileCommands::saveAsking(const QString& path) {
 }
 
 bool FileCommands::save() {
+  editor::finishTyping(window_);
   const editor::ScenarioDocument& document = workspace_.document();
   if (document.path().isEmpty() || document.isReadOnly()) {
     return saveAs();
@@ -154,6 +156,7 @@ bool FileCommands::isLost() const {
 }
 
 bool FileCommands::mayLeave() {
+  editor::finishTyping(window_);
   const editor::ScenarioDocument& document = workspace_.document();
   if (!document.isDirty() && !isLost()) {
     return true;

@@ -8,6 +8,7 @@
 #include <QPainterPath>
 
 #include "editor/canvas/RouteModel.h"
+#include "editor/look/ClearLater.h"
 #include "editor/look/Form.h"
 #include "editor/look/Icons.h"
 #include "editor/look/Later.h"
@@ -317,10 +318,7 @@ void StartPage::addDemos(const std::vector<ShippedScenario>& demos) {
 }
 
 void StartPage::fillRecent() {
-  while (QLayoutItem* item = recent_->takeAt(0)) {
-    delete item->widget();
-    delete item;
-  }
+  editor::clearLater(*recent_);
   for (const QString& path : memory_.recentFiles()) {
     auto* row = new RecentRow(path, memory_.noted(path), workspace_.theme(), page_);
     connect(row, &QAbstractButton::clicked, this, [this, path] { Q_EMIT fileWanted(path); });

@@ -100,8 +100,10 @@ void StudyResults::makeRuns() {
   runTable_->setToolTip(tr("Double click plays a run"));
   pages_->addWidget(runTable_);
   connect(runTable_, &QTableView::activated, this, [this](const QModelIndex& at) {
-    const int row = sorted_.mapToSource(at).row();
-    Q_EMIT playWanted(runs_.rows()[static_cast<std::size_t>(row)].run);
+    const auto row = static_cast<std::size_t>(sorted_.mapToSource(at).row());
+    if (row < runs_.rows().size()) {  // else the index was invalid
+      Q_EMIT playWanted(runs_.rows()[row].run);
+    }
   });
 }
 

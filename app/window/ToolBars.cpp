@@ -181,6 +181,17 @@ QMenu* makeMenus(QMainWindow& window, Workspace& workspace, WindowActions& actio
 
 namespace {
 
+/// Closes when the selection changes, or between editing and a run.
+QMenu* canvasMenu(Workspace& workspace) {
+  auto* menu = new QMenu(&workspace.view());
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  QObject::connect(&workspace.document(), &editor::ScenarioDocument::selectionChanged, menu,
+                   &QWidget::close);
+  QObject::connect(&workspace.runner(), &editor::SimulationRunner::stateChanged, menu,
+                   &QWidget::close);
+  return menu;
+}
+
 /// Driven is who is selected. Another is selected when the word is chosen: the map may make room
 /// for its legend then, which would move it away from under the menu.
 void offerToDrive(QMenu& menu, Workspace& workspace, base::EntityId robot) {
@@ -201,8 +212,7 @@ void offerToDrive(QMenu& menu, Workspace& workspace, base::EntityId robot) {
 void offerHands(Workspace& workspace, const QPoint& at) {
   editor::MapView& view = workspace.view();
   const base::Vec2 place = view.worldAt(at);
-  auto* menu = new QMenu(&view);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
+  QMenu* const menu = canvasMenu(workspace);
   const editor::FrameLayer& layer = workspace.scene().frameLayer();
   const std::optional<int> agent = layer.agentAt(place);
   if (agent && *agent < 0 && workspace.runner().isLive()) {
@@ -235,8 +245,7 @@ void connectCanvasMenu(Workspace& workspace, const WindowActions& actions, const
     if (id && !document.isSelected(id)) {
       document.setSelection({id});
     }
-    auto* menu = new QMenu(&view);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
+    QMenu* const menu = canvasMenu(workspace);
     if (id) {
       docks.panel<editor::ScenarioPanel>().fillMenu(*menu, id);
       actions.fillArrangeMenu(*menu->addMenu(QObject::tr("Arrange")));

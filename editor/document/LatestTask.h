@@ -43,6 +43,12 @@ class LatestTask {
 
   bool isBusy() const { return running_.valid(); }
 
+  /// Nothing that was requested so far is delivered. Does not wait.
+  void forget() {
+    waiting_ = nullptr;
+    isForgotten_ = running_.valid();
+  }
+
   /// Waits for all that was requested and delivers it.
   void finish() {
     while (running_.valid()) {
@@ -77,10 +83,11 @@ class LatestTask {
     } catch (const base::Stopped&) {
     }
     poll_.stop();
+    const bool isWanted = !std::exchange(isForgotten_, false);
     if (waiting_) {  // the result is out of date already; still better than an older one
       start(std::exchange(waiting_, nullptr));
     }
-    if (result) {
+    if (result && isWanted) {
       deliver_(*std::move(result));
     }
   }
@@ -88,6 +95,7 @@ class LatestTask {
   std::function<void(T)> deliver_;
   std::future<T> running_;
   std::function<T()> waiting_;
+  bool isForgotten_ = false;  // the work that is running
   QTimer poll_;
 };
 

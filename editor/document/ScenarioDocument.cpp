@@ -265,6 +265,12 @@ void ScenarioDocument::startCheck() {
 }
 
 void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {
+  Q_EMIT aboutToBeReplaced();
+  if (!selection_.empty()) {  // first: forms commit typed text with the ids of this scenario
+    selection_.clear();
+    Q_EMIT selectionChanged();
+  }
+  liveCheck_->forget();
   scenario_ = std::move(scenario);
   nextKey_ = std::max(nextKey_, scenario_.nextKey());
   trees_.clear();
@@ -272,10 +278,6 @@ void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {
   loadDiagnostics_.clear();
   checkIssues_.clear();
   commentCount_ = 0;
-  if (!selection_.empty()) {
-    selection_.clear();
-    Q_EMIT selectionChanged();
-  }
   undoStack_.clear();
 }
 

@@ -9,6 +9,8 @@
 #include <QTimer>
 #include <QToolButton>
 
+#include "editor/look/Typing.h"
+
 namespace editor {
 
 namespace {
@@ -34,14 +36,6 @@ class NamingDelegate : public QStyledItemDelegate {
   }
 };
 
-/// The name that is being typed in the list of files, of a new folder, is taken as it is.
-void takeName(const QAbstractItemView& files) {
-  for (QLineEdit* name : files.viewport()->findChildren<QLineEdit*>()) {
-    Q_EMIT files.itemDelegate()->commitData(name);
-    Q_EMIT files.itemDelegate()->closeEditor(name);
-  }
-}
-
 }  // namespace
 
 void keepFiles(QFileDialog& dialog, bool makesFolders) {
@@ -63,9 +57,10 @@ void keepFiles(QFileDialog& dialog, bool makesFolders) {
           QAbstractItemView::NoEditTriggers);  // a new folder is named all the same
       files->setDragDropMode(QAbstractItemView::NoDragDrop);
       files->setItemDelegate(new NamingDelegate(files));
-      // Qt 5.15 reads freed memory when the folder is left meanwhile.
+      // The name of a new folder is taken as it is: Qt 5.15 reads freed memory when the folder is
+      // left while it is being typed.
       for (QToolButton* button : dialog.findChildren<QToolButton*>()) {
-        QObject::connect(button, &QToolButton::pressed, files, [files] { takeName(*files); });
+        QObject::connect(button, &QToolButton::pressed, files, [files] { finishTyping(*files); });
       }
     }
   }

@@ -163,9 +163,12 @@ void BehaviorPanel::setTheme(const Theme& theme) {
 }
 
 void BehaviorPanel::follow() {
-  person_ = {};
+  const EntityId before = std::exchange(person_, {});
   for (const EntityId id : document_.selection()) {
     person_ = id.kind == EntityKind::Human ? id : person_;
+  }
+  if (person_ != before) {
+    menu_.close();  // it is about the previous person
   }
   const sim2d::Human* human = document_.human(person_);
   if (human != nullptr && runner_.watched() != human->id) {  // the last one stays, for the studio
@@ -299,10 +302,9 @@ void BehaviorPanel::offerBreakpoints(const QPoint& at) {
   if (human == nullptr || path.empty()) {
     return;
   }
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  fillBreakpointMenu(*menu, runner_, path, human->id, *this);
-  menu->popup(outline_->viewport()->mapToGlobal(at));
+  QMenu& menu = menu_.begin(*this);
+  fillBreakpointMenu(menu, runner_, path, human->id, *this);
+  menu.popup(outline_->viewport()->mapToGlobal(at));
 }
 
 void BehaviorPanel::showBreakpoints() {
@@ -363,38 +365,41 @@ void addBehaviorPanel(PanelRegistry& to) {
   });
 }
 
-base::Diagnostics BehaviorPanel::takeTreeFrom(const QString& path) {
+base::Diagnostics BehaviorPanel::takeTreeFrom(const QString& path, EntityId person) {
   const base::Result<std::string> text = base::readTextFile(path.toStdString());
   if (!text) {
     return text.diagnostics();
   }
   const base::Result<bt::TreeFile> file = bt::readTreeText(*text, path.toStdString());
   if (file) {
-    pushTreeText(document_, person_, *text, tr("Take the tree %1").arg(QFileInfo(path).fileName()));
+    pushTreeText(document_, person, *text, tr("Take the tree %1").arg(QFileInfo(path).fileName()));
   }
   return file.diagnostics();
 }
 
-base::Diagnostics BehaviorPanel::saveTreeTo(const QString& path) const {
+base::Diagnostics BehaviorPanel::saveTreeTo(const QString& path, EntityId person) const {
   base::Diagnostics problems =
-      base::writeFileAtomically(path.toStdString(), treeText(document_, person_));
+      base::writeFileAtomically(path.toStdString(), treeText(document_, person));
   if (auto included = missingIncludedTree(QFileInfo(path).absolutePath().toStdString())) {
     base::append(problems, base::writeFilesTogether({*std::move(included)}));
   }
   return problems;
 }
 
+/// A run that continues behind the dialog may select another person.
 void BehaviorPanel::askForTree() {
+  const EntityId person = person_;
   const QString path = QFileDialog::getOpenFileName(
       window(), tr("Take a behaviour tree"), folder_(),
       tr("Behaviour trees (*.xml);;All files (*)"), nullptr, QFileDialog::ReadOnly);
-  if (!path.isEmpty()) {
-    Q_EMIT told(takeTreeFrom(path));
+  if (!path.isEmpty() && document_.human(person) != nullptr) {
+    Q_EMIT told(takeTreeFrom(path, person));
   }
 }
 
 void BehaviorPanel::askForFile() {
-  const sim2d::Human* human = document_.human(person_);
+  const EntityId person = person_;
+  const sim2d::Human* human = document_.human(person);
   const QString name = QString::fromStdString(
       bt::treeFileName(document_.scenario().yamlBaseName.value_or("scenario"), human->id));
   QFileDialog dialog(window(), tr("Save the behaviour tree"), folder_(),
@@ -403,8 +408,8 @@ void BehaviorPanel::askForFile() {
   dialog.setDefaultSuffix(QStringLiteral("xml"));
   dialog.selectFile(name);
   keepFiles(dialog, true);
-  if (dialog.exec() == QDialog::Accepted) {
-    Q_EMIT told(saveTreeTo(dialog.selectedFiles().value(0)));
+  if (dialog.exec() == QDialog::Accepted && document_.human(person) != nullptr) {
+    Q_EMIT told(saveTreeTo(dialog.selectedFiles().value(0), person));
   }
 }
 
@@ -420,15 +425,14 @@ void BehaviorPanel::takeTemplate(sim2d::BehaviorType type) {
 }
 
 void BehaviorPanel::offerTemplates() {
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
+  QMenu& menu = menu_.begin(*this);
   const FigurePainter painter(theme_);
   for (int i = 1; i <= 6; ++i) {
     const auto type = static_cast<sim2d::BehaviorType>(i);
-    menu->addAction(painter.markIcon(lookOf(type)), lookName(lookOf(type)), this,
-                    [this, type] { takeTemplate(type); });
+    menu.addAction(painter.markIcon(lookOf(type)), lookName(lookOf(type)), this,
+                   [this, type] { takeTemplate(type); });
   }
-  menu->popup(template_->mapToGlobal(QPoint(0, template_->height())));
+  menu.popup(template_->mapToGlobal(QPoint(0, template_->height())));
 }
 
 }  // namespace editor

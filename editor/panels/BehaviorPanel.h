@@ -10,6 +10,7 @@
 
 #include "bt/human/Blocks.h"
 #include "editor/document/PersonTree.h"
+#include "editor/look/PanelMenu.h"
 #include "editor/panels/TreeOutline.h"
 #include "editor/run/SimulationRunner.h"
 
@@ -31,8 +32,8 @@ class BehaviorPanel : public QWidget {
   QTableWidget& entries() const { return *entries_; }
   /// Takes the text of a file as the person's own tree; what is wrong with it is told and nothing
   /// is changed when it cannot be read.
-  base::Diagnostics takeTreeFrom(const QString& path);
-  base::Diagnostics saveTreeTo(const QString& path) const;
+  base::Diagnostics takeTreeFrom(const QString& path, EntityId person);
+  base::Diagnostics saveTreeTo(const QString& path, EntityId person) const;
   /// The tree that this behaviour makes, and the behaviour with it: one command.
   void takeTemplate(sim2d::BehaviorType type);
 
@@ -79,6 +80,7 @@ class BehaviorPanel : public QWidget {
   QLabel* hint_;  // while no node is chosen
   QLabel* entriesTitle_;
   QTableWidget* entries_;  // of the blackboard, in a run
+  PanelMenu menu_;         // about the person
 };
 
 }  // namespace editor

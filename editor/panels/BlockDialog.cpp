@@ -28,6 +28,7 @@ void addPeople(QListWidget& list, const ScenarioDocument& document, const Theme&
 BlockDialog::BlockDialog(ScenarioDocument& document, const Theme& theme, QWidget* parent)
     : QDialog(parent),
       document_(document),
+      ids_(document.entities(EntityKind::Human)),
       kinds_(new HintList(theme, tr("Blocks"), this)),
       people_(new HintList(theme, tr("People"), this)),
       about_(secondaryLabel({}, this)),
@@ -84,7 +85,7 @@ std::vector<EntityId> BlockDialog::chosen() const {
   std::vector<EntityId> result;
   for (int row = 0; row < people_->count(); ++row) {
     if (people_->item(row)->checkState() == Qt::Checked) {
-      result.push_back(document_.scenario().humans[static_cast<std::size_t>(row)].key);
+      result.push_back(ids_[static_cast<std::size_t>(row)]);
     }
   }
   return result;

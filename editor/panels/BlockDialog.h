@@ -27,6 +27,7 @@ class BlockDialog : public QDialog {
   std::vector<EntityId> chosen() const;
 
   ScenarioDocument& document_;
+  const std::vector<EntityId> ids_;  // of the people that are listed
   HintList *kinds_, *people_;
   QLabel* about_;
   ValueForm* form_;

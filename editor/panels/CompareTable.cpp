@@ -90,6 +90,7 @@ void CompareTable::compare(std::vector<Run> runs) {
   if (runs.size() < 2) {
     stop_->stop();
     stop_ = std::make_shared<base::StopFlag>();
+    task_.forget();  // it may have passed its last check of the flag
     shown_ = {};
     partings_.clear();
     fill();

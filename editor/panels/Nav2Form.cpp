@@ -10,6 +10,7 @@
 
 #include "editor/look/Fields.h"
 #include "editor/look/Icons.h"
+#include "editor/look/Typing.h"
 #include "editor/panels/RowDelegate.h"
 
 namespace editor {
@@ -144,6 +145,9 @@ void Nav2Form::show(const std::optional<sim2d::Robot>& robot, const QString& sce
   };
   const bool hasSameRows = std::equal(sheet.parameters.begin(), sheet.parameters.end(),
                                       sheet_.parameters.begin(), sheet_.parameters.end(), isSame);
+  if (!hasSameRows) {
+    dropTyping(*tree_);  // it is for a row of the previous sheet
+  }
   sheet_ = std::move(sheet);
   if (!hasSameRows) {
     build();
@@ -160,7 +164,7 @@ int Nav2Form::changedCount() const {
 
 const app::Nav2Parameter* Nav2Form::parameterOf(const QVariant& number) const {
   const std::size_t at = number.isValid() ? number.value<std::size_t>() : rows_.size();
-  return at < rows_.size() ? &sheet_.parameters[at] : nullptr;
+  return at < rows_.size() && at < sheet_.parameters.size() ? &sheet_.parameters[at] : nullptr;
 }
 
 QTreeWidgetItem* Nav2Form::rowOf(const std::string& path) const {

@@ -6,7 +6,6 @@
 
 #include <QApplication>
 #include <QKeyEvent>
-#include <QMenu>
 #include <QPainter>
 #include <QPointer>
 #include <QToolButton>
@@ -91,9 +90,7 @@ void RouteEditor::show(const std::vector<int>& goals) {
 }
 
 void RouteEditor::rebuild() {
-  if (menu_) {
-    menu_->close();  // it is about the route of before
-  }
+  menu_.close();  // it is about the route of before
   for (QWidget* part : parts_) {
     part->hide();
     part->deleteLater();
@@ -148,41 +145,37 @@ void RouteEditor::resizeEvent(QResizeEvent*) {
 }
 
 void RouteEditor::offerGoals(QWidget* button) {
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu_ = menu;
+  QMenu& menu = menu_.begin(*this);
   for (const sim2d::GlobalGoal& goal : document_.scenario().goals) {
     const QString words = goalName(goal.id) + QStringLiteral("   ") + placeOf(goal);
-    menu->addAction(words, this, [this, id = goal.id] {
+    menu.addAction(words, this, [this, id = goal.id] {
       std::vector<int> route = goals_;
       route.push_back(id);
       Q_EMIT edited(route);
     });
   }
-  if (menu->isEmpty()) {
-    menu->addAction(tr("No goals yet: press G and click on the map"))->setEnabled(false);
+  if (menu.isEmpty()) {
+    menu.addAction(tr("No goals yet: press G and click on the map"))->setEnabled(false);
   }
-  menu->popup(button->mapToGlobal(QPoint(0, button->height())));
+  menu.popup(button->mapToGlobal(QPoint(0, button->height())));
 }
 
 void RouteEditor::offerMoves(QWidget* chip, int index) {
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu_ = menu;
+  QMenu& menu = menu_.begin(*this);
   const int id = goals_[static_cast<std::size_t>(index)];
   const int last = static_cast<int>(goals_.size()) - 1;
-  menu->addAction(tr("Select goal %1").arg(id), this, [this, id] {
+  menu.addAction(tr("Select goal %1").arg(id), this, [this, id] {
     if (const EntityId goal = document_.goalKey(id)) {
       document_.setSelection({goal});
     }
   });
-  menu->addSeparator();
-  menu->addAction(tr("Earlier"), this, [this, index] { moveGoal(index, index - 1); })
+  menu.addSeparator();
+  menu.addAction(tr("Earlier"), this, [this, index] { moveGoal(index, index - 1); })
       ->setEnabled(index > 0);
-  menu->addAction(tr("Later"), this, [this, index] { moveGoal(index, index + 1); })
+  menu.addAction(tr("Later"), this, [this, index] { moveGoal(index, index + 1); })
       ->setEnabled(index < last);
-  menu->addAction(tr("Remove from the route"), this, [this, index] { removeGoal(index); });
-  menu->popup(chip->mapToGlobal(QPoint(0, chip->height())));
+  menu.addAction(tr("Remove from the route"), this, [this, index] { removeGoal(index); });
+  menu.popup(chip->mapToGlobal(QPoint(0, chip->height())));
 }
 
 /// The keyboard stays in the row.

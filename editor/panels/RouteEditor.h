@@ -2,11 +2,10 @@
 
 #include <vector>
 
-#include <QMenu>
-#include <QPointer>
 #include <QWidget>
 
 #include "editor/document/ScenarioDocument.h"
+#include "editor/look/PanelMenu.h"
 
 namespace editor {
 
@@ -42,7 +41,7 @@ class RouteEditor : public QWidget {
   ScenarioDocument& document_;
   std::vector<int> goals_;
   std::vector<QWidget*> parts_;
-  QPointer<QMenu> menu_;  // of a chip or the button, while it is open
+  PanelMenu menu_;  // of a chip or the button
 };
 
 }  // namespace editor

@@ -4,7 +4,6 @@
 #include <functional>
 #include <utility>
 
-#include <QAbstractItemDelegate>
 #include <QAction>
 #include <QDockWidget>
 #include <QHeaderView>
@@ -19,6 +18,7 @@
 #include "editor/document/EditCommands.h"
 #include "editor/document/Groups.h"
 #include "editor/look/Icons.h"
+#include "editor/look/Typing.h"
 #include "editor/panels/BehaviorMenu.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/panels/RowDelegate.h"
@@ -239,6 +239,7 @@ void ScenarioPanel::takeSelection() {
   if (syncing_) {
     return;
   }
+  menu_.close();  // it is about the previous selection
   const QScopedValueRollback<bool> syncing(syncing_, true);
   QModelIndexList chosen;
   for (const EntityId id : document_.selection()) {
@@ -257,16 +258,6 @@ void ScenarioPanel::takeSelection() {
   }
 }
 
-/// What is being written is taken, also where the keyboard is elsewhere: a list has one field at a
-/// time.
-void ScenarioPanel::finishNames() {
-  QAbstractItemDelegate* const delegate = tree_->itemDelegate();
-  for (QLineEdit* const field : tree_->viewport()->findChildren<QLineEdit*>()) {
-    Q_EMIT delegate->commitData(field);
-    Q_EMIT delegate->closeEditor(field);
-  }
-}
-
 /// In its row, which has to be seen for that.
 void ScenarioPanel::rename(EntityId id) {
   for (QWidget* widget = parentWidget(); widget != nullptr; widget = widget->parentWidget()) {
@@ -278,7 +269,7 @@ void ScenarioPanel::rename(EntityId id) {
   if (!filter_->indexOf(id).isValid()) {
     filterField_->clear();
   }
-  finishNames();
+  finishTyping(*tree_);  // also when the keyboard is elsewhere: a list has one field at a time
   const QModelIndex row = filter_->indexOf(id);
   if (row.isValid()) {  // a menu may be older than what has become of the thing
     tree_->scrollTo(row);
@@ -314,18 +305,17 @@ void ScenarioPanel::offerMenu(const QPoint& at) {
   if (!id) {
     return;
   }
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
-  offer(*menu, tr("Show on the map"), tr("Move the map there"),
+  QMenu& menu = menu_.begin(*this);
+  offer(menu, tr("Show on the map"), tr("Move the map there"),
         [this, id] { Q_EMIT activated(id); });
-  fillMenu(*menu, id);
-  menu->addSeparator();
-  offer(*menu, tr("Duplicate"), tr("A copy of what is selected"), [this] {
+  fillMenu(menu, id);
+  menu.addSeparator();
+  offer(menu, tr("Duplicate"), tr("A copy of what is selected"), [this] {
     document_.setSelection(pushDuplicate(document_, document_.selection(), Vec2(0.5, -0.5)));
   });
-  offer(*menu, tr("Delete"), tr("Remove what is selected; routes follow"),
+  offer(menu, tr("Delete"), tr("Remove what is selected; routes follow"),
         [this] { pushRemove(document_, document_.selection()); });
-  menu->popup(tree_->viewport()->mapToGlobal(at));
+  menu.popup(tree_->viewport()->mapToGlobal(at));
 }
 
 void ScenarioPanel::fillMenu(QMenu& menu, EntityId id) {

@@ -2,11 +2,11 @@
 
 #include <QLabel>
 #include <QLineEdit>
-#include <QMenu>
 #include <QTreeView>
 
 #include "editor/document/EntityModel.h"
 #include "editor/look/Form.h"
+#include "editor/look/PanelMenu.h"
 
 namespace editor {
 
@@ -33,7 +33,6 @@ class ScenarioPanel : public QWidget {
 
  private:
   void takeSelection();
-  void finishNames();
   void showEmptiness();
   void giveSelection();
   void expandGroups();
@@ -49,6 +48,7 @@ class ScenarioPanel : public QWidget {
   QTreeView* tree_;
   QAction* searchMark_;
   QLabel* empty_;
+  PanelMenu menu_;
   NothingFound* nothing_ = nullptr;
   bool syncing_ = false;
   bool isEditing_ = true;

@@ -33,6 +33,11 @@ ToolManager::ToolManager(ScenarioDocument& document, MapScene& scene, const Tool
       Q_EMIT statusTextChanged(current_->statusText());
     }
   });
+  connect(&document, &ScenarioDocument::aboutToBeReplaced, this, [this] {
+    if (current_ != nullptr) {
+      current_->cancel();  // the ids that a gesture holds have another meaning from now on
+    }
+  });
   setCurrent(entries_.front());
   scene.installEventFilter(this);
 }

@@ -11,22 +11,21 @@
 namespace editor {
 
 void TreeStudio::offerGiving() {
-  auto* menu = new QMenu(this);
-  menu->setAttribute(Qt::WA_DeleteOnClose);
+  QMenu& menu = menu_.begin(*this);
   const std::vector<EntityId> same = peopleWithTreeOf(document_, person_);
   for (const EntityId id : document_.entities(EntityKind::Human)) {
     if (id == person_) {
       continue;
     }
-    QAction* action = menu->addAction(QString::fromStdString(document_.human(id)->name), this,
-                                      [this, id] { giveTo(id); });
+    QAction* action = menu.addAction(QString::fromStdString(document_.human(id)->name), this,
+                                     [this, id] { giveTo(id); });
     action->setCheckable(true);
     action->setChecked(std::count(same.begin(), same.end(), id) > 0);
   }
-  if (menu->isEmpty()) {
-    menu->addAction(tr("There is nobody else"))->setEnabled(false);
+  if (menu.isEmpty()) {
+    menu.addAction(tr("There is nobody else"))->setEnabled(false);
   }
-  menu->popup(give_->mapToGlobal(QPoint(0, give_->height())));
+  menu.popup(give_->mapToGlobal(QPoint(0, give_->height())));
 }
 
 /// Kinds of nodes that hold others, or of leaves, in menus of their own.

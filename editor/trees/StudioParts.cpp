@@ -164,10 +164,9 @@ void TreeStudio::connectParts() {
   connect(canvas_, &TreeCanvas::moveWanted, this, &TreeStudio::move);
   connect(canvas_, &TreeCanvas::dropWanted, this, &TreeStudio::addAt);
   connect(canvas_, &TreeCanvas::menuWanted, this, [this](int node, const QPoint& at) {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    fillMenu(*menu, node);
-    menu->popup(at);
+    QMenu& menu = menu_.begin(*this);
+    fillMenu(menu, node);
+    menu.popup(at);
   });
   connect(palette_, &NodePalette::wanted, this, &TreeStudio::add);
   connect(&runner_, &SimulationRunner::frameShown, this, &TreeStudio::showStatuses);

@@ -8,6 +8,7 @@
 
 #include "editor/look/Fields.h"
 #include "editor/look/Form.h"
+#include "editor/look/Typing.h"
 #include "editor/panels/RowDelegate.h"
 
 namespace editor {
@@ -57,6 +58,7 @@ void TreeEntries::setTheme(const Theme& theme) {
 
 void TreeEntries::showPerson(std::optional<int> id) {
   if (id != person_) {
+    finishTyping(*table_);  // it is for the previous person
     person_ = id;
     typed_.clear();
   }

@@ -53,6 +53,7 @@ void TreeStudio::follow() {
     wanted = id.kind == EntityKind::Human ? id : wanted;
   }
   if (wanted != person_ || !wanted) {
+    text_->finishTyping();  // it is for the previous person
     person_ = wanted;
     stale_ = true;
     canvas_->choose(-1);
@@ -64,6 +65,7 @@ void TreeStudio::follow() {
 
 void TreeStudio::rebuild() {
   stale_ = false;
+  menu_.close();  // it is about the previous tree or person
   endRename(false);
   const std::vector<EntityId> all = document_.entities(EntityKind::Human);
   if (human() == nullptr) {

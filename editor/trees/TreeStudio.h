@@ -8,12 +8,12 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QMenu>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTimer>
 #include <QToolButton>
 
+#include "editor/look/PanelMenu.h"
 #include "editor/panels/PanelRegistry.h"
 #include "editor/trees/MapInset.h"
 #include "editor/trees/NodePalette.h"
@@ -149,6 +149,7 @@ class TreeStudio : public QWidget {
   bool isDivided_ = false;  // by the user
   MapInset* inset_;
   QLineEdit* nameField_;
+  PanelMenu menu_;
   std::vector<int> lines_;  // of the nodes in the text, 0 = in another file
 };
 

@@ -54,6 +54,7 @@ TreeText::TreeText(const Theme& theme)
       Q_EMIT lineChosen(text_->textCursor().blockNumber() + 1);
     }
   });
+  text_->installEventFilter(this);
   setTheme(theme);
 }
 
@@ -83,6 +84,20 @@ void TreeText::showText(const std::string& text) {
   const QTextBlock block = text_->document()->findBlockByNumber(line);
   text_->setTextCursor(QTextCursor(block.isValid() ? block : text_->document()->firstBlock()));
   showing_ = false;
+}
+
+void TreeText::finishTyping() {
+  if (pause_.isActive()) {
+    pause_.stop();
+    take();
+  }
+}
+
+bool TreeText::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == text_ && event->type() == QEvent::FocusOut) {
+    finishTyping();
+  }
+  return QWidget::eventFilter(watched, event);
 }
 
 void TreeText::take() {

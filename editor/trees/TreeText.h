@@ -23,12 +23,16 @@ class TreeText : public QWidget {
   /// than before.
   void showText(const std::string& text);
   void showLine(int line);  // from 1; 0 = none
+  void finishTyping();      // what is typed is taken now, if it can be read
   QPlainTextEdit& text() const { return *text_; }
   QString problem() const { return problem_->text(); }
 
  Q_SIGNALS:
   void edited(const std::string& xml);  // a file that can be read
   void lineChosen(int line);            // by the mouse or the arrows
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void take();

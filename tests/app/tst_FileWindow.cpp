@@ -394,7 +394,12 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
   }
 
   app::RecentRow* recentRow() const {
-    const QList<app::RecentRow*> rows = window_->findChildren<app::RecentRow*>();
+    QList<app::RecentRow*> rows;
+    for (app::RecentRow* each : window_->findChildren<app::RecentRow*>()) {
+      if (!each->isHidden()) {  // hidden rows are about to be deleted
+        rows << each;
+      }
+    }
     return rows.size() == 1 ? rows.front() : nullptr;
   }
 

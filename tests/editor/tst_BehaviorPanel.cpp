@@ -282,16 +282,16 @@ class BehaviorPanelTest : public QObject {
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("own.xml"));
     select(2);
-    QVERIFY(panel_->saveTreeTo(path).empty());
+    QVERIFY(panel_->saveTreeTo(path, panel_->person()).empty());
     QVERIFY(QFile::exists(folder.filePath(QStringLiteral("BTRegularNav.xml"))));
     select(0);
-    QVERIFY(!base::hasErrors(panel_->takeTreeFrom(path)));
+    QVERIFY(!base::hasErrors(panel_->takeTreeFrom(path, panel_->person())));
     QCOMPARE(fileOf(0).mainTree, std::string("CuriousNavTree"));
     QFile broken(path);
     QVERIFY(broken.open(QIODevice::WriteOnly));
     broken.write("<root");
     broken.close();
-    QVERIFY(base::hasErrors(panel_->takeTreeFrom(path)));
+    QVERIFY(base::hasErrors(panel_->takeTreeFrom(path, panel_->person())));
     QCOMPARE(fileOf(0).mainTree, std::string("CuriousNavTree"));
   }
 

@@ -39,6 +39,21 @@ class LatestTaskTest : public QObject {
     QVERIFY(!task.isBusy());
   }
 
+  void forget_busy_deliversWhatIsRequestedAfterwards() {
+    std::vector<int> delivered;
+    LatestTask<int> task([&](int value) { delivered.push_back(value); });
+    task.start([] { return 1; });
+    task.start([] { return 2; });
+    task.forget();
+    task.start([] { return 3; });
+    task.finish();
+    QVERIFY(delivered == std::vector<int>{3});
+    task.forget();  // nothing is being worked on
+    task.start([] { return 4; });
+    task.finish();
+    QVERIFY(delivered == (std::vector<int>{3, 4}));
+  }
+
   void abandon_busy_waitsAndDeliversNothing() {
     std::atomic<int> ended{0};
     LatestTask<int> task([](int) { QFAIL("nothing was to be delivered"); });

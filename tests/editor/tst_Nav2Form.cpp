@@ -115,6 +115,24 @@ class Nav2FormTest : public QObject {
     QVERIFY(!section().isVisible());
   }
 
+  /// Qt commits what is being typed when the list is emptied, while other rows are being read.
+  void value_beingTypedWhenTheFileGoes_isDropped() {
+    QLineEdit* const field = editorOf("FollowPath.temperature");
+    QVERIFY(field != nullptr);
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("0.2"));
+    const sim2d::Robot before = robot();
+    sim2d::Robot other = before;
+    other.nav2Params = "nowhere.yaml";
+    editor::pushEdit(document_, {other}, QStringLiteral("Change"));
+    page_->refresh();
+    QVERIFY(form().rowOf("FollowPath.temperature") == nullptr);
+    QVERIFY(robot().nav2Values.empty());
+    editor::pushEdit(document_, {before}, QStringLiteral("Change back"));
+    page_->refresh();
+    QCOMPARE(row("FollowPath.temperature").text(1), QStringLiteral("0.3"));
+  }
+
   void search_showsWhatIsCalledSo() {
     QTest::keyClicks(&search(), QStringLiteral("temperature"));
     QVERIFY(!row("FollowPath.temperature").isHidden());

@@ -309,6 +309,37 @@ class StudioSelectionTest : public QObject, private CanvasTester {
     runner().reset();
   }
 
+  /// A breakpoint selects the other person.
+  void blackboard_anotherIsSelectedWhileTyping_isOfThePersonItWasTypedFor() {
+    open("Chloe");
+    for (const char* name : {"Chloe", "Ana"}) {
+      editor::pushTreeText(document(), person(name),
+                           "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Sequence>"
+                           "<RunOnce><Script code=\"mood := 1\"/></RunOnce>"
+                           "<AlwaysSuccess/></Sequence></BehaviorTree></root>",
+                           QStringLiteral("Tree"));
+    }
+    const int chloe = document().human(person("Chloe"))->id;
+    studio().lower().setCurrentWidget(&studio().entries());
+    stepTo(5);
+    QTRY_VERIFY(entryRow("mood") >= 0);
+    QTableWidget& table = studio().entries().table();
+    const QRect place = table.visualItemRect(table.item(entryRow("mood"), 1));
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, place.center());
+    QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, place.center());
+    auto* field = table.findChild<QLineEdit*>();
+    QVERIFY(field != nullptr);
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("7"));
+    document().setSelection({person("Ana")});
+    stepTo(8);
+    const auto& inputs = runner().recording()->inputs();
+    QCOMPARE(inputs.size(), std::size_t{1});
+    QCOMPARE(inputs[0].second.id, chloe);
+    QCOMPARE(inputs[0].second.name, std::string("mood=7"));
+    runner().reset();
+  }
+
  private:
   /// With HUNAV_PICTURES, for people to look at.
   void shoot(const QByteArray& name) {
