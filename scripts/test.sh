@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Checks the format, builds (dev) and runs every test. Usage: scripts/test.sh [--all]
 # --all adds fuzzing, the sanitizers, a long play with the window, clang-tidy and the benchmarks.
+# --monkey MINUTES [SEED] is that play alone, for so long, with this seed and those that follow.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
@@ -8,7 +9,7 @@ source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
 fuzz_seconds=60
 
 usage() {
-  say "usage: scripts/test.sh [--all]"
+  say "usage: scripts/test.sh [--all | --monkey MINUTES [SEED]]"
   exit 64
 }
 
@@ -109,36 +110,71 @@ without_randomisation() {
 }
 
 # The window of the asan build under a real X server: what is random in tst_Monkey, for long, one half
-# of the seeds beside the other. It has a home of its own and gives up root, so the server asks nobody
-# for a key (-ac). It does not load Mesa, which leaks and is gone when leaks are told. Memory that is
-# freed is overwritten: Qt, which is not under asan, stumbles over it. Sizes of deletes are not looked
-# at, as in the preset: Debian's Fast DDS deletes a writer by its base, and clang 14 gives the deletes of
-# our own code no size. The diaries tell the last events.
+# of the seeds beside the other: one by events of Qt, one by those of the X server. It has a home of
+# its own and gives up root, so the server asks nobody for a key (-ac). It does not load Mesa, which
+# leaks and is gone when leaks are told. Memory that is freed is overwritten: Qt, which is not under
+# asan, fails on it. Sizes of deletes are not looked at, as in the preset: Debian's Fast DDS
+# deletes a writer by its base, and clang 14 gives the deletes of our own code no size. The diaries
+# hold the last events.
 play_monkey() {
-  local first play half=10 plays=() stands=yes
+  local play half=10 plays=() stands=yes
   say "pressing everything (asan)"
-  for first in 1 $((1 + half)); do
-    play_seeds "$first" "$half" &
-    plays+=($!)
-  done
+  logged "$logs/monkey-1.log" play_seeds 1 "$half" qt &
+  plays+=($!)
+  logged "$logs/monkey-$((1 + half)).log" play_seeds $((1 + half)) "$half" x11 &
+  plays+=($!)
   for play in "${plays[@]}"; do
     wait "$play" || stands=no
   done
   [ "$stands" = yes ] || exit 1
 }
 
-# play_seeds FIRST COUNT
+# play_seeds FIRST COUNT HANDS
 play_seeds() {
   local diary=$logs/monkey-diary-$1.log
   : >"$diary"
   chmod 666 "$diary"
-  logged "$logs/monkey-$1.log" xvfb-run -a -s "-ac -nolisten tcp -screen 0 1600x1200x24" \
+  xvfb-run -a -s "-ac -nolisten tcp -screen 0 1600x1200x24" \
     env QT_QPA_PLATFORM=xcb QT_XCB_GL_INTEGRATION=none QTEST_FUNCTION_TIMEOUT=3600000 \
     UBSAN_OPTIONS=print_stacktrace=1 HUNAV_MONKEY_DIARY="$diary" \
     ASAN_OPTIONS=new_delete_type_mismatch=0:max_free_fill_size=1000000:free_fill_byte=221 \
     LSAN_OPTIONS="suppressions=$root/tests/lsan.supp" \
-    HUNAV_MONKEY_FIRST="$1" HUNAV_MONKEY_SEEDS="$2" HUNAV_MONKEY_EVENTS=3000 \
+    HUNAV_MONKEY_FIRST="$1" HUNAV_MONKEY_SEEDS="$2" HUNAV_MONKEY_EVENTS=3000 HUNAV_MONKEY_HANDS="$3" \
     "$build/asan/tests/tst_Monkey"
+}
+
+# play_some FIRST STEP END: seeds FIRST, FIRST + STEP, … until the clock says END [s], each in a
+# program of its own. Those that fail keep their logs, and the others go on.
+play_some() {
+  local seed=$1 hands failed=0
+  while [ "$(date +%s)" -lt "$3" ]; do
+    hands=$([ $((seed / 2 % 2)) -eq 0 ] && echo qt || echo x11)  # every other seed opens all panels
+    if play_seeds "$seed" 1 "$hands" >"$logs/monkey-$seed.log" 2>&1; then
+      rm -f "$logs/monkey-$seed.log" "$logs/monkey-diary-$seed.log"
+    else
+      say "seed $seed ($hands): $logs/monkey-$seed.log"
+      failed=1
+    fi
+    seed=$((seed + $2))
+  done
+  say "played up to seed $((seed - $2))"
+  return "$failed"
+}
+
+# play_for MINUTES FIRST: as many at once as there are processors.
+play_for() {
+  local play plays=() stands=yes end
+  build_preset asan tst_Monkey hunavsim
+  end=$(($(date +%s) + 60 * $1))
+  say "pressing everything for $1 minutes (asan)"
+  for ((play = 0; play < jobs; ++play)); do
+    play_some $(($2 + play)) "$jobs" "$end" &
+    plays+=($!)
+  done
+  for play in "${plays[@]}"; do
+    wait "$play" || stands=no
+  done
+  [ "$stands" = yes ] || fail "the monkey met faults"
 }
 
 # What tidy.sh hands to clang-tidy.
@@ -182,18 +218,34 @@ stage() {
   [ "$status" -eq 0 ] || failed+=("$*")
 }
 
+is_number() {
+  [[ $1 =~ ^[1-9][0-9]*$ ]]
+}
+
 all=no
-for argument in "$@"; do
-  case $argument in
-    --all) all=yes && export HUNAV_ALL_TESTS=1 ;;
-    *) usage ;;
-  esac
-done
+minutes=
+case $#,${1-} in
+  0,) ;;
+  1,--all) all=yes && export HUNAV_ALL_TESTS=1 ;;
+  [23],--monkey)
+    minutes=$2 seed=${3:-1}
+    if ! is_number "$minutes" || ! is_number "$seed"; then
+      usage
+    fi
+    ;;
+  *) usage ;;
+esac
 
 lock_build
 mend_links
 need_packages "${packages_to_run[@]}" "${packages_to_test[@]}"
 [ "$all" = no ] || need_packages "${packages_to_compare[@]}"
+if [ -n "$minutes" ]; then
+  need_packages "${packages_to_check[@]}"
+  keep_home_clean
+  play_for "$minutes" "$seed"
+  exit
+fi
 need_peers
 check_format
 build_preset dev

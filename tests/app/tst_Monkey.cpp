@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <QAbstractItemModelTester>
-#include <QAbstractScrollArea>
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QDrag>
@@ -15,8 +14,12 @@
 #include <QScrollBar>
 #include <QtTest>
 
+#include "app/window/StudyPanel.h"
 #include "editor/look/HouseStyle.h"
+#include "editor/look/Later.h"
+#include "editor/panels/FuturesPanel.h"
 #include "sim2d/base/Rng.h"
+#include "tests/app/MonkeyHands.h"
 #include "tests/app/QuietWindow.h"
 
 namespace {
@@ -81,65 +84,18 @@ class Testers {
   std::map<QAbstractItemModel*, QPointer<QAbstractItemModelTester>> testers_;  // gone: theirs too
 };
 
-/// What was done, to be read after a crash: HUNAV_MONKEY_DIARY names the file of the last seed.
-class Diary {
+/// Random mouse, wheel and key events, in the window and in all that it opens. Behind open menus
+/// and dialogs runs begin and end, another person is selected, and the file changes on the disk.
+class Monkey {
  public:
-  Diary() : file_(qEnvironmentVariable("HUNAV_MONKEY_DIARY")) {
-    if (file_.fileName().isEmpty()) {
-      return;
-    }
-    isKept_ = file_.open(QIODevice::WriteOnly | QIODevice::Truncate | QIODevice::Unbuffered);
-    if (!isKept_) {
-      qWarning("cannot write the diary: %s", qPrintable(file_.errorString()));
-    }
-  }
-
-  void begin(int left) { write(QByteArray("\n") + QByteArray::number(left)); }
-  void note(const QWidget& part, const QEvent& event) {
-    if (isKept_) {
-      write(' ' + nameOf(event.type()) + " on " + pathOf(part));
-    }
-  }
-  void note(const QWindow& window, int key) {
-    if (isKept_) {
-      write(" key " + QByteArray::number(key, 16) + " on " + window.objectName().toUtf8());
-    }
-  }
-
- private:
-  static QByteArray nameOf(QEvent::Type type) {
-    return QMetaEnum::fromType<QEvent::Type>().valueToKey(type);
-  }
-  static QByteArray pathOf(const QWidget& part) {
-    QByteArray path;
-    for (const QWidget* each = &part; each != nullptr; each = each->parentWidget()) {
-      path +=
-          QByteArray(each->metaObject()->className()) + '(' + each->objectName().toUtf8() + ")<";
-    }
-    return path;
-  }
-  void write(const QByteArray& text) {
-    if (isKept_) {
-      file_.write(text);
-    }
-  }
-
-  QFile file_;
-  bool isKept_ = false;
-};
-
-/// Presses what it finds: mouse, wheel and keys, in the window and in whatever it opens.
-class Monkey : public QObject {
-  Q_OBJECT
- public:
-  Monkey(QWidget& window, Testers& testers, int seed, int events)
+  Monkey(app::MainWindow& window, MonkeyHands& hands, Testers& testers, int seed, int events)
       : window_(window),
+        hands_(hands),
         testers_(testers),
         rng_(static_cast<std::uint64_t>(seed), 1),
         left_(events) {
-    timer_.setInterval(numberIn("HUNAV_MONKEY_PAUSE", 0));  // [ms]
-    connect(&timer_, &QTimer::timeout, this, [this] { step(); });
-    connect(this, &Monkey::wants, this, &Monkey::act, Qt::QueuedConnection);
+    timer_.setInterval(numberIn("HUNAV_MONKEY_PAUSE", hands.canDrop() ? 4 : 0));  // [ms]
+    QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { step(); });
   }
 
   void play() {
@@ -147,9 +103,6 @@ class Monkey : public QObject {
     loop_.exec();
     timer_.stop();
   }
-
- Q_SIGNALS:
-  void wants(int what);
 
  private:
   static constexpr int kBetweenLooks = 10;  // events
@@ -167,6 +120,9 @@ class Monkey : public QObject {
     if (!window_.isVisible()) {
       window_.show();  // it was closed: the program is started again
     }
+    if (QApplication::activeWindow() == nullptr && topmost() == &window_) {
+      window_.activateWindow();  // there is no window manager
+    }
     if (left_ % kBetweenLooks == 0) {
       testers_.meetAll();
     }
@@ -174,7 +130,7 @@ class Monkey : public QObject {
       tellMemory();
     }
     // What opens a dialog does not come back before it is closed: later, so that the timer goes on.
-    Q_EMIT wants(draw(10));
+    editor::later(timer_, [this, what = draw(11)] { act(what); });
   }
 
   void act(int what) {
@@ -182,7 +138,7 @@ class Monkey : public QObject {
       return;  // it is leaving: nobody would close what this opened
     }
     diary_.begin(left_);
-    if (isDragging() && what < 6) {
+    if (isDragging() && !hands_.canDrop() && what < 6) {
       drop();  // as long as something is dragged, no button of the mouse can be pressed
     } else if (what < 5) {
       click();
@@ -190,8 +146,10 @@ class Monkey : public QObject {
       drag();
     } else if (what < 7) {
       turnWheel();
-    } else {
+    } else if (what < 10) {
       type();
+    } else {
+      changeBehind();
     }
   }
 
@@ -233,6 +191,10 @@ class Monkey : public QObject {
     return parts.isEmpty() || draw(12) == 0 ? top : parts.at(draw(parts.size()));
   }
 
+  MonkeyHands::Touch touch() {
+    QWidget* const part = target();
+    return {part, placeIn(*part), modifiers()};
+  }
   QPoint placeIn(const QWidget& part) { return {draw(part.width()), draw(part.height())}; }
 
   Qt::KeyboardModifiers modifiers() {
@@ -241,51 +203,32 @@ class Monkey : public QObject {
     return kAll[draw(5)];
   }
 
-  void send(QWidget& part, QEvent& event) {
-    diary_.note(part, event);
-    QApplication::sendEvent(&part, &event);
-  }
-
-  void send(QWidget& part, QEvent::Type type, const QPoint& at, Qt::MouseButton button,
-            Qt::MouseButtons buttons, Qt::KeyboardModifiers keys) {
-    QMouseEvent event(type, at, part.mapToGlobal(at), button, buttons, keys);
-    send(part, event);
-  }
-
   void click() {
-    const QPointer<QWidget> part = target();
-    const QPoint at = placeIn(*part);
+    const MonkeyHands::Touch touch = this->touch();
     const Qt::MouseButton button = draw(6) == 0 ? Qt::RightButton : Qt::LeftButton;
-    const Qt::KeyboardModifiers keys = modifiers();
     const bool isTwice = draw(8) == 0;
-    send(*part, QEvent::MouseButtonPress, at, button, button, keys);
-    if (part && button == Qt::RightButton) {
-      QContextMenuEvent menu(QContextMenuEvent::Mouse, at, part->mapToGlobal(at));
-      send(*part, menu);
-    }
-    if (part) {
-      send(*part, QEvent::MouseButtonRelease, at, button, {}, keys);
-    }
-    if (part && isTwice) {
-      send(*part, QEvent::MouseButtonDblClick, at, button, button, keys);
-    }
-    if (part && isTwice) {
-      send(*part, QEvent::MouseButtonRelease, at, button, {}, keys);
+    diary_.note(*touch.part, isTwice ? "double click" : "click", touch.at);
+    hands_.press(touch, button);
+    hands_.release(touch, button);
+    if (isTwice) {
+      hands_.clickAgain(touch, button);
     }
   }
 
+  /// Sometimes with a key in the middle: of another tool, or one that removes the dragged entity.
   void drag() {
-    const QPointer<QWidget> part = target();
-    const Qt::KeyboardModifiers keys = modifiers();
-    QPoint at = placeIn(*part);
-    send(*part, QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton, keys);
-    for (int k = 0; k < 4 && part; ++k) {
-      at = placeIn(*part);
-      send(*part, QEvent::MouseMove, at, Qt::NoButton, Qt::LeftButton, keys);
+    MonkeyHands::Touch touch = this->touch();
+    diary_.note(*touch.part, "drag", touch.at);
+    hands_.press(touch, Qt::LeftButton);
+    for (int k = 0; k < 4 && touch.part; ++k) {
+      touch.at = placeIn(*touch.part);
+      diary_.note(*touch.part, "to", touch.at);
+      hands_.move(touch);
+      if (draw(6) == 0) {
+        type();
+      }
     }
-    if (part) {
-      send(*part, QEvent::MouseButtonRelease, at, Qt::LeftButton, {}, keys);
-    }
+    hands_.release(touch, Qt::LeftButton);
   }
 
   static bool isDragging() {
@@ -296,17 +239,15 @@ class Monkey : public QObject {
   }
 
   void drop() {
-    QWidget* const part = target();
-    send(*part, QEvent::MouseButtonRelease, placeIn(*part), Qt::LeftButton, {}, modifiers());
+    const MonkeyHands::Touch touch = this->touch();
+    diary_.note(*touch.part, "drop", touch.at);
+    hands_.release(touch, Qt::LeftButton);
   }
 
   void turnWheel() {
-    QWidget* part = target();
-    const QPoint at = placeIn(*part);
-    const QPoint by(0, draw(2) == 0 ? 120 : -120);
-    QWheelEvent event(at, part->mapToGlobal(at), {}, by, Qt::NoButton, modifiers(),
-                      Qt::NoScrollPhase, false);
-    send(*part, event);
+    const MonkeyHands::Touch touch = this->touch();
+    diary_.note(*touch.part, "wheel", touch.at);
+    hands_.turnWheel(touch, draw(2) == 0);
   }
 
   void type() {
@@ -352,24 +293,87 @@ class Monkey : public QObject {
       const int letter = draw(36);
       key.key = static_cast<Qt::Key>(letter < 26 ? Qt::Key_A + letter : Qt::Key_0 + letter - 26);
     }
-    const QPointer<QWindow> window = topmost()->windowHandle();
-    for (const bool isPress : {true, false}) {
-      if (window) {  // it may close at the press
-        diary_.note(*window, key.key);
-        QTest::simulateEvent(window, isPress, key.key, key.modifiers, {}, false, -1);
-      }
+    diary_.note(*topmost(), key.key, key.modifiers);
+    hands_.type(*topmost(), key.key, key.modifiers);
+  }
+
+  /// What happens without mouse and keys: guests control a run, a breakpoint selects a person,
+  /// another program changes the file.
+  void changeBehind() {
+    editor::SimulationRunner& runner = window_.workspace().runner();
+    if (window_.isOnStartPage()) {
+      return;
+    }
+    switch (draw(8)) {
+      case 0:
+        diary_.note("plays");
+        return runner.play();
+      case 1:
+        diary_.note("pauses");
+        return runner.pause();
+      case 2:
+        diary_.note("resets");
+        return runner.reset();
+      case 3:
+        diary_.note("steps");
+        return runner.stepOnce();
+      case 4:
+        diary_.note("looks back");
+        return runner.seek(draw(100));
+      case 5:
+        diary_.note("raises a dock");
+        return raiseDock();
+      case 6:
+        diary_.note("touches the file");
+        return touchFile();
+      default:
+        diary_.note("selects a person");
+        return selectPerson();
     }
   }
 
-  QWidget& window_;
+  void selectPerson() {
+    editor::ScenarioDocument& document = window_.workspace().document();
+    const std::vector<base::EntityId> people = document.entities(base::EntityKind::Human);
+    if (!people.empty()) {
+      document.setSelection(
+          {people[static_cast<std::size_t>(draw(static_cast<int>(people.size())))]});
+    }
+  }
+  void raiseDock() {
+    const QStringList names = window_.docks().names();
+    QDockWidget* const dock = window_.docks().dock(names[draw(names.size())]);
+    dock->show();
+    dock->raise();
+  }
+  void touchFile() {
+    QFile file(window_.workspace().document().path());
+    if (file.exists() && QDir::current().exists(QFileInfo(file).fileName()) &&
+        file.open(QIODevice::Append)) {
+      file.write("# of another program\n");
+    }
+  }
+
+  app::MainWindow& window_;
+  MonkeyHands& hands_;
   Testers& testers_;
   const base::AgentRng rng_;
   std::uint32_t draws_ = 0;
   int left_;
   QTimer timer_;
   QEventLoop loop_;
-  Diary diary_;
+  MonkeyDiary diary_;
 };
+
+/// By HUNAV_MONKEY_HANDS; null: not available here.
+std::unique_ptr<MonkeyHands> handsToUse() {
+  if (qEnvironmentVariable("HUNAV_MONKEY_HANDS") != QLatin1String("x11")) {
+    return std::make_unique<QtHands>();
+  }
+  auto hands = std::make_unique<XHands>();
+  const bool isThere = QGuiApplication::platformName() == QLatin1String("xcb") && hands->isThere();
+  return isThere ? std::move(hands) : nullptr;
+}
 
 }  // namespace
 
@@ -380,6 +384,18 @@ class MonkeyTest : public QObject {
  public Q_SLOTS:
   /// Other programs are not started.
   void showOutside(const QUrl& /*place*/) {}
+
+ private:
+  /// Every other time with all panels open.
+  static void makeReady(app::MainWindow& window, int seed) {
+    const QString program = QStringLiteral(HUNAVSIM_PROGRAM);
+    window.docks().panel<editor::FuturesPanel>().process().setProgram(program);
+    window.docks().panel<app::StudyPanel>().process().setProgram(program);
+    if (seed % 2 == 0) {
+      window.resize(window.screen()->availableSize());
+      window.docks().show(window.docks().names());
+    }
+  }
 
  private Q_SLOTS:
   void initTestCase() {
@@ -402,12 +418,15 @@ class MonkeyTest : public QObject {
     QStringList complaints;
     auto window = quiet::shownWindow();
     QVERIFY(window->open(file));
+    makeReady(*window, seed);
+    const std::unique_ptr<MonkeyHands> hands = handsToUse();
+    QVERIFY2(hands != nullptr, "no X server, or no libXtst.so.6");
     Testers testers;
     testers.meetAll();
     QVERIFY(testers.size() >= 3);
     heard = &complaints;
     const QtMessageHandler before = qInstallMessageHandler(listen);
-    Monkey(*window, testers, seed, numberIn("HUNAV_MONKEY_EVENTS", 600)).play();
+    Monkey(*window, *hands, testers, seed, numberIn("HUNAV_MONKEY_EVENTS", 600)).play();
     window->workspace().runner().reset();
     qInstallMessageHandler(before);
     heard = nullptr;
