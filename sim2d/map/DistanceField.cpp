@@ -165,16 +165,32 @@ bool DistanceField::isSolid(Cell cell) const {
   return isLarge_ ? distance_.at(grid_.indexOf(cell)) == 0.0F : asked_->isCovered(cell);
 }
 
+/// From a place outside of the grid no wall cell is the nearest that lies behind another one of its
+/// row or column: the first and the last of each are enough.
 void DistanceField::findBorder() {
+  std::vector<int> lowest(static_cast<std::size_t>(grid_.width()), -1);
+  std::vector<int> highest = lowest;
   for (int row = 0; row < grid_.height(); ++row) {
     stop_->check();
+    int first = -1;
+    int last = -1;
     for (int column = 0; column < grid_.width(); ++column) {
-      const bool isBorder =
-          isSolid({column, row}) && (!isSolid({column - 1, row}) || !isSolid({column + 1, row}) ||
-                                     !isSolid({column, row - 1}) || !isSolid({column, row + 1}));
-      if (isBorder) {
-        border_.push_back({column, row});
+      if (isSolid({column, row})) {
+        const auto at = static_cast<std::size_t>(column);
+        first = first < 0 ? column : first;
+        last = column;
+        lowest[at] = lowest[at] < 0 ? row : lowest[at];
+        highest[at] = row;
       }
+    }
+    if (first >= 0) {
+      border_.insert(border_.end(), {{first, row}, {last, row}});
+    }
+  }
+  for (int column = 0; column < grid_.width(); ++column) {
+    const auto at = static_cast<std::size_t>(column);
+    if (lowest[at] >= 0) {
+      border_.insert(border_.end(), {{column, lowest[at]}, {column, highest[at]}});
     }
   }
 }

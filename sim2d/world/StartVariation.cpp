@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::uint32_t kTrials = 16;
 constexpr double kStride = 0.05;    // [m] between the places of a way that are looked at
+constexpr double kFarRoom = 50.0;   // [m], beyond what distances of a map are rounded by
 constexpr double kRobotRoom = 1.0;  // [m] about the middle of any robot; larger ones have more
 constexpr double kRounding = 1e-9;  // [m]
 
@@ -60,8 +61,8 @@ class Starts {
                                 static_cast<long long>(model_.seed), person.id, person.groupId);
     for (std::uint32_t trial = 0; trial < kTrials; ++trial) {
       const Vec2 place = written_[human] + draws.startOffset(trial);
-      if (isInRing(place) && isClear(human, place) && isAwayFromPeople(human, place) &&
-          isAwayFromRobots(human, place)) {
+      if (base::isInReach(place) && isInRing(place) && isClear(human, place) &&
+          isAwayFromPeople(human, place) && isAwayFromRobots(human, place)) {
         drawn_[human] = place;
         farthest_ = std::max(farthest_, (place - written_[human]).norm());
         return;
@@ -90,10 +91,14 @@ class Starts {
         std::min(radii_[human], navigation_.clearance(written_[human])) - kRounding;
     const double room = std::max(wanted, model_.people[human].constants.radius);
     const int steps = static_cast<int>(std::ceil(way.norm() / kStride));
-    for (int i = steps; i > 0; --i) {
-      if (navigation_.clearance(written_[human] + way * (static_cast<double>(i) / steps)) < room) {
+    for (int i = steps; i > 0;) {
+      const double clearance =
+          navigation_.clearance(written_[human] + way * (static_cast<double>(i) / steps));
+      if (clearance < room) {
         return false;
       }
+      // Far from walls the next places have room too: no one of them is looked at.
+      i -= 1 + static_cast<int>(std::clamp((clearance - room - kFarRoom) / kStride, 0.0, 1e6));
     }
     return true;
   }

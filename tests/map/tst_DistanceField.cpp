@@ -44,6 +44,7 @@ class DistanceFieldTest : public QObject {
   void distancesToMarked_none_isInfinite();
   void distanceAt_mapWall_isToItsBorder();
   void distanceAt_outside_isToNearestWall();
+  void distanceAt_outsideManyWalls_isTheLeastOfAll();
   void distanceAt_withoutWalls_isInfinite();
   void distanceAt_drawnObstacles_areExactNearby();
   void distanceAt_mapOutlinesGiven_areNotThicker();
@@ -107,6 +108,36 @@ void DistanceFieldTest::distanceAt_outside_isToNearestWall() {
   const DistanceField field(OccupancyGrid(10, 10, 0.1, {}, cells), Obstacles());
   QVERIFY(std::fabs(field.distanceAt(Vec2(10.6, 0.55)) - 10.0) < 1e-9);
   QVERIFY(std::fabs(field.distanceAt(Cell{105, 5}) - 9.95) < 1e-9);
+}
+
+/// Against all wall cells, from places all round: beside, beyond a corner, next to the edge.
+void DistanceFieldTest::distanceAt_outsideManyWalls_isTheLeastOfAll() {
+  constexpr int kWidth = 60, kHeight = 40;
+  constexpr double kSide = 0.1;
+  std::vector<std::int8_t> cells(static_cast<std::size_t>(kWidth) * kHeight, 0);
+  unsigned draw = 7;
+  for (std::int8_t& cell : cells) {
+    draw = draw * 1664525U + 1013904223U;
+    cell = draw >> 24U < 20 ? 100 : 0;
+  }
+  const OccupancyGrid grid(kWidth, kHeight, kSide, {}, cells);
+  const DistanceField field(grid, Obstacles());
+  const Vec2 middle(0.5 * kWidth * kSide, 0.5 * kHeight * kSide);
+  for (int k = 0; k < 720; ++k) {
+    const double angle = k * base::kPi / 360.0;
+    const Vec2 place = middle + (4.0 + 0.01 * k) * Vec2(std::cos(angle), std::sin(angle));
+    double least = 1e9;
+    for (int row = 0; row < kHeight; ++row) {
+      for (int column = 0; column < kWidth; ++column) {
+        if (grid.isWall({column, row})) {
+          const Vec2 low(column * kSide, row * kSide);
+          const Vec2 near = place.cwiseMax(low).cwiseMin(low + Vec2::Constant(kSide));
+          least = std::min(least, (place - near).norm());
+        }
+      }
+    }
+    QVERIFY(std::fabs(field.distanceAt(place) - least) < 1e-9);
+  }
 }
 
 void DistanceFieldTest::distanceAt_withoutWalls_isInfinite() {

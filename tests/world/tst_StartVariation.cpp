@@ -15,6 +15,7 @@ class StartVariationTest : public QObject {
 
  private Q_SLOTS:
   void starts_manySeeds_areInFreePlacesOnTheirSideOfWalls();
+  void starts_farWiderThanTheRoom_staysInIt();
   void people_otherRobotPlannerModelOrderStep_areTheSame();
   void people_presetNone_areAsWritten();
   void firstGoal_drawn_isWalkedToFirst();
@@ -97,6 +98,26 @@ void StartVariationTest::starts_manySeeds_areInFreePlacesOnTheirSideOfWalls() {
   for (const auto& [id, all] : places) {
     QVERIFY2(all.size() > 50, qPrintable(QStringLiteral("%1: %2").arg(id).arg(all.size())));
   }
+}
+
+/// A kilometre to either side of a room of 8 m: nobody gets through the walls, and it does not take
+/// longer than a run.
+void StartVariationTest::starts_farWiderThanTheRoom_staysInIt() {
+  QElapsedTimer clock;
+  clock.start();
+  for (int seed = 1; seed <= 20; ++seed) {
+    Scenario scenario = rooms(VariationPreset::Strong, seed);
+    SpreadSettings& start = scenario.desktop.variation.of(Varied::Start);
+    start.kind = SpreadKind::Uniform;
+    start.halfWidth = 1000.0;
+    const Numbers numbers = peopleOf(scenario);
+    QVERIFY(!numbers.empty());
+    for (const Human& human : scenario.humans) {
+      const Vec2 place = startOf(numbers, human.id);
+      QVERIFY(place.x() > 0.0 && place.x() < 8.0 && place.y() > 0.0 && place.y() < 4.0);
+    }
+  }
+  QVERIFY(clock.elapsed() < 20000);
 }
 
 void StartVariationTest::people_otherRobotPlannerModelOrderStep_areTheSame() {
