@@ -1,5 +1,7 @@
 #include "metrics/MetricParameters.h"
 
+#include "sim2d/base/Ranges.h"
+
 namespace metrics {
 
 const char* profileName(Profile profile) {
@@ -18,8 +20,7 @@ std::optional<Profile> profileOf(std::string_view name) {
 namespace {
 
 using P = MetricParameters;
-using base::kAnyNumber;
-using base::kNotNegative;
+using base::kFactor;
 constexpr base::Range kOnOff{0.0, 1.0};  // a switch as files have it
 
 constexpr char kSocialForces[] = "social_force_ social_work";
@@ -31,7 +32,7 @@ struct Row {
   const char* unit;
   const char* help;
   const char* usedBy = "";
-  base::Range range = kNotNegative;
+  base::Range range = base::kWeight;
 };
 
 constexpr Row kRows[] = {
@@ -57,15 +58,14 @@ constexpr Row kRows[] = {
     {"group_minimum_members", &P::groupMinimumMembers, "", "smaller groups are none",
      "group_ formation_space_"},
     {"social_factor", &P::socialFactor, "m/s²", "strength of the social force", kSocialForces,
-     kAnyNumber},
+     kFactor},
     {"social_lambda", &P::socialLambda, "", "weight of the relative velocity", kSocialForces,
-     kAnyNumber},
+     kFactor},
     {"social_gamma", &P::socialGamma, "m", "reach of the social force", kSocialForces},
-    {"social_n", &P::socialN, "", "width of the sideways term", kSocialForces, kAnyNumber},
-    {"social_n_prime", &P::socialNPrime, "", "width of the slowing term", kSocialForces,
-     kAnyNumber},
+    {"social_n", &P::socialN, "", "width of the sideways term", kSocialForces, kFactor},
+    {"social_n_prime", &P::socialNPrime, "", "width of the slowing term", kSocialForces, kFactor},
     {"obstacle_factor", &P::obstacleFactor, "m/s²", "strength of the obstacle force",
-     kObstacleForces, kAnyNumber},
+     kObstacleForces, kFactor},
     {"obstacle_sigma", &P::obstacleSigma, "m", "reach of the obstacle force", kObstacleForces},
     {"person_force_parameters", &P::personForceParameters, "",
      "1: the force of the robot on a person uses the person's own factor",
@@ -119,11 +119,10 @@ constexpr Row kRows[] = {
     {"conflict_margin", &P::conflictMargin, "m", "gap with which passing is no conflict",
      "engagement"},
     {"flow_line_x1", &P::flowLineX1, "m", "line whose crossings are counted, first end", "line_",
-     kAnyNumber},
-    {"flow_line_y1", &P::flowLineY1, "m", "", "line_", kAnyNumber},
-    {"flow_line_x2", &P::flowLineX2, "m", "second end; both ends equal: no line", "line_",
-     kAnyNumber},
-    {"flow_line_y2", &P::flowLineY2, "m", "", "line_", kAnyNumber},
+     kFactor},
+    {"flow_line_y1", &P::flowLineY1, "m", "", "line_", kFactor},
+    {"flow_line_x2", &P::flowLineX2, "m", "second end; both ends equal: no line", "line_", kFactor},
+    {"flow_line_y2", &P::flowLineY2, "m", "", "line_", kFactor},
 };
 
 }  // namespace

@@ -134,7 +134,8 @@ class FileReader {
   void readFrequency(const YamlNode& value) {
     const std::optional<double> frequency =
         value.isScalar() ? base::parseDouble(value.text) : std::nullopt;
-    if (!frequency || !std::isfinite(*frequency) || *frequency < 0.0) {
+    if (!frequency || !std::isfinite(*frequency) || *frequency < 0.0 ||
+        *frequency > base::kRate.high) {
       error(value, "metrics.bad-frequency");
       return;
     }

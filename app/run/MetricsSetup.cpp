@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/scenario/ScenarioFile.h"
 
 namespace app {
 
@@ -61,7 +62,15 @@ base::Result<MetricsSetup> metricsSetupOf(const sim2d::Scenario& scenario,
                                           const std::string& scenarioPath) {
   const sim2d::MetricsSettings& settings = scenario.desktop.metrics;
   MetricsSetup setup;
-  base::Diagnostics problems = readParameters(settings.parameters, setup.parameters, scenarioPath);
+  base::Diagnostics problems;
+  for (base::Diagnostic& wrong :
+       readParameters(settings.parameters, setup.parameters, scenarioPath)) {
+    base::Diagnostics one = {std::move(wrong)};
+    const std::string name = one.front().value("where");
+    sim2d::addPlaceOfKey(one, scenarioPath,
+                         {"hunavsim_desktop.ros__parameters.metrics.parameters." + name});
+    base::append(problems, one);
+  }
   if (const auto path = metricsFileOf(scenario, scenarioPath)) {
     takeFile(metrics::readMetricsFile(*path), setup, problems);
   }

@@ -6,6 +6,7 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/MathEach.h"
+#include "sim2d/base/Ranges.h"
 #include "sim2d/nav/ObstacleForces.h"
 
 namespace sim2d {
@@ -59,24 +60,23 @@ base::ParameterTable<ForceParameters> forceTable() {
   const std::string groups = "Moussaïd et al. 2010";
   base::ParameterTable<ForceParameters> table;
   table
-      .add(&P::relaxationTime, "relaxation_time", "s", base::kPositive,
+      .add(&P::relaxationTime, "relaxation_time", "s", base::kTimeSpan,
            "tau: time in which the velocity comes near the wanted one.", walls)
-      .add(&P::obstacleRange, "obstacle_range", "m", base::kPositive,
+      .add(&P::obstacleRange, "obstacle_range", "m", base::kLength,
            "sigma: distance over which the force of walls falls to 1/e.", walls)
-      .add(&P::lambda, "lambda", "s/m", base::kNotNegative,
+      .add(&P::lambda, "lambda", "s/m", base::kWeight,
            "Weight of the relative velocity in the direction of an interaction.", people)
-      .add(&P::gamma, "gamma", "m", base::kPositive,
+      .add(&P::gamma, "gamma", "m", base::kLength,
            "Range of an interaction per length of its vector.", people)
-      .add(&P::n, "n", "1/m", base::kNotNegative, "Angular width of turning aside.", people)
-      .add(&P::nPrime, "n_prime", "1/m", base::kNotNegative, "Angular width of slowing down.",
-           people)
-      .add(&P::epsilon, "epsilon", "rad/m", base::kAnyNumber,
+      .add(&P::n, "n", "1/m", base::kWeight, "Angular width of turning aside.", people)
+      .add(&P::nPrime, "n_prime", "1/m", base::kWeight, "Angular width of slowing down.", people)
+      .add(&P::epsilon, "epsilon", "rad/m", base::kFactor,
            "Side to which people give way who meet head on.", people)
-      .add(&P::gazeFactor, "gaze_factor", "", base::kNotNegative,
+      .add(&P::gazeFactor, "gaze_factor", "", base::kWeight,
            "Weight of turning back for members of the group behind.", groups)
-      .add(&P::coherenceFactor, "coherence_factor", "", base::kNotNegative,
+      .add(&P::coherenceFactor, "coherence_factor", "", base::kWeight,
            "Weight of the pull to the middle of the group.", groups)
-      .add(&P::repulsionFactor, "repulsion_factor", "", base::kNotNegative,
+      .add(&P::repulsionFactor, "repulsion_factor", "", base::kWeight,
            "Weight of keeping apart inside the group.", groups);
   return table;
 }

@@ -139,6 +139,10 @@ void readBehavior(YamlMap& agent, Human& human, LoaderReading& reading) {
     readBehaviorMap(behavior, human, reading);
     return;
   }
+  if (node->text.empty()) {
+    agent.warning("behavior", "scenario.empty-behavior");
+    return;
+  }
   setBehaviorType(human.behavior, node->text);
   warnForeign(human.behavior, *node, "behavior", agent);
   if (base::parseInt(node->text)) {
@@ -154,9 +158,10 @@ void readPose(YamlMap& agent, Human& human) {
     return;
   }
   YamlMap view(node, agent.pathOf("init_pose"), human.key, agent.report());
-  human.initPose.position = {view.number("x").value_or(0.0), view.number("y").value_or(0.0)};
-  human.initZ = view.number("z");
-  human.initPose.heading = view.number("h").value_or(0.0);
+  human.initPose.position = {view.number("x", base::kWithinReach).value_or(0.0),
+                             view.number("y", base::kWithinReach).value_or(0.0)};
+  human.initZ = view.number("z", base::kWithinReach);
+  human.initPose.heading = view.number("h", base::kHeading).value_or(0.0);
   human.initPoseUnknown = view.takeUnknown();
 }
 
@@ -168,8 +173,8 @@ int namedGoal(YamlMap& agent, const std::string& name, LoaderReading& reading) {
   }
   agent.know(name);
   YamlMap view(node, agent.pathOf(name), agent.entity(), agent.report());
-  const Vec2 position(view.required("x"), view.required("y"));
-  const auto heading = view.number("h");
+  const Vec2 position = readPoint(view);
+  const auto heading = view.number("h", base::kHeading);
   UnknownKeys unknown;
   // the first editor put the height of the click, 1.25, where the heading belongs
   if (heading && *heading != 0.0 && *heading != 1.25) {

@@ -56,7 +56,7 @@ void readStart(YamlMap& view, Robot& robot) {
   }
   YamlMap start = view.map("start");
   robot.start.position = readPoint(start);
-  robot.start.heading = start.number("h").value_or(0.0);
+  robot.start.heading = start.number("h", base::kHeading).value_or(0.0);
   refuseUnknown(start);
 }
 
@@ -98,7 +98,7 @@ void writeGoals(YamlNode& tree, const Robot& robot) {
 }
 
 void readFootprint(YamlMap& view, Robot& robot) {
-  robot.footprintY = view.numbers("footprint_y");
+  robot.footprintY = view.numbers("footprint_y", base::kOnBody);
   if (robot.footprintX.size() != robot.footprintY.size()) {
     view.error("footprint_y", "scenario.footprint-uneven");
   } else if (!robot.footprintX.empty() && robot.footprintX.size() < 3) {
@@ -130,7 +130,7 @@ FieldOf<Robot> kinematicsField() {
 FieldOf<Robot> turningRadiusField() {
   return field("turning_radius", &Robot::turningRadius,
                "Of the narrowest curve of a robot that steers like a car", {"Turning radius"}, "m",
-               kPositive)
+               {base::kSmallestSize, 1000.0})
       .resolvedAt([](auto& of) -> auto& { return of.turningRadius; })
       .with(&Field<Robot>::fallbackOf, [](const Robot& robot, const DesktopSettings& /*desktop*/) {
         const double radius = typeOf(robot).turningRadius;
@@ -155,8 +155,8 @@ FieldOf<Robot> sensorField(const std::string& key, Part Robot::*part, std::strin
 
 template <class T>
 void readPoints(YamlMap& view, T& to, std::size_t least) {
-  const std::vector<double> xs = view.numbers("xs");
-  const std::vector<double> ys = view.numbers("ys");
+  const std::vector<double> xs = view.numbers("xs", base::kWithinReach);
+  const std::vector<double> ys = view.numbers("ys", base::kWithinReach);
   if (xs.size() != ys.size()) {
     view.error("ys", "scenario.points-uneven");
     return;
@@ -185,7 +185,7 @@ std::function<void(YamlNode&, const T&)> writeAxis(int axis) {
 /// Corners: the lists `xs` and `ys`, which are read together.
 template <class T>
 FieldOf<T> xs(std::function<void(YamlMap&, T&)> readBoth) {
-  return FieldOf<T>("xs", "Its corners: their x", {"Corners"}, "m")
+  return FieldOf<T>("xs", "Its corners: their x", {"Corners"}, "m", base::kWithinReach)
       .madeBy(std::move(readBoth), writeAxis<T>(0), &T::points)
       .typed(ParameterType::Numbers)
       .required();
@@ -193,7 +193,7 @@ FieldOf<T> xs(std::function<void(YamlMap&, T&)> readBoth) {
 
 template <class T>
 FieldOf<T> ys() {
-  return FieldOf<T>("ys", "Their y, as many", {}, "m")
+  return FieldOf<T>("ys", "Their y, as many", {}, "m", base::kWithinReach)
       .madeBy([](YamlMap&, T&) {}, writeAxis<T>(1), &T::points)
       .typed(ParameterType::Numbers)
       .required();
@@ -202,14 +202,14 @@ FieldOf<T> ys() {
 /// A coordinate that must be there, of the point that is a member or that a function gives.
 template <class T, class Point>
 FieldOf<T> place(std::string key, std::string help, std::string label, Point point, int axis) {
-  return FieldOf<T>(std::move(key), std::move(help), {std::move(label)}, "m")
+  return FieldOf<T>(std::move(key), std::move(help), {std::move(label)}, "m", base::kWithinReach)
       .keptAt([ point, axis ](auto& of) -> auto& { return std::invoke(point, of)(axis); })
       .required();
 }
 
 FieldOf<Obstacle> length(std::string key, double Obstacle::*member, std::string help,
                          std::string label) {
-  return field(std::move(key), member, std::move(help), {std::move(label)}, "m", kPositive)
+  return field(std::move(key), member, std::move(help), {std::move(label)}, "m", base::kLength)
       .required();
 }
 
@@ -222,7 +222,7 @@ std::function<bool(const Obstacle&)> oneOf(std::vector<ObstacleKind> kinds) {
 template <class T>
 FieldOf<T> thickness(double usual, double step) {
   return field("thickness", &T::thickness, "How thick it is", {"Thickness", 2, step}, "m",
-               kPositive)
+               base::kLength)
       .orElse(usual);
 }
 
@@ -271,37 +271,36 @@ Fields<Robot> wayFields() {
           .with(&Field<Robot>::read, readGoals)
           .with(&Field<Robot>::write, writeGoals),
       field("goal_radius", &Robot::goalRadius, "A goal is reached when the robot is this near",
-            {"Arrival radius", 2, 0.05}, "m", kPositive)
+            {"Arrival radius", 2, 0.05}, "m", base::kLength)
           .resolvedTo(&Resolved::goalRadius),
       field("start_time", &Robot::startTime, "When it sets off", {"Sets off at", 1, 1.0}, "s",
-            kNotNegative)
+            base::kTime)
           .resolvedTo(&Resolved::startTime)};
 }
 
 Fields<Robot> bodyFields() {
   using Resolved = ResolvedRobot;
-  constexpr Range kBodyRadius{0.0, 100.0, true};
-  constexpr Range kSpeed{0.0, 100.0, true};
   return {limit(field("radius", &Robot::radius, "Of the disc that the robot is",
-                      {"Radius", 2, 0.01, 1.0}, "m", kBodyRadius),
+                      {"Radius", 2, 0.01, 1.0}, "m", base::kBodySize),
                 &Resolved::radius),
-          limit(field("mass", &Robot::mass, "Of the robot", {"Mass", 1, 1.0}, "kg", kPositive),
+          limit(field("mass", &Robot::mass, "Of the robot", {"Mass", 1, 1.0}, "kg", base::kMass),
                 &Resolved::mass),
           limit(field("max_vel", &Robot::maxVel, "Its speed at the most",
-                      {"Top speed", 2, 0.05, 2.0}, "m/s", kSpeed),
+                      {"Top speed", 2, 0.05, 2.0}, "m/s", base::kSpeedOfMotion),
                 &Resolved::maxVel),
           limit(field("max_acc", &Robot::maxAcc, "How fast its speed changes",
-                      {"Acceleration", 2, 0.1, 3.0}, "m/s²", kPositive),
+                      {"Acceleration", 2, 0.1, 3.0}, "m/s²", base::kAcceleration),
                 &Resolved::maxAcc),
           limit(field("max_omega", &Robot::maxOmega, "Its turn rate at the most", {"Turn speed"},
-                      "rad/s", kPositive),
+                      "rad/s", base::kSpeedOfMotion),
                 &Resolved::maxOmega),
           limit(field("max_alpha", &Robot::maxAlpha, "How fast its turn rate changes",
-                      {"Turn accel."}, "rad/s²", kPositive),
+                      {"Turn accel."}, "rad/s²", base::kAcceleration),
                 &Resolved::maxAlpha),
           field("footprint_x", &Robot::footprintX,
-                "Corners in the robot's frame, instead of the disc: their x", {"Footprint"}, "m"),
-          field("footprint_y", &Robot::footprintY, "Their y, as many", {}, "m")
+                "Corners in the robot's frame, instead of the disc: their x", {"Footprint"}, "m",
+                base::kOnBody),
+          field("footprint_y", &Robot::footprintY, "Their y, as many", {}, "m", base::kOnBody)
               .with(&Field<Robot>::read, readFootprint),
           kinematicsField(),
           turningRadiusField(),
@@ -337,7 +336,7 @@ Fields<Obstacle> obstacleFields() {
               .required(),
           place<Obstacle>("x", "Its centre", "X", centre, 0).with(only, placed),
           place<Obstacle>("y", "Its centre", "Y", centre, 1).with(only, placed),
-          FieldOf<Obstacle>("h", "Where its length points to", {"Heading"}, "rad")
+          FieldOf<Obstacle>("h", "Where its length points to", {"Heading"}, "rad", base::kHeading)
               .keptAt([](auto& of) -> auto& { return of.pose.heading; })
               .orElse(0.0)
               .with(only, box),
@@ -358,7 +357,7 @@ Fields<Door> doorFields() {
           thickness<Door>(0.05, 0.01),
           field("open", &Door::open, "Open at the start", {"At the start"}).orElse(true),
           field("toggles", &Door::toggles, "It opens or closes at each of these times",
-                {"Changes at"}, "s", kNotNegative)};
+                {"Changes at"}, "s", base::kTime)};
 }
 
 Fields<Area> areaFields() {
@@ -369,12 +368,12 @@ Fields<Area> areaFields() {
           ys<Area>(),
           field("like", &Area::like, "Source: the person it copies", {"Like"}),
           field("rate", &Area::rate, "Source: people per second", {"Rate", 3, 0.05}, "1/s",
-                kNotNegative),
+                {0.0, 1000.0}),
           field("from", &Area::from, "Source: people come from this time on", {"From", 1, 1.0}, "s",
-                kNotNegative)
+                base::kTime)
               .orElse(0.0),
           field("until", &Area::until, "Source: nobody comes after this time", {"Until", 1, 1.0},
-                "s", kNotNegative),
+                "s", base::kTime),
           field("count", &Area::count, "Source: at most so many people", {"At most", 0, 1.0}, {},
                 {0.0, 1000000.0})};
 }

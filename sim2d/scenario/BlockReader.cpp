@@ -143,7 +143,7 @@ class BlockReader {
 }  // namespace
 
 Vec2 readPoint(YamlMap& view) {
-  return {view.required("x"), view.required("y")};
+  return {view.required("x", base::kWithinReach), view.required("y", base::kWithinReach)};
 }
 
 ParameterTexts readParameters(YamlMap& view, const std::string& key) {

@@ -4,9 +4,6 @@
 namespace sim2d {
 namespace {
 
-constexpr Range kSpeed{0.0, 100.0};
-constexpr Range kBodyRadius{0.0, 100.0, true};
-
 void readConfiguration(YamlMap& view, Behavior& behavior) {
   const auto number = view.integer("configuration", -2147483647);
   if (number && (*number < 0 || *number > 3)) {
@@ -25,7 +22,9 @@ void writeConfiguration(YamlNode& tree, const Behavior& behavior) {
 
 void readType(YamlMap& view, Behavior& behavior) {
   const auto type = view.text("type");
-  if (type && !type->empty()) {
+  if (type && type->empty()) {
+    view.warning("type", "scenario.empty-behavior");
+  } else if (type) {
     setBehaviorType(behavior, *type);
     warnForeign(behavior, *view.node().find("type"), "type", view);
   }
@@ -50,14 +49,14 @@ std::function<int(const Behavior&)> digitsWith(BehaviorType type, int digits, in
 FieldOf<Behavior> distance(std::string key, std::optional<double> Behavior::*member,
                            double ResolvedHuman::*resolved, std::string help,
                            base::FormHints form) {
-  return field(std::move(key), member, std::move(help), std::move(form), "m", kNotNegative)
+  return field(std::move(key), member, std::move(help), std::move(form), "m", base::kDistance)
       .resolvedTo(resolved)
       .digits(2);
 }
 
 FieldOf<Behavior> factor(std::string key, std::optional<double> Behavior::*member,
                          double ResolvedHuman::*resolved, std::string help, base::FormHints form) {
-  return field(std::move(key), member, std::move(help), std::move(form))
+  return field(std::move(key), member, std::move(help), std::move(form), {}, base::kFactor)
       .countsAs(resolved)
       .orElse(ResolvedHuman().*resolved);
 }
@@ -75,16 +74,16 @@ Fields<Human> humanFields() {
           .resolvedTo(&Resolved::groupId),
       field("skin", &Human::skin, "How the simulator dresses the person", {"Figure", 0, 1.0}),
       field("max_vel", &Human::maxVel, "The speed the person wants to walk at",
-            {"Top speed", 2, 0.05, 2.0}, "m/s", kSpeed)
+            {"Top speed", 2, 0.05, 2.0}, "m/s", base::kSpeed)
           .resolvedTo(&Resolved::desiredSpeed),
       field(
           "radius", &Human::radius,
           "Of the disc that the body is; people of the model das, but for wheelchairs, have 0.20 m",
-          {"Radius", 2, 0.01, 0.8}, "m", kBodyRadius)
+          {"Radius", 2, 0.01, 0.8}, "m", base::kBodySize)
           .resolvedTo(&Resolved::radius),
       field("goal_radius", &Human::goalRadius,
             "A goal is reached when the person is this near; 0 counts as 0.1",
-            {"Arrival radius", 2, 0.05}, "m", kNotNegative)
+            {"Arrival radius", 2, 0.05}, "m", base::kDistance)
           .countsAs(&Resolved::goalRadius)
           .orElse(0.1),
       field("cyclic_goals", &Human::cyclicGoals, "Start again after the last goal", {"Repeat"})
@@ -102,13 +101,13 @@ Fields<Behavior> behaviorFields() {
                "The robot is noticed within this distance", {"Sees within", 2, 0.5, 15.0})
           .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Surprised, 3, 2)),
       field("duration", &Behavior::duration, "How long the reaction goes on",
-            {"Lasts", 1, 1.0, 80.0}, "s", kNotNegative)
+            {"Lasts", 1, 1.0, 80.0}, "s", base::kTime)
           .resolvedTo(&Resolved::reactionDuration)
           .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Threatening, 2, 1)),
       field("once", &Behavior::once, "React only once", {"Only once"})
           .resolvedTo(&Resolved::reactionOnce),
       field("vel", &Behavior::vel, "Speed while reacting; absent: `max_vel`, 2.0 without it",
-            {"Speed", 2, 0.1, 2.0}, "m/s", kSpeed)
+            {"Speed", 2, 0.1, 2.0}, "m/s", base::kSpeed)
           .countsAs(&Resolved::reactionSpeed)
           .with(&Field<Behavior>::digitsOf, digitsWith(BehaviorType::Scared, 3, 2)),
       distance("safe_distance", &Behavior::safeDistance, &Resolved::safeDistance,
@@ -146,32 +145,32 @@ Fields<PersonExtension> personFields() {
   const auto routeOf = [](const Ours& /*of*/, const DesktopSettings& desktop) {
     return routeWords()[static_cast<std::size_t>(desktop.route.value_or(Route::Planned))];
   };
-  return {field("start_time", &Ours::startTime, "Enters the world at this time",
-                {"Comes at", 1, 1.0}, "s", kNotNegative)
-              .resolvedTo(&Resolved::startTime),
-          field("kind", &Ours::kind, "Gives the mass and the figure on the map", {"Body"})
-              .words({"adult", "child", "elderly", "wheelchair", "luggage"})
-              .resolvedTo(&Resolved::kind),
-          field("mass", &Ours::mass, "Absent: by kind 80, 32, 75, 100, 100", {"Mass", 1, 1.0}, "kg",
-                kPositive)
-              .countsAs(&Resolved::mass)
-              .with(&Field<Ours>::fallbackOf, massByKind),
-          field("model", &Ours::model, "How the person moves among others; absent: the scenario's",
-                {"Model"})
-              .with(&Field<Ours>::fallbackOf, modelOf),
-          field("route", &Ours::route, "Ways round walls, or straight on; absent: the scenario's",
-                {"Routes"})
-              .words(routeWords())
-              .with(&Field<Ours>::fallbackOf, routeOf),
-          field("at_end", &Ours::atEnd, "After the last goal of a route that does not repeat",
-                {"At the end"})
-              .words({"stop", "leave", "restart"})
-              .resolvedTo(&Resolved::atEnd),
-          field("wait", &Ours::wait, "One time for each goal of the route", {"Waits"}, "s",
-                kNotNegative)
-              .resolvedTo(&Resolved::wait),
-          field("tree", &Ours::tree, "Relative to the scenario; may be shared by several people",
-                {"Tree file"})};
+  return {
+      field("start_time", &Ours::startTime, "Enters the world at this time", {"Comes at", 1, 1.0},
+            "s", base::kTime)
+          .resolvedTo(&Resolved::startTime),
+      field("kind", &Ours::kind, "Gives the mass and the figure on the map", {"Body"})
+          .words({"adult", "child", "elderly", "wheelchair", "luggage"})
+          .resolvedTo(&Resolved::kind),
+      field("mass", &Ours::mass, "Absent: by kind 80, 32, 75, 100, 100", {"Mass", 1, 1.0}, "kg",
+            base::kMass)
+          .countsAs(&Resolved::mass)
+          .with(&Field<Ours>::fallbackOf, massByKind),
+      field("model", &Ours::model, "How the person moves among others; absent: the scenario's",
+            {"Model"})
+          .with(&Field<Ours>::fallbackOf, modelOf),
+      field("route", &Ours::route, "Ways round walls, or straight on; absent: the scenario's",
+            {"Routes"})
+          .words(routeWords())
+          .with(&Field<Ours>::fallbackOf, routeOf),
+      field("at_end", &Ours::atEnd, "After the last goal of a route that does not repeat",
+            {"At the end"})
+          .words({"stop", "leave", "restart"})
+          .resolvedTo(&Resolved::atEnd),
+      field("wait", &Ours::wait, "One time for each goal of the route", {"Waits"}, "s", base::kTime)
+          .resolvedTo(&Resolved::wait),
+      field("tree", &Ours::tree, "Relative to the scenario; may be shared by several people",
+            {"Tree file"})};
 }
 
 }  // namespace sim2d

@@ -91,20 +91,19 @@ void checkName(const std::optional<std::string>& name, const std::vector<std::st
   }
 }
 
-/// "a distance", "a number above 0", "a number from 0 to 1"
+/// "a number", "a number above 0", "a number from 0 to 100 m"
 std::string expectedOf(const ParameterSpec& spec) {
-  constexpr double kNoEnd = std::numeric_limits<double>::infinity();
   const base::Range& range = spec.range;
-  if (spec.unit == "m" && range.low == 0.0 && range.high == kNoEnd) {
-    return range.above ? "a distance above 0" : "a distance";
-  }
+  const std::string unit = spec.unit.empty() ? "" : " " + spec.unit;
   const std::string low = base::formatDouble(range.low);
-  if (range.high < kNoEnd) {
-    return "a number from " + low + " to " + base::formatDouble(range.high);
+  if (std::isfinite(range.high)) {
+    return std::string("a number ") + (range.above ? "above " : "from ") + low + " to " +
+           base::formatDouble(range.high) + unit;
   }
-  return range.low == -kNoEnd
-             ? "a number"
-             : "a number " + (range.above ? "above " + low : "of " + low + " or more");
+  if (std::isinf(range.low)) {
+    return "a number";
+  }
+  return "a number " + (range.above ? "above " + low + unit : "of " + low + unit + " or more");
 }
 
 /// Of a planner or model, called `owner`.

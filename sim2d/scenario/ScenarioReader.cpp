@@ -111,7 +111,7 @@ class FileReader {
       goal.id = static_cast<int>(*id);
       goal.key = loader_.newEntity(base::EntityKind::Goal, item);
       YamlMap point(&item, goals.pathOf(item.key), goal.key, report_);
-      goal.position = Vec2(point.required("x"), point.required("y"));
+      goal.position = readPoint(point);
       point.know("h");  // kept from older dialects
       if (const YamlNode* heading = item.find("h")) {
         goal.unknown.push_back(unknownKey(*heading));
@@ -263,6 +263,32 @@ const YamlNode* findKey(const YamlNode& root, const std::string& dotted) {
   return node;
 }
 
+/// The places of keys of one file, read when one of them is first asked for.
+class KeyPlaces {
+ public:
+  explicit KeyPlaces(const std::string& text) : text_(text) {}
+
+  /// Of a path below the parameters of either node; null: it is in neither.
+  const YamlNode* find(const std::string& dotted) {
+    if (!isRead_) {
+      base::Diagnostics ignored;  // told by the reader of the scenario
+      root_ = parseYaml(text_, {}, ignored);
+      isRead_ = true;
+    }
+    const YamlNode* found = nullptr;
+    for (const char* node : {kBlockNode, kLoaderNode}) {
+      const std::string path = std::string(node) + "." + kParameters + "." + dotted;
+      found = found == nullptr ? findKey(root_, path) : found;
+    }
+    return found;
+  }
+
+ private:
+  const std::string& text_;
+  bool isRead_ = false;
+  YamlNode root_;
+};
+
 }  // namespace
 
 TreeReading readTree(const YamlNode& root, const std::string& fileName, const FieldTables& tables) {
@@ -322,14 +348,19 @@ void addPlaces(base::Diagnostics& diagnostics, const std::map<EntityId, int>& li
     return;  // to read a large file takes its time
   }
   const base::Result<std::string> text = base::readTextFile(path);  // its reader says why it fails
-  const std::vector<std::string> texts = base::split(text ? *text : std::string(), '\n');
+  const std::string content = text ? *text : std::string();
+  const std::vector<std::string> texts = base::split(content, '\n');
+  KeyPlaces keys(content);
   for (base::Diagnostic& said : diagnostics) {
     if (said.line > 0 && !said.file.empty() && said.file != path) {
       continue;  // a line of another file that the scenario names
     }
     const auto found = lines.find(said.entity);
     if (said.line == 0 && said.entity && found != lines.end()) {
-      said.line = found->second;
+      const std::string where = said.value("where");  // "robot1.planner_parameters.horizon"
+      const YamlNode* const key = where.find('.') == std::string::npos ? nullptr : keys.find(where);
+      said.line = key != nullptr ? key->line : found->second;
+      said.column = key != nullptr ? key->column : said.column;
     }
     said.file = said.line > 0 ? path : said.file;
     const auto line = static_cast<std::size_t>(said.line);

@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 
+#include "sim2d/base/Ranges.h"
 #include "sim2d/base/yaml/YamlMap.h"
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/nav/RobotTypes.h"
@@ -14,8 +15,6 @@
 /// folder.
 namespace sim2d {
 
-using base::kNotNegative;
-using base::kPositive;
 using base::Range;
 using base::ReadReport;
 using base::scalarNode;

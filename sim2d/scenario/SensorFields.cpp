@@ -11,7 +11,7 @@ namespace {
 constexpr double kLongestWay = 1000.0;     // [m], of beams
 constexpr double kMostPerSecond = 1000.0;  // [Hz]
 constexpr Range kAngle{-10.0, 10.0};       // [rad]
-constexpr Range kOnRobot{-100.0, 100.0};   // [m]
+constexpr Range kNoise{0.0, kLongestWay};  // [m]
 constexpr Range kShare{0.0, 1.0};
 
 template <class T>
@@ -106,17 +106,17 @@ Fields<LidarSettings> lidarFields() {
               kAngle),
           lidarNumber(
               "x", &Keys::x, [](auto& of) -> auto& { return of.lidar.mount.position.x(); },
-              "Where it sits, in the robot's frame: ahead", "m", kOnRobot),
+              "Where it sits, in the robot's frame: ahead", "m", base::kOnBody),
           lidarNumber(
               "y", &Keys::y, [](auto& of) -> auto& { return of.lidar.mount.position.y(); },
-              "Idem: to the left", "m", kOnRobot),
+              "Idem: to the left", "m", base::kOnBody),
           lidarNumber(
               "h", &Keys::h, [](auto& of) -> auto& { return of.lidar.mount.heading; },
               "Where it looks, in the robot's frame", "rad", kAngle)
               .orElse(0.0),
           lidarNumber(
               "noise", &Keys::noise, [](auto& of) -> auto& { return of.lidar.noise; },
-              "Standard deviation of a distance", "m", kNotNegative),
+              "Standard deviation of a distance", "m", kNoise),
           field("legs", &Keys::legs, "People are two legs to it, else discs", {"Legs"})
               .resolvedAt([](auto& of) -> auto& { return of.lidar.legs; })
               .orElse(true),
@@ -136,7 +136,7 @@ Fields<DetectorSettings> detectorFields() {
           .resolvedAt([](auto& of) -> auto& { return of.detectorKind; })
           .orElse(DetectorKind::Sensor),
       detectorNumber("range", &Keys::range, &Parameters::range,
-                     "Whose centre is farther away is not seen", "m", kPositive),
+                     "Whose centre is farther away is not seen", "m", base::kLength),
       detectorNumber("field", &Keys::field, &Parameters::field,
                      "The angle that it sees, half of it to either side", "rad",
                      {0.0, 6.2832, true}),  // a whole turn, as forms show it
@@ -145,13 +145,13 @@ Fields<DetectorSettings> detectorFields() {
       detectorNumber("latency", &Keys::latency, &Parameters::latency, "From sight to the planner",
                      "s", {0.0, 60.0}),
       detectorNumber("noise", &Keys::noise, &Parameters::noise,
-                     "Standard deviation of each coordinate", "m", kNotNegative),
+                     "Standard deviation of each coordinate", "m", kNoise),
       detectorNumber("misses", &Keys::misses, &Parameters::misses,
                      "Chance not to see somebody, each time it looks", {}, kShare),
       detectorNumber("swaps", &Keys::swaps, &Parameters::swaps,
                      "Chance to mix up two people who are close, each time it looks", {}, kShare),
       detectorNumber("swap_distance", &Keys::swapDistance, &Parameters::swapDistance,
-                     "People nearer to each other than this may be mixed up", "m", kNotNegative),
+                     "People nearer to each other than this may be mixed up", "m", base::kDistance),
       field("occlusion", &Keys::occlusion, "Walls and other bodies hide", {"Hidden ones"})
           .resolvedAt([](auto& of) -> auto& { return of.detector.isOccluded; })
           .orElse(true),
@@ -159,11 +159,11 @@ Fields<DetectorSettings> detectorFields() {
                      "Who is hidden by others to more than this share is not seen", {}, kShare),
       detectorNumber("coast_time", &Keys::coastTime, &Parameters::coastTime,
                      "Who is not seen for longer is forgotten; until then he goes on as before",
-                     "s", kNotNegative),
+                     "s", base::kTime),
       velocitiesField(),
       detectorNumber("acceleration_noise", &Keys::accelerationNoise, &Parameters::accelerationPower,
                      "Of the Kalman filter: how fast people change their velocity", "m²/s³",
-                     kPositive)};
+                     base::kWeightAboveZero)};
 }
 
 Fields<OdometrySettings> odometryFields() {

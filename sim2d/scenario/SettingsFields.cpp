@@ -9,10 +9,11 @@ namespace sim2d {
 namespace {
 
 constexpr double kLargestId = 2147483647.0;
+constexpr double kShortestRing = 1.0;  // [m]
 
 void readWrap(YamlMap& view, DesktopSettings& to) {
-  to.wrapX = view.numbers("wrap_x");
-  if (!to.wrapX.empty() && (to.wrapX.size() != 2 || to.wrapX[0] >= to.wrapX[1])) {
+  to.wrapX = view.numbers("wrap_x", base::kWithinReach);
+  if (!to.wrapX.empty() && (to.wrapX.size() != 2 || to.wrapX[1] - to.wrapX[0] < kShortestRing)) {
     view.error("wrap_x", "scenario.bad-wrap");
     to.wrapX.clear();
   }
@@ -94,7 +95,7 @@ FieldOf<MetricsSettings> moment(const std::string& key,
 void readThresholds(YamlMap& view, MetricsSettings& to) {
   YamlMap parameters = view.map("parameters");
   for (const YamlNode& item : parameters.node().items) {
-    if (const auto value = parameters.number(item.key)) {
+    if (const auto value = parameters.number(item.key, base::kFactor)) {
       to.parameters.emplace_back(item.key, *value);
     }
   }
@@ -135,11 +136,11 @@ Fields<DesktopSettings> settingsFields() {
           .words({"humble", "main"})
           .orElse(std::string("humble")),
       field("seed", &Settings::seed, "The same seed gives the same run", {"Seed", 0, 1.0}, {},
-            kNotNegative)
+            base::kNotNegative)
           .orElse(1),
       field("duration", &Settings::duration,
             "Length of a run; absent: until the robot has arrived plus 1 s, at most 120 s",
-            {"Duration", 1, 5.0}, "s", {0.0, 1e6, true}),
+            {"Duration", 1, 5.0}, "s", {0.0, base::kTime.high, true}),
       field("stop_on_collision", &Settings::stopOnCollision,
             "What a robot must touch on its way for the run to end: `any` is people, robots, walls",
             {"End on contact"})
@@ -148,7 +149,7 @@ Fields<DesktopSettings> settingsFields() {
       field("stuck_after", &Settings::stuckAfter,
             "A robot that has come no nearer for so long is stuck, and ends the run when no other "
             "gets on; 0 is never",
-            {"Stuck after", 1, 5.0}, "s", {0.0, 1e6})
+            {"Stuck after", 1, 5.0}, "s", base::kTime)
           .orElse(0.0),
       field("dt", &Settings::dt, "Time step", {"Time step", 3, 0.005}, "s", {0.001, 0.1})
           .orElse(0.05),
@@ -172,7 +173,7 @@ Fields<DesktopSettings> settingsFields() {
           .orElse(true),
       field("wrap_x", &Settings::wrapX,
             "A corridor that closes on itself: who passes the second x comes in at the first",
-            {"Corridor"}, "m")
+            {"Corridor"}, "m", base::kWithinReach)
           .with(&Field<Settings>::read, readWrap),
       FieldOf<Settings>("groups", "Names of groups by their numbers")
           .madeBy(readGroups, writeGroups, &Settings::groups),
@@ -188,7 +189,7 @@ Fields<MetricsSettings> metricsFields() {
       moment("until", &Settings::until, {"end", "arrival"},
              "end, arrival, time 20.0 or event contact", "Until"),
       field("frequency", &Settings::frequency, "0 takes every recorded sample",
-            {"Frequency", 1, 1.0}, "Hz", kNotNegative)
+            {"Frequency", 1, 1.0}, "Hz", base::kRate)
           .orElse(0.0),
       field("tag", &Settings::tag, "Of the experiment, in the results", {"Tag"})
           .orElse(std::string("exp_1")),

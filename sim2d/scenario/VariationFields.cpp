@@ -1,4 +1,3 @@
-#include <limits>
 #include <map>
 
 #include "sim2d/scenario/FieldMaking.h"
@@ -10,8 +9,23 @@
 namespace sim2d {
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-constexpr double kLowest = -1e6;
+/// How far from the middle a draw may lie, and how wide its distribution may be.
+double widestOf(Varied quantity) {
+  switch (quantity) {
+    case Varied::StartTime:
+      return base::kTime.high;
+    case Varied::Start:
+      return 1000.0;  // [m]
+    case Varied::Heading:
+      return base::kAngleWidth.high;
+    case Varied::Speed:
+    case Varied::ReactionTime:
+      return 100.0;  // times what is written
+    case Varied::FirstGoal:
+      break;
+  }
+  return base::kLargestValue;
+}
 
 /// "speed.sd": the map, and the key in it; no map: empty.
 std::pair<std::string, std::string> partsOf(const std::string& key) {
@@ -42,19 +56,18 @@ FieldOf<VariationSettings> spreadField(Varied quantity, const char* key, M Sprea
 void addSpread(Varied quantity, const std::string& help, Fields<VariationSettings>& to) {
   const VariedQuantity& facts = variedQuantity(quantity);
   const double centre = facts.isFactor ? 1.0 : 0.0;
-  const double least = facts.isFactor ? facts.least : kLowest;
-  double most = kNoLimit;
-  if (facts.isFactor) {
-    most = facts.most;
-  }
+  const double widest = widestOf(quantity);
+  const double least = facts.isFactor ? facts.least : -widest;
+  const double most = facts.isFactor ? facts.most : widest;
+  const Range width{0.0, widest};
   using S = SpreadSettings;
   to.push_back(
       spreadField(quantity, "kind", &S::kind, help + "; absent: the preset's", {"drawn"}, {})
           .words({"none", "normal", "uniform"}));
   to.push_back(spreadField(quantity, "sd", &S::sd, "Normal: the standard deviation",
-                           {"deviation", 2, 0.05}, kNotNegative));
+                           {"deviation", 2, 0.05}, width));
   to.push_back(spreadField(quantity, "half_width", &S::halfWidth, "Uniform: so much either way",
-                           {"half width", 2, 0.05}, kNotNegative));
+                           {"half width", 2, 0.05}, width));
   to.push_back(
       spreadField(quantity, "min", &S::min, "Never below", {"least", 2, 0.1}, {least, centre}));
   to.push_back(

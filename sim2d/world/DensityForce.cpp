@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/base/Ranges.h"
 #include "sim2d/nav/ObstacleForces.h"
 #include "sim2d/nav/ReciprocalVelocity.h"
 
@@ -236,33 +237,33 @@ base::ParameterTable<DensityParameters> densityTable() {
   constexpr base::Range kShare{0.0, 1.0};
   base::ParameterTable<DensityParameters> table;
   table.include(&P::social, forceTable())
-      .add(&P::timeGap, "time_gap", "s", base::kPositive, "T: to whoever is straight ahead.",
+      .add(&P::timeGap, "time_gap", "s", base::kTimeSpan, "T: to whoever is straight ahead.",
            "Tordeux, Chraibi & Seyfried 2016")
-      .add(&P::capWidth, "cap_width", "", base::kPositive,
+      .add(&P::capWidth, "cap_width", "", base::kWeightAboveZero,
            "Tangent of the angle to the way that counts as ahead.")
       .add(&P::coMovingWeight, "co_moving_weight", "", kShare,
            "Share of the force between people of one velocity.")
-      .add(&P::fullWeightAt, "full_weight_at", "m/s", base::kPositive,
+      .add(&P::fullWeightAt, "full_weight_at", "m/s", base::kSpeedOfMotion,
            "Relative speed from which the force between people counts fully.")
       .add(&P::intentShare, "intent_share", "", kShare,
            "Share of the wanted velocity in what people react to.")
-      .add(&P::laneFactor, "lane_factor", "m/s²", base::kNotNegative,
+      .add(&P::laneFactor, "lane_factor", "m/s²", base::kWeight,
            "Strength of sorting into lanes in counter-flow.")
       .add(&P::fileShare, "file_share", "", kShare,
            "Share of those who walk the same way in the lane force.")
-      .add(&P::crowdScale, "crowd_scale", "", base::kPositive,
+      .add(&P::crowdScale, "crowd_scale", "", base::kWeightAboveZero,
            "Crowding ahead at which what acts in crowds alone acts by half.")
       .add(&P::brakingShare, "braking_share", "", kShare,
            "Share of the braking for oncoming people that a crowd keeps.")
-      .add(&P::yieldSpeed, "yield_speed", "m/s", base::kNotNegative,
+      .add(&P::yieldSpeed, "yield_speed", "m/s", base::kSpeed,
            "Speed with which touching people part.")
-      .add(&P::yieldGap, "yield_gap", "m", base::kNotNegative,
+      .add(&P::yieldGap, "yield_gap", "m", base::kDistance,
            "Gap up to which neighbours count as touching.")
-      .add(&P::pushBackLimit, "push_back_limit", "", base::kNotNegative,
+      .add(&P::pushBackLimit, "push_back_limit", "", base::kWeight,
            "Most that walls push back, as a share of the goal force.")
       .add(&P::crowdWallShare, "crowd_wall_share", "", kShare,
            "Share of the push of walls beside narrow ways that a crowd keeps.")
-      .add(&P::mateTurnWidth, "mate_turn_width", "rad", base::kNotNegative,
+      .add(&P::mateTurnWidth, "mate_turn_width", "rad", base::kAngleWidth,
            "Angle below which mates side by side turn aside less.");
   return table;
 }

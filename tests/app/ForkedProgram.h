@@ -16,13 +16,15 @@
 namespace outside {
 
 struct Ended {
-  int status = 0;  // of waitpid
+  int status = 0;        // of waitpid
+  double seconds = 0.0;  // of processors
   QString out, err;
 };
 
-/// The program in a child of this process, which costs a tenth of starting it. It gets 4 GB and so
-/// many seconds, then a signal.
-inline Ended runForked(const QString& folder, const QStringList& words, unsigned seconds) {
+/// The program in a child of this process, which costs a tenth of starting it. It gets so many GB
+/// and so many seconds, then a signal.
+inline Ended runForked(const QString& folder, const QStringList& words, unsigned seconds,
+                       std::size_t gigabytes = 4) {
   const QByteArray outPath = QFile::encodeName(folder + text(".out"));
   const QByteArray errPath = QFile::encodeName(folder + text(".err"));
   const pid_t child = ::fork();
@@ -35,7 +37,7 @@ inline Ended runForked(const QString& folder, const QStringList& words, unsigned
     }
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_CORE, &none);
-    const rlimit bytes{std::size_t{4} << 30U, std::size_t{4} << 30U};
+    const rlimit bytes{gigabytes << 30U, gigabytes << 30U};
     if (!kIsSanitized) {
       ::setrlimit(RLIMIT_AS, &bytes);
     }
@@ -55,7 +57,12 @@ inline Ended runForked(const QString& folder, const QStringList& words, unsigned
     ::_exit(code);
   }
   Ended ended;
-  ::waitpid(child, &ended.status, 0);
+  rusage used{};
+  ::wait4(child, &ended.status, 0, &used);
+  const auto secondsOf = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  ended.seconds = secondsOf(used.ru_utime) + secondsOf(used.ru_stime);
   ended.out = QString::fromUtf8(outside::bytesOf(QString::fromLocal8Bit(outPath)));
   ended.err = QString::fromUtf8(outside::bytesOf(QString::fromLocal8Bit(errPath)));
   return ended;

@@ -155,7 +155,7 @@ class BundleTest : public QObject {
       return toldOf(parameter, value).find("error: " + parameter + ": " + words) !=
              std::string::npos;
     };
-    QVERIFY2(isTold("lane_width", -0.5, "-0.5 must be at least 0"),
+    QVERIFY2(isTold("lane_width", -0.5, "-0.5 must be from 0 to 1e+06"),
              toldOf("lane_width", -0.5).c_str());
     QVERIFY2(isTold("surprise_requires_motion", 2.0, "2 must be from 0 to 1"),
              toldOf("surprise_requires_motion", 2.0).c_str());

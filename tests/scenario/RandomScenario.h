@@ -336,7 +336,7 @@ class RandomScenario {
     maybe(to.obstaclePoints, [&] { return static_cast<sim2d::ObstaclePoints>(upTo(1)); });
     maybe(to.loopTrees, [&] { return flip(); });
     if (flip()) {
-      to.wrapX = {-size(), size()};
+      to.wrapX = {-size(), size() + 1.0};  // a metre at least
     }
     if (flip()) {
       to.modelParameters = {{"orca", {{"horizon", "2.50"}, {"range", "4.0"}}},

@@ -30,6 +30,7 @@ constexpr double kTurnPrice = 0.3;        // [m/rad], of turns that are left, fo
 constexpr double kMoveOffSpeed = 0.3;     // [m/s]
 constexpr double kDwaStanding = 0.02;     // [m/s]
 constexpr double kTurningShare = 0.1;     // of the full speed, while the way leads backwards
+constexpr double kBetweenStops = 0.4;     // [s] between moments at which it could begin to brake
 constexpr int kDwaShownArcs = 40;
 constexpr double kNotAdmissible = std::numeric_limits<double>::infinity();
 
@@ -254,7 +255,6 @@ double Dwa::movingOffCost(const BodyTwist& twist) const {
 /// paper's condition; with walls alone it is the weakest.
 bool Dwa::isAdmissible(const ClearanceAlong::Way& way, const ClearanceAlong::Found& found,
                        const BodyTwist& twist) const {
-  constexpr double kBetweenStops = 0.4;  // [s]
   const double stopTime = stopTimeOf(body_, twist);
   const double meets = std::min(found.wallStep, found.bodyStep) * way.step;
   double hold = parameters_.window;
@@ -379,9 +379,28 @@ std::vector<Candidate> Dwa::candidates() const {
   return shown;
 }
 
+/// Poses that one decision looks at, at most: along each arc, and while it brakes from each of the
+/// moments at which it could begin to.
+double posesOf(const DwaParameters& parameters, double stopTime) {
+  const double samples = parameters.linearSamples * parameters.angularSamples;
+  const double along = std::max(parameters.horizon, stopTime) / parameters.step;
+  const double braking = stopTime / kBetweenStops * stopTime / parameters.step;
+  return samples * (along + braking);
+}
+
 base::Result<std::shared_ptr<Planner>> makeDwa(const PlannerSetup& setup) {
+  constexpr double kMostPoses = 5e7;
   DwaParameters parameters;
   dwaTable().set(parameters, setup.parameters);
+  const DriveLimits& limits = setup.body.limits;
+  const double fastest = std::max(limits.maxVel, limits.maxReverse);
+  const double stopTime = stopTimeOf(setup.body, {fastest, limits.maxOmega});
+  const double poses = posesOf(parameters, stopTime);
+  if (!(poses <= kMostPoses)) {
+    const double samples = parameters.linearSamples * parameters.angularSamples;
+    return base::error("planner.too-much-work", {std::round(poses), kMostPoses,
+                                                 std::round(stopTime), parameters.step, samples});
+  }
   return std::shared_ptr<Planner>(std::make_shared<Dwa>(setup.body, parameters));
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim2d/base/Ranges.h"
 #include "sim2d/nav/DriveGear.h"
 #include "sim2d/nav/NonholonomicTracking.h"
 #include "sim2d/nav/PassiveSafety.h"
@@ -40,15 +41,15 @@ base::ParameterTable<OrcaPlannerParameters> orcaPlannerTable() {
   const base::Range share{0.0, 1.0, true};
   base::ParameterTable<P> table;
   table
-      .add(&P::horizon, "horizon", "s", base::kPositive,
+      .add(&P::horizon, "horizon", "s", base::kTimeSpan,
            "tau: the chosen velocity keeps the robot apart from people and robots for so long.",
            reciprocal)
-      .add(&P::wallHorizon, "wall_horizon", "s", base::kPositive, "The same for walls.", reciprocal)
-      .add(&P::trackingError, "tracking_error", "m", base::kPositive,
+      .add(&P::wallHorizon, "wall_horizon", "s", base::kTimeSpan, "The same for walls.", reciprocal)
+      .add(&P::trackingError, "tracking_error", "m", base::kLength,
            "epsilon: how far the robot may be from where the chosen velocity leads; less beside "
            "people and walls. It counts as that much larger. Not for omnidirectional robots.",
            nonholonomic)
-      .add(&P::turnTime, "turn_time", "s", base::kPositive,
+      .add(&P::turnTime, "turn_time", "s", base::kTimeSpan,
            "T: in which the robot turns into the direction of the chosen velocity, unless its "
            "angular acceleration takes longer.",
            nonholonomic)
@@ -57,13 +58,13 @@ base::ParameterTable<OrcaPlannerParameters> orcaPlannerTable() {
            "they do nothing.",
            reciprocal)
       .add(&P::robotShare, "robot_share", "", share, "The same for other robots.", reciprocal)
-      .add(&P::margin, "margin", "m", base::kNotNegative,
+      .add(&P::margin, "margin", "m", base::kDistance,
            "Room to people and robots in addition to both radii.")
-      .add(&P::range, "range", "m", base::kPositive, "People and robots farther away do not count.")
-      .add(&P::lookahead, "lookahead", "m", base::kPositive,
+      .add(&P::range, "range", "m", base::kLength, "People and robots farther away do not count.")
+      .add(&P::lookahead, "lookahead", "m", base::kLength,
            "Distance along the route to the point to which the robot would like to go; at least "
            "1.5 turning radii.")
-      .add(&P::sidePreference, "side_preference", "rad", base::kNotNegative,
+      .add(&P::sidePreference, "side_preference", "rad", base::kAngleWidth,
            "Turn of the wanted velocity to the right where people are in its way.");
   return table;
 }

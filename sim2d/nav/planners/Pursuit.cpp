@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/base/Ranges.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/RobotRoute.h"
 #include "sim2d/nav/Sight.h"
@@ -21,11 +22,11 @@ struct PursuitParameters {
 base::ParameterTable<PursuitParameters> pursuitTable() {
   base::ParameterTable<PursuitParameters> table;
   table
-      .add(&PursuitParameters::lookahead, "lookahead", "m", base::kPositive,
+      .add(&PursuitParameters::lookahead, "lookahead", "m", base::kLength,
            "Distance along the path to the point that the robot steers to.", "Coulter 1992")
-      .add(&PursuitParameters::slowDistance, "slow_distance", "m", base::kNotNegative,
+      .add(&PursuitParameters::slowDistance, "slow_distance", "m", base::kDistance,
            "Gap to somebody ahead below which the robot slows down.")
-      .add(&PursuitParameters::stopDistance, "stop_distance", "m", base::kNotNegative,
+      .add(&PursuitParameters::stopDistance, "stop_distance", "m", base::kDistance,
            "Gap to somebody ahead at which the robot stops.");
   return table;
 }

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim2d/base/Ranges.h"
 #include "sim2d/nav/DriveGear.h"
 #include "sim2d/nav/NonholonomicTracking.h"
 #include "sim2d/nav/PassiveSafety.h"
@@ -49,14 +50,14 @@ base::ParameterTable<ForceParameters> robotForceTable() {
       }
     }
   };
-  table.add(&F::goalFactor, "goal_factor", "", base::kPositive,
+  table.add(&F::goalFactor, "goal_factor", "", base::kWeightAboveZero,
             "k_g: weight of the pull along the route.", "Helbing & Molnár 1995");
   add(&F::relaxationTime, "relaxation_time");
-  table.add(&F::obstacleFactor, "obstacle_factor", "m/s²", base::kNotNegative,
+  table.add(&F::obstacleFactor, "obstacle_factor", "m/s²", base::kWeight,
             "k_o: force of a wall that the robot touches. It turns the robot aside, never back.",
             "Helbing & Molnár 1995");
   add(&F::obstacleRange, "obstacle_range");
-  table.add(&F::socialFactor, "social_factor", "m/s²", base::kNotNegative,
+  table.add(&F::socialFactor, "social_factor", "m/s²", base::kWeight,
             "k_s: weight of people and robots.", "Moussaïd et al. 2009");
   add(&F::lambda, "lambda");
   add(&F::gamma, "gamma");
@@ -70,20 +71,20 @@ base::ParameterTable<SocialForcePlannerParameters> socialForcePlannerTable() {
   using P = SocialForcePlannerParameters;
   base::ParameterTable<P> table;
   table.include(&P::forces, robotForceTable())
-      .add(&P::desiredSpeed, "desired_speed", "m/s", base::kPositive,
+      .add(&P::desiredSpeed, "desired_speed", "m/s", base::kSpeedOfMotion,
            "v_0: with which the robot likes to go, if its drive can.", "Helbing & Molnár 1995")
-      .add(&P::turnTime, "turn_time", "s", base::kPositive,
+      .add(&P::turnTime, "turn_time", "s", base::kTimeSpan,
            "T: in which the robot turns into the direction of the velocity that it wants, unless "
            "its angular acceleration takes longer.",
            "Alonso-Mora et al. 2013")
-      .add(&P::stopDistance, "stop_distance", "m", base::kNotNegative,
+      .add(&P::stopDistance, "stop_distance", "m", base::kDistance,
            "Gap to somebody to whom the robot goes no nearer.")
-      .add(&P::slowTime, "slow_time", "s", base::kPositive,
+      .add(&P::slowTime, "slow_time", "s", base::kTimeSpan,
            "The robot approaches people so slowly that it needs so long for the gap beyond the "
            "stop distance.")
-      .add(&P::lookahead, "lookahead", "m", base::kPositive,
+      .add(&P::lookahead, "lookahead", "m", base::kLength,
            "Distance along the route to the point that pulls; at least 1.5 turning radii.")
-      .add(&P::sidePreference, "side_preference", "rad", base::kNotNegative,
+      .add(&P::sidePreference, "side_preference", "rad", base::kAngleWidth,
            "Turn of the wanted velocity to the right where people are in its way.");
   return table;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/base/Ranges.h"
 #include "sim2d/nav/Motion.h"
 #include "sim2d/nav/Planner.h"
 
@@ -28,7 +29,7 @@ base::ParameterTable<TeleopParameters> teleopTable() {
   table
       .add(&TeleopParameters::speedShare, "speed_share", "", {0.0, 1.0, true},
            "Share of its full speed and turn rate that the robot uses at most.")
-      .add(&TeleopParameters::timeout, "timeout", "s", base::kNotNegative,
+      .add(&TeleopParameters::timeout, "timeout", "s", base::kTime,
            "So long after the last word the robot stands; 0 = it goes on.");
   return table;
 }

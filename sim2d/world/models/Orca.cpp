@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/base/Ranges.h"
 #include "sim2d/nav/ReciprocalVelocity.h"
 #include "sim2d/world/models/PedestrianModel.h"
 
@@ -24,14 +25,14 @@ base::ParameterTable<OrcaParameters> orcaTable() {
   const std::string source = "van den Berg et al. 2011";
   base::ParameterTable<OrcaParameters> table;
   table
-      .add(&P::horizon, "horizon", "s", base::kPositive,
+      .add(&P::horizon, "horizon", "s", base::kTimeSpan,
            "tau: velocities keep people apart for so long.", source)
-      .add(&P::obstacleHorizon, "obstacle_horizon", "s", base::kPositive, "The same for walls.",
+      .add(&P::obstacleHorizon, "obstacle_horizon", "s", base::kTimeSpan, "The same for walls.",
            source)
-      .add(&P::range, "range", "m", base::kPositive, "People farther away do not count.", source)
-      .add(&P::brakingTime, "braking_time", "s", base::kPositive,
+      .add(&P::range, "range", "m", base::kLength, "People farther away do not count.", source)
+      .add(&P::brakingTime, "braking_time", "s", base::kTimeSpan,
            "In which people without a goal come to a stand.")
-      .add(&P::sidePreference, "side_preference", "rad", base::kAnyNumber,
+      .add(&P::sidePreference, "side_preference", "rad", base::kHeading,
            "Turn of the wanted velocity to the right where the way is not free.");
   return table;
 }

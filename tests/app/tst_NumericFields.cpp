@@ -1,0 +1,382 @@
+#include <CLI/CLI.hpp>
+
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/cli/CommandRegistry.h"
+#include "app/run/Experiment.h"
+#include "sim2d/map/MapReader.h"
+#include "tests/app/ForkedProgram.h"
+#include "tests/app/NumericFields.h"
+#include "tests/support/WrittenMap.h"
+
+namespace app {
+void addAllCommands(CommandRegistry& to);  // written by CMake
+}
+
+using outside::Ended;
+using outside::NumericField;
+using outside::text;
+
+namespace {
+
+constexpr double kMostSeconds = kIsSanitized ? 200.0 : 10.0;  // of processors
+constexpr unsigned kWait = kIsSanitized ? 600 : 100;          // [s] by the clock, on a busy machine
+constexpr std::size_t kMostMemory = 2;                        // [GB]
+
+/// Everything that there is: each planner that needs no other program, each model and behaviour,
+/// each shape, in rooms with walls.
+constexpr char kScenario[] = R"(hunav_loader:
+  ros__parameters:
+    yaml_base_name: fields
+    simulator: Gazebo Classic
+    map: fields_map
+    global_goals:
+      1: {x: 17.0, y: 2.0}
+      2: {x: 2.0, y: 9.0}
+    agents: [p1, p2, p3, p4, p5, p6]
+    p1: {id: 1, group_id: 1, skin: 0, max_vel: 1.2, radius: 0.3, goal_radius: 0.3,
+      init_pose: {x: 3.0, y: 3.0, z: 1.25, h: 0.5}, goals: [1, 2],
+      behavior: {type: Regular, configuration: 1, goal_force_factor: 2.0,
+        obstacle_force_factor: 10.0, social_force_factor: 5.0, other_force_factor: 20.0}}
+    p2: {id: 2, group_id: 1, init_pose: {x: 4.0, y: 3.0, h: 0.5}, goals: [1, 2],
+      behavior: {type: Impassive}}
+    p3: {id: 3, init_pose: {x: 5.0, y: 4.0, h: 0.0}, goals: [2, 1], behavior: {type: Surprised,
+      dist: 8.0}}
+    p4: {id: 4, init_pose: {x: 6.0, y: 3.0, h: 0.0}, goals: [2, 1], behavior: {type: Scared,
+      dist: 8.0}}
+    p5: {id: 5, init_pose: {x: 7.0, y: 3.0, h: 0.0}, goals: [2, 1], behavior: {type: Curious,
+      dist: 8.0, stop_dist: 1.0}}
+    p6: {id: 6, init_pose: {x: 8.0, y: 3.0, h: 0.0}, goals: [2, 1], behavior: {type: Threatening,
+      dist: 8.0, front_dist: 1.0}}
+hunavsim_desktop:
+  ros__parameters:
+    format: 1
+    map_file: fields_map.yaml
+    model: sfm
+    groups: {1: pair}
+    variation: {preset: strong, start: {kind: normal}, heading: {kind: normal},
+      start_time: {kind: normal, min: 0.0, max: 0.0}}
+    metrics: {from: begin, frequency: 10.0, parameters: {collision_horizon: 2.0}}
+    p2: {model: das}
+    p3: {model: orca, wait: [0.5, 0.5]}
+    p5: {model: das}
+    p6: {model: orca}
+    robots: [r1, r2, r3, r4, r5, r6, r7]
+    r1: {planner: pursuit, start: {x: 3.0, y: 6.0, h: 0.0}, goal: {x: 16.0, y: 6.0},
+      detector: {noise: 0.02, misses: 0.01}, odometry_noise: {alpha1: 0.01, alpha3: 0.01}}
+    r2: {planner: dwa, start: {x: 5.0, y: 6.0, h: 0.0}, goals: [1], lidar: {beams: 180},
+      footprint_x: [0.3, -0.3, -0.3, 0.3], footprint_y: [0.2, 0.2, -0.2, -0.2]}
+    r3: {planner: mppi, start: {x: 7.0, y: 6.0, h: 0.0}, goal: {x: 2.0, y: 6.0},
+      planner_parameters: {samples: 64, time_steps: 20}}
+    r4: {planner: social_mppi, start: {x: 9.0, y: 6.0, h: 0.0}, goal: {x: 2.0, y: 8.0},
+      planner_parameters: {samples: 64, time_steps: 20}}
+    r5: {planner: orca, start: {x: 11.0, y: 6.0, h: 0.0}, goal: {x: 2.0, y: 2.0},
+      kinematics: ackermann, turning_radius: 0.8}
+    r6: {planner: social_force, start: {x: 13.0, y: 6.0, h: 0.0}, goal: {x: 2.0, y: 4.0},
+      kinematics: omnidirectional}
+    r7: {planner: dwa, start: {x: 15.0, y: 6.0, h: 3.0}, goal: {x: 9.0, y: 2.0}}
+    obstacles: [box1, pillar1, block1, wall1]
+    box1: {kind: box, x: 4.0, y: 8.5, h: 0.3, length: 1.0, width: 0.5}
+    pillar1: {kind: circle, x: 6.0, y: 8.5, radius: 0.4}
+    block1: {kind: polygon, xs: [8.0, 9.0, 8.5], ys: [8.0, 8.0, 9.0]}
+    wall1: {kind: wall, xs: [11.0, 12.0], ys: [8.0, 9.0], thickness: 0.1}
+    doors: [door1]
+    door1: {x1: 14.0, y1: 8.0, x2: 15.0, y2: 8.0, thickness: 0.05, toggles: [0.5]}
+    areas: [in1, out1, wait1, exit1]
+    in1: {kind: source, like: p1, rate: 0.5, xs: [14.0, 16.0, 15.0], ys: [2.0, 2.0, 4.0],
+      count: 3}
+    out1: {kind: sink, xs: [17.0, 18.0, 18.0], ys: [9.0, 9.0, 10.0]}
+    wait1: {kind: wait, xs: [1.0, 2.0, 2.0], ys: [1.0, 1.0, 2.0]}
+    exit1: {kind: exit, xs: [18.0, 19.0, 19.0], ys: [1.0, 1.0, 2.0]}
+)";
+
+constexpr char kExperiment[] = R"(hunavsim_experiment: 1
+scenarios: [fields.yaml]
+seeds: 2
+duration: 0.2
+dt: 0.05
+stuck_after: 5.0
+values:
+  r1.mass: [40.0, 60.0]
+  p1.max_vel: {range: [1.0, 1.2, 0.2]}
+  p2.max_vel: {normal: [1.2, 0.2, 0.6, 1.8]}
+  p3.max_vel: {uniform: [0.8, 1.2]}
+)";
+
+bool takesAll() {
+  return qEnvironmentVariableIsSet("HUNAV_ALL_TESTS");
+}
+
+base::YamlNode yamlOf(const std::string& words) {
+  base::Diagnostics problems;
+  const base::YamlNode root = base::parseYaml(words, "base.yaml", problems);
+  if (!problems.empty()) {
+    qFatal("%s", problems.front().text().c_str());
+  }
+  return root;
+}
+
+/// Nothing: it ended by itself, in time, with one of these exit codes, and says why when not fine.
+QString faultOf(const Ended& ended, const std::vector<int>& codes) {
+  if (const QString signal = outside::signalOf(ended); !signal.isEmpty()) {
+    return signal + QLatin1Char('\n') + ended.err.left(2000);
+  }
+  if (ended.seconds > kMostSeconds) {
+    return text("took %1 s").arg(ended.seconds);
+  }
+  const int code = WEXITSTATUS(ended.status);
+  if (std::find(codes.begin(), codes.end(), code) == codes.end()) {
+    return text("exit code %1\n").arg(code) + ended.err.left(2000);
+  }
+  if (ended.err.contains(text("not enough memory")) || ended.err.contains(text("json.exception"))) {
+    return ended.err.left(2000);
+  }
+  return code != 0 && ended.err.isEmpty() ? text("exit code %1 without a word").arg(code)
+                                          : QString();
+}
+
+}  // namespace
+
+/// Every number that people can write: next to nothing, far too much, no number at all. The program
+/// takes the value or refuses it in a line; it neither crashes nor hangs. Usually a sample of all,
+/// with HUNAV_ALL_TESTS each of them, which takes an hour of a processor.
+class NumericFieldsTest : public QObject {
+  Q_OBJECT
+
+ private:
+  QTemporaryDir folder_;
+
+  Ended run(const QString& words) const {
+    return outside::runForked(folder_.path(), words.split(QLatin1Char(' ')), kWait, kMostMemory);
+  }
+  void write(const char* name, const std::string& content) const {
+    outside::writeText(folder_.filePath(text(name)), QByteArray::fromStdString(content));
+  }
+  QString faultOfScenario(const NumericField& field, const std::string& value) const;
+  static std::vector<std::pair<QStringList, QString>> numericOptions();
+
+ private Q_SLOTS:
+  void initTestCase();
+  void ranges_ofAllTables_haveTwoEnds();
+  void scenario_asItIs_runs();
+  void scenario_anyNumber_isTakenOrRefused();
+  void experiment_anyNumber_isTakenOrRefused();
+  void commandLine_anyNumber_isTakenOrRefused();
+  void given_farTooLarge_isRefusedAtItsPlace_data();
+  void given_farTooLarge_isRefusedAtItsPlace();
+};
+
+void NumericFieldsTest::initTestCase() {
+  constexpr int kWidth = 200, kHeight = 110;
+  std::vector<std::int8_t> cells(static_cast<std::size_t>(kWidth) * kHeight, 0);
+  for (int row = 0; row < kHeight; ++row) {
+    for (int column = 0; column < kWidth; ++column) {
+      const bool isBorder = row < 2 || row >= kHeight - 2 || column < 2 || column >= kWidth - 2;
+      const bool isWall = row == 50 && column > 40 && column < 90;
+      cells[static_cast<std::size_t>(row * kWidth + column)] = isBorder || isWall ? 100 : 0;
+    }
+  }
+  const sim2d::OccupancyGrid grid(kWidth, kHeight, 0.1, {}, std::move(cells));
+  QVERIFY(!base::hasErrors(
+      sim2d::writeMap(grid, folder_.filePath(text("fields_map.yaml")).toStdString())));
+  write("fields.yaml", kScenario);
+}
+
+void NumericFieldsTest::ranges_ofAllTables_haveTwoEnds() {
+  const base::YamlNode root = yamlOf(kScenario);
+  const outside::NumericFields fields(root);
+  QVERIFY2(fields.unbounded().empty(), base::join(fields.unbounded(), ", ").c_str());
+  QVERIFY(fields.all().size() > 300);
+}
+
+void NumericFieldsTest::scenario_asItIs_runs() {
+  const Ended checked = run(text("check fields.yaml"));
+  QVERIFY2(faultOf(checked, {0}).isEmpty(), qPrintable(faultOf(checked, {0})));
+  const Ended ended = run(text("run fields.yaml -q --duration 1"));
+  QVERIFY2(faultOf(ended, {0}).isEmpty(), qPrintable(faultOf(ended, {0})));
+}
+
+QString NumericFieldsTest::faultOfScenario(const NumericField& field,
+                                           const std::string& value) const {
+  static const base::YamlNode root = yamlOf(kScenario);
+  write("fields.yaml", base::emitYaml(outside::withValue(root, field, value)) + "\n");
+  const Ended checked = run(text("check fields.yaml"));
+  QString fault = faultOf(checked, {0, 2});
+  if (!fault.isEmpty()) {
+    return text("check: ") + fault;
+  }
+  const bool isTaken = WEXITSTATUS(checked.status) == 0;
+  static const QRegularExpression placed(text("(^|\n)fields.yaml:\\d+:\\d+: error: "));
+  if (!isTaken && !checked.err.contains(placed)) {
+    return text("refused without a place\n") + checked.err.left(2000);
+  }
+  const bool isFinite = base::parseDouble(value) && std::isfinite(*base::parseDouble(value));
+  if (isTaken && !isFinite) {
+    return text("taken, though it is no number");
+  }
+  fault = faultOf(run(text("run fields.yaml -q --duration 1")),
+                  isTaken ? std::vector<int>{0, 1} : std::vector<int>{2});
+  return fault.isEmpty() ? QString() : text("run: ") + fault;
+}
+
+void NumericFieldsTest::scenario_anyNumber_isTakenOrRefused() {
+  constexpr std::size_t kSampled = 211;  // one in so many, a prime
+  const base::YamlNode root = yamlOf(kScenario);
+  const outside::NumericFields fields(root);
+  std::size_t number = 0;
+  QStringList faults;
+  for (const NumericField& field : fields.all()) {
+    for (const std::string& value : field.values) {
+      if (++number % kSampled != 0 && !takesAll()) {
+        continue;
+      }
+      const QString fault = faultOfScenario(field, value);
+      if (!fault.isEmpty()) {
+        faults << QString::fromStdString(field.name + " = " + value + ": ") + fault;
+        qWarning("%s", qPrintable(faults.last()));
+      }
+    }
+  }
+  write("fields.yaml", kScenario);
+  QVERIFY2(faults.isEmpty(), qPrintable(text("%1 faults").arg(faults.size())));
+}
+
+/// Each number of the file; of those that make a few runs alone a batch is made.
+void NumericFieldsTest::experiment_anyNumber_isTakenOrRefused() {
+  constexpr std::size_t kSampled = 17;
+  constexpr std::size_t kMostRuns = 16;
+  constexpr double kLongest = 10.0;  // [s]; longer runs take as long as they are asked to
+  const base::YamlNode root = yamlOf(kExperiment);
+  std::vector<NumericField> fields;
+  const std::function<void(const base::YamlNode&, const outside::YamlPath&)> add =
+      [&](const base::YamlNode& node, const outside::YamlPath& path) {
+        for (std::size_t k = 0; k < node.items.size(); ++k) {
+          outside::YamlPath inner = path;
+          inner.push_back(node.isMap() ? node.items[k].key : "[" + std::to_string(k) + "]");
+          add(node.items[k], inner);
+        }
+        if (outside::isNumber(node)) {
+          fields.push_back({base::join(path, "."),
+                            {path},
+                            outside::extremeValues(base::parseInt(node.text).has_value())});
+        }
+      };
+  add(root, {});
+  QVERIFY(fields.size() >= 15);
+  const std::string path = folder_.filePath(text("study.yaml")).toStdString();
+  std::size_t number = 0;
+  for (const NumericField& field : fields) {
+    for (const std::string& value : field.values) {
+      if (++number % kSampled != 0 && !takesAll()) {
+        continue;
+      }
+      write("study.yaml", base::emitYaml(outside::withValue(root, field, value)) + "\n");
+      const Ended checked = run(text("check study.yaml"));
+      QString fault = faultOf(checked, {0, 2});
+      const base::Result<app::Experiment> experiment = app::readExperiment(path);
+      const bool isShort =
+          experiment && experiment->runCount() <= kMostRuns &&
+          base::parseDouble(experiment->options.at("--duration")).value_or(0.0) < kLongest;
+      if (fault.isEmpty() && isShort) {
+        fault = faultOf(run(text("batch study.yaml -q --force --jobs 1 -o study")), {0, 1, 2});
+      }
+      QVERIFY2(fault.isEmpty(),
+               qPrintable(QString::fromStdString(field.name + " = " + value) + text(": ") + fault));
+    }
+  }
+}
+
+/// Options that take a number, behind the words that such a command needs.
+std::vector<std::pair<QStringList, QString>> NumericFieldsTest::numericOptions() {
+  const std::map<std::string, QString> words = {
+      {"run", text("run fields.yaml -q --duration 0.5")},
+      {"render", text("render made -q -o x.svg --force")},
+      {"evaluate", text("evaluate made -q")},
+      {"futures", text("futures made@0.3 -q --seeds 1 --horizon 0.3")},
+      {"trees", text("trees fields.yaml")},
+      {"batch", text("batch study.yaml -q --script slurm -o none")},
+  };
+  CLI::App root;
+  app::CommandRegistry commands(root);
+  app::addAllCommands(commands);
+  std::vector<std::pair<QStringList, QString>> options;
+  for (const auto& [name, begin] : words) {
+    for (const CLI::Option* option : root.get_subcommand(name)->get_options()) {
+      const std::string type = option->get_type_name();
+      const bool isNumber = type.find("INT") == 0 || type.find("UINT") == 0 ||
+                            type.find("FLOAT") == 0 || type.find("NUMBER") == 0;
+      if (isNumber && !option->get_lnames().empty()) {
+        QStringList all = begin.split(QLatin1Char(' '));
+        const QString word = text("--") + QString::fromStdString(option->get_lnames().front());
+        const int at = all.indexOf(word);
+        if (at >= 0) {
+          all.removeAt(at + 1);
+          all.removeAt(at);
+        }
+        options.emplace_back(all, word);
+      }
+    }
+  }
+  return options;
+}
+
+void NumericFieldsTest::commandLine_anyNumber_isTakenOrRefused() {
+  constexpr std::size_t kSampled = 41;
+  write("study.yaml", kExperiment);
+  QVERIFY(faultOf(run(text("run fields.yaml -q --duration 0.5 -o made")), {0}).isEmpty());
+  const auto options = numericOptions();
+  QVERIFY(options.size() >= 12);
+  std::size_t number = 0;
+  for (const auto& [words, option] : options) {
+    for (const std::string& value : outside::extremeValues(false)) {
+      const bool isLong = option == text("--duration") && value == "1000000.0";  // as asked for
+      if (isLong || (++number % kSampled != 0 && !takesAll())) {
+        continue;
+      }
+      const QString word = option + QLatin1Char('=') + QString::fromStdString(value);
+      const Ended ended =
+          outside::runForked(folder_.path(), QStringList(words) << word, kWait, kMostMemory);
+      const QString fault = faultOf(ended, {0, 1, 2, 64});
+      QVERIFY2(fault.isEmpty(), qPrintable(words.join(QLatin1Char(' ')) + QLatin1Char(' ') + word +
+                                           text(": ") + fault));
+    }
+  }
+}
+
+void NumericFieldsTest::given_farTooLarge_isRefusedAtItsPlace_data() {
+  QTest::addColumn<QString>("robot");
+  QTest::addColumn<QString>("told");
+  QTest::newRow("mass") << text("{mass: 3.0e+38, start: {x: 0.0, y: 0.0}}")
+                        << text("bad.yaml:7:20: error: robot1.mass: 3.0e+38 must be from 0.01 to");
+  QTest::newRow("noise") << text("{detector: {noise: 1.0e+155}, start: {x: 0.0, y: 0.0}}")
+                         << text("bad.yaml:7:32: error: robot1.detector.noise: 1.0e+155 must be");
+  QTest::newRow("planner's")
+      << text("{planner_parameters: {lookahead: 1.0e+155}, start: {x: 0.0, y: 0.0}}")
+      << text(
+             "bad.yaml:7:46: error: robot1.planner_parameters.lookahead: '1.0e+155' is not a "
+             "number "
+             "from 0.001 to 1e+06 m");
+  QTest::newRow("much to do")
+      << text("{planner: dwa, max_vel: 100.0, max_acc: 0.01, start: {x: 0.0, y: 0.0}}")
+      << text("the robot brakes for 10000 s");
+}
+
+void NumericFieldsTest::given_farTooLarge_isRefusedAtItsPlace() {
+  QFETCH(QString, robot);
+  QFETCH(QString, told);
+  write("bad.yaml",
+        "hunav_loader: {ros__parameters: {agents: []}}\nhunavsim_desktop:\n  ros__parameters:\n"
+        "    format: 1\n    map_file: none\n    robots: [robot1]\n    robot1: " +
+            robot.toStdString() + "\n");
+  for (const char* words : {"check bad.yaml", "run bad.yaml -q --duration 1"}) {
+    const Ended ended = run(text(words));
+    QVERIFY2(outside::signalOf(ended).isEmpty(), qPrintable(outside::signalOf(ended)));
+    QCOMPARE(WEXITSTATUS(ended.status), 2);
+    QVERIFY2(ended.err.contains(told), qPrintable(ended.err));
+  }
+}
+
+QTEST_APPLESS_MAIN(NumericFieldsTest)
+#include "tst_NumericFields.moc"
