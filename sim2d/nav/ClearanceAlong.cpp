@@ -37,9 +37,9 @@ Pose2 poseAfter(const ClearanceAlong::Way& way, double time) {
   return pose;
 }
 
-/// Poses to go on by until the gap can have become less than `wide`.
+/// Poses to go on by until the gap can have become less than `wide`; 1 when it is no number.
 int posesToSkip(double gap, double wide, double perStep) {
-  return gap <= wide ? 1 : 1 + static_cast<int>(std::min((gap - wide) / perStep, 1e4));
+  return gap > wide ? 1 + static_cast<int>(std::min((gap - wide) / perStep, 1e4)) : 1;
 }
 
 }  // namespace

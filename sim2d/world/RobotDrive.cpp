@@ -1,6 +1,7 @@
 #include "sim2d/world/RobotDrive.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -20,6 +21,21 @@ bool wantsToBeAsked(const Planner& planner, const ResolvedRobot& robot, const Ro
 
 bool drives(const ResolvedRobot& robot, const RobotState& state, double time) {
   return currentGoal(robot, state) && time >= robot.startTime - kTick;
+}
+
+bool isFinite(const BodyTwist& twist) {
+  return std::isfinite(twist.linear) && std::isfinite(twist.angular) &&
+         std::isfinite(twist.lateral);
+}
+
+/// What planners need not look for: a step with a place that is no number is refused here.
+bool isFinite(const Observation& observation) {
+  const auto isFiniteBody = [](const TrackedBody& body) {
+    return body.position.allFinite() && body.velocity.allFinite() && std::isfinite(body.heading);
+  };
+  return observation.pose.position.allFinite() && std::isfinite(observation.pose.heading) &&
+         isFinite(observation.motion) &&
+         std::all_of(observation.bodies.begin(), observation.bodies.end(), isFiniteBody);
 }
 
 void emitGoal(const ResolvedRobot& robot, std::size_t goal, WorldState& state) {
@@ -92,9 +108,17 @@ void RobotDrive::reseed(std::uint64_t seed) {
 }
 
 BodyTwist RobotDrive::ask(std::size_t robot, const std::string& name) {
+  if (!isFinite(observation_)) {
+    failure_ = base::error("world.observation-not-finite", {name}).message;
+    return {};
+  }
   const base::Result<BodyTwist> wanted = planners_[robot]->command(observation_);
-  if (wanted) {
+  if (wanted && isFinite(*wanted)) {
     return *wanted;
+  }
+  if (wanted) {
+    failure_ = base::error("world.command-not-finite", {name}).message;
+    return {};
   }
   const std::string& said = wanted.diagnostics().front().message;
   const std::string who = "robot '" + name + "': ";

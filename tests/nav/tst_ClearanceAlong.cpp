@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <QtTest>
 
@@ -57,6 +58,8 @@ class ClearanceAlongTest : public QObject {
   void cache_doorOpens_isNoticed();
   void along_wallAhead_isHitWhereItStands();
   void along_personCrossing_isMetWhenAndWhere();
+  void along_placeThatIsNoNumber_staysWithinTheWay_data();
+  void along_placeThatIsNoNumber_staysWithinTheWay();
   void canStop_wallAhead_isTheFormula();
   void canStop_personComing_countsTheirWay();
   void canStop_personFromBehind_doesNotCount();
@@ -142,6 +145,28 @@ void ClearanceAlongTest::along_personCrossing_isMetWhenAndWhere() {
   // margin.
   QVERIFY(std::fabs(found.gap - (1.1 / std::sqrt(2.0) - 0.6)) < 1e-3);
   QVERIFY(std::isinf(clear.gapAhead()) || clear.gapAhead() > 1.0);
+}
+
+void ClearanceAlongTest::along_placeThatIsNoNumber_staysWithinTheWay_data() {
+  QTest::addColumn<double>("x");
+  QTest::newRow("no number") << std::numeric_limits<double>::quiet_NaN();
+  QTest::newRow("no end") << std::numeric_limits<double>::infinity();
+  QTest::newRow("its square is none") << 1e200;
+}
+
+void ClearanceAlongTest::along_placeThatIsNoNumber_staysWithinTheWay() {
+  QFETCH(double, x);
+  World world(robotBody(Kinematics::Differential), {Vec2::Zero(), 0.0}, Vec2(9.0, 0.0));
+  world.observation().bodies = {person(1, Vec2(x, 0.0)), person(2, Vec2(3.0, 0.0))};
+  for (TrackedBody& body : world.observation().bodies) {
+    body.velocity = Vec2(x, 0.0);
+  }
+  ClearanceAlong clear(robotBody(Kinematics::Differential), 0.6);
+  clear.observe(world.observation(), 0.1, 1.0, 3.0);
+  const std::vector<Pose2> poses = straight(1.0);
+  const ClearanceAlong::Found found = clear.along({poses, kFineStep, 1.0});
+  QCOMPARE(found.wallStep, 301);
+  QVERIFY(found.bodyStep >= 1 && found.bodyStep <= 301);
 }
 
 void ClearanceAlongTest::canStop_wallAhead_isTheFormula() {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include <QtTest>
@@ -18,6 +19,7 @@ class RegistriesTest : public QObject {
   void step_differential_doesNotGoSideways();
   void step_ackermann_turnsNoTighterThanItsSteering();
   void step_plannerGivesUp_endsTheRunWithItsWords();
+  void step_commandThatIsNoNumber_endsTheRun();
   void create_worldsOfDifferentRegistries_liveSideBySide();
   void table_oneRow_isInSpecsValuesAndCheck();
   void modelParameters_setByPath_countInTheRunAndAreChecked();
@@ -179,6 +181,18 @@ void RegistriesTest::step_plannerGivesUp_endsTheRunWithItsWords() {
   QVERIFY(!world->step());  // and it stays ended
 }
 
+void RegistriesTest::step_commandThatIsNoNumber_endsTheRun() {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+  for (const BodyTwist& wish : {BodyTwist{kNone, 0.0}, BodyTwist{0.0, -kNoEnd}}) {
+    const auto world = worldOfWish("generic", wish);
+    QVERIFY(world);
+    QVERIFY(!world->step());
+    QCOMPARE(QString::fromStdString(world->failure()),
+             QStringLiteral("robot 'robot1': the command of its planner is not finite"));
+  }
+}
+
 /// Half of the tightest circle takes pi R / v.
 void RegistriesTest::step_ackermann_turnsNoTighterThanItsSteering() {
   const auto world = worldOfWish("ackermann_car", {0.5, 10.0});
@@ -243,7 +257,7 @@ void RegistriesTest::table_oneRow_isInSpecsValuesAndCheck() {
     }
   }
   QVERIFY((told == std::vector<std::string>{
-                       "robot1.planner_parameters.speed: '1.5' is not a number from 0 to 1",
+                       "robot1.planner_parameters.speed: '1.5' is not a number from 0 to 1 m/s",
                        "robot1.planner_parameters.trun: unknown to 'circle' (did you mean 'turn'?)",
                        "robot1.planner_parameters.turn: 'no' is not a number"}));
 }
@@ -272,7 +286,7 @@ void RegistriesTest::modelParameters_setByPath_countInTheRunAndAreChecked() {
   }
   QVERIFY(
       (told == std::vector<std::string>{
-                   "model_parameters.orca.range: '-1' is not a distance above 0",
+                   "model_parameters.orca.range: '-1' is not a number from 0.001 to 1e+06 m",
                    "model_parameters.orca.horizn: unknown to 'orca' (did you mean 'horizon'?)"}));
   const base::Result<std::unique_ptr<World>> refused = worldOf(scenario, nullptr);
   QVERIFY(!refused);
