@@ -35,6 +35,12 @@ const YamlNode& emptyMap() {
   return kEmpty;
 }
 
+/// No name, word or path has a line end, a zero byte or the like in it.
+bool hasControlCharacter(const std::string& text) {
+  return std::any_of(text.begin(), text.end(),
+                     [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; });
+}
+
 /// For messages: "a list", "'text'".
 std::string described(const YamlNode& node) {
   switch (node.kind) {
@@ -191,6 +197,10 @@ std::optional<std::string> YamlMap::text(const std::string& key) {
     error(key, "yaml.no-text", {described(*found)});
     return std::nullopt;
   }
+  if (hasControlCharacter(found->text)) {
+    error(key, "yaml.control-character", {visible(found->text)});
+    return std::nullopt;
+  }
   return found->text;
 }
 
@@ -231,6 +241,8 @@ std::vector<std::string> YamlMap::names(const std::string& key) {
   for (const YamlNode& item : items(key)) {
     if (!item.isScalar() || item.text.empty()) {
       add(item, key, base::error("yaml.not-name", {described(item)}));
+    } else if (hasControlCharacter(item.text)) {
+      add(item, key, base::error("yaml.control-character", {visible(item.text)}));
     } else if (!seen.insert(item.text).second) {
       add(item, key, base::error("yaml.listed-twice", {item.text}));
     } else {
