@@ -25,9 +25,12 @@ ProblemKey keyOf(const base::Diagnostic& problem) {
   return {problem.code, problem.values};
 }
 
-bool isAmong(const base::Diagnostics& problems, const ProblemKey& key) {
-  return std::any_of(problems.begin(), problems.end(),
-                     [&key](const auto& each) { return keyOf(each) == key; });
+/// Whether what one path sets may change what the other one does: they are of the same thing, or
+/// one of them is of all people or robots.
+bool meet(const std::string& first, const std::string& second) {
+  const auto nameIn = [](const std::string& path) { return path.substr(0, path.find('.')); };
+  const std::string one = nameIn(first), other = nameIn(second);
+  return one == other || one == "*" || other == "*" || one == "nav2" || other == "nav2";
 }
 
 }  // namespace
@@ -40,14 +43,14 @@ ExperimentTrial::ExperimentTrial(const Experiment& experiment, std::size_t numbe
       brought_(experiment.values.size()) {
   // What is wrong there is told of the runs, at the scenario.
   const base::Diagnostics ofRuns = applyOptions(written, experiment.optionsOfAll(), {});
-  stages_.push_back(std::move(written));
-  for (const base::Diagnostics& problems : {ofRuns, meaningErrors(stages_.front())}) {
+  written_ = std::move(written);
+  for (const base::Diagnostics& problems : {ofRuns, meaningErrors(written_)}) {
     for (const base::Diagnostic& problem : problems) {
       usual_.insert(keyOf(problem));
     }
   }
   putFirstTexts();
-  dependsOnSeed_ = sim2d::dependsOnSeed(stages_.back());
+  dependsOnSeed_ = sim2d::dependsOnSeed(first_);
 }
 
 base::Diagnostics ExperimentTrial::put(sim2d::Scenario& scenario, std::size_t value,
@@ -63,48 +66,90 @@ base::Diagnostics ExperimentTrial::meaningErrors(const sim2d::Scenario& scenario
 }
 
 void ExperimentTrial::putFirstTexts() {
-  std::vector<base::Diagnostics> errors;
-  errors.reserve(experiment_.values.size());
-  firstTexts_.reserve(experiment_.values.size());
-  stages_.reserve(experiment_.values.size() + 1);
+  first_ = stage_ = written_;
   for (std::size_t k = 0; k < experiment_.values.size(); ++k) {
     firstTexts_.push_back(firstTextOf(experiment_, experiment_.values[k], number_));
-    stages_.push_back(stages_.back());
-    for (const base::Diagnostic& problem : errorsOf(put(stages_.back(), k, firstTexts_.back()))) {
+    own_.push_back(put(first_, k, firstTexts_.back()));
+    for (const base::Diagnostic& problem : errorsOf(own_.back())) {
       usual_.insert(keyOf(problem));  // and is told of that text
     }
-    errors.push_back(meaningErrors(stages_.back()));
   }
-  findWhatBrings(errors);
+  std::set<ProblemKey> errors;
+  for (const base::Diagnostic& problem : meaningErrors(first_)) {
+    if (usual_.count(keyOf(problem)) == 0) {
+      errors.insert(keyOf(problem));
+    }
+  }
+  if (!errors.empty()) {
+    findWhatBrings(errors);
+  }
 }
 
-/// `errors`: of each stage. What a later path puts right is none.
-void ExperimentTrial::findWhatBrings(const std::vector<base::Diagnostics>& errors) {
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    for (const base::Diagnostic& problem : errors[k]) {
-      const bool isLeft = isAmong(errors.back(), keyOf(problem));
-      if (isLeft && usual_.insert(keyOf(problem)).second) {
+/// `errors`: that the first run has with the texts of all paths. What a later path puts right is
+/// none.
+void ExperimentTrial::findWhatBrings(const std::set<ProblemKey>& errors) {
+  sim2d::Scenario stage = written_;
+  for (std::size_t k = 0; k < experiment_.values.size(); ++k) {
+    if (base::hasErrors(put(stage, k, firstTexts_[k]))) {
+      continue;  // nothing has changed
+    }
+    for (const base::Diagnostic& problem : meaningErrors(stage)) {
+      if (errors.count(keyOf(problem)) != 0 && usual_.insert(keyOf(problem)).second) {
         brought_[k].push_back(problem);
       }
     }
   }
 }
 
+/// With the first texts of the paths before it. Cheap as long as values come in their order.
+const sim2d::Scenario& ExperimentTrial::stageBefore(std::size_t value) {
+  if (value < stageOf_) {
+    stage_ = written_;
+    stageOf_ = 0;
+  }
+  for (; stageOf_ < value; ++stageOf_) {
+    if (!base::hasErrors(own_[stageOf_])) {
+      put(stage_, stageOf_, firstTexts_[stageOf_]);
+    }
+  }
+  return stage_;
+}
+
+/// The scenario with this text and the first ones of all other paths; `stage` has it and those
+/// before. Of the later ones only those that this one meets have to be put there again, unless it
+/// does not fit beside them.
+sim2d::Scenario ExperimentTrial::othersWith(std::size_t value, const std::string& text,
+                                            sim2d::Scenario stage,
+                                            base::Diagnostics& errors) const {
+  sim2d::Scenario tried = first_;
+  const bool fits = !base::hasErrors(put(tried, value, text));
+  if (!fits) {
+    tried = std::move(stage);
+  }
+  for (std::size_t k = value + 1; k < firstTexts_.size(); ++k) {
+    if (!fits || meet(experiment_.values[value].path, experiment_.values[k].path)) {
+      base::append(errors, errorsOf(put(tried, k, firstTexts_[k])));
+    }
+  }
+  return tried;
+}
+
 ExperimentTrial::Outcome ExperimentTrial::outcomeOf(std::size_t value, const std::string& text) {
-  sim2d::Scenario tried = stages_[value];
   Outcome outcome;
-  outcome.own = put(tried, value, text);
+  if (text == firstTexts_[value]) {
+    outcome.own = own_[value];
+    if (!base::hasErrors(outcome.own)) {
+      outcome.beside = brought_[value];
+    }
+    return outcome;
+  }
+  sim2d::Scenario stage = stageBefore(value);
+  outcome.own = put(stage, value, text);
   if (base::hasErrors(outcome.own)) {
     return outcome;
   }
-  if (text == firstTexts_[value]) {
-    outcome.beside = brought_[value];
-    return outcome;
-  }
   base::Diagnostics errors;
-  for (std::size_t k = value + 1; k < firstTexts_.size(); ++k) {
-    base::append(errors, errorsOf(put(tried, k, firstTexts_[k])));
-  }
+  const sim2d::Scenario tried = othersWith(value, text, std::move(stage), errors);
   base::append(errors, meaningErrors(tried));
   for (base::Diagnostic& problem : errors) {
     if (usual_.count(keyOf(problem)) == 0) {

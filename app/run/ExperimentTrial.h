@@ -37,20 +37,26 @@ class ExperimentTrial {
   /// Whether runs differ by their seeds with anything that has been tried.
   bool dependsOnSeed() const { return dependsOnSeed_; }
   std::size_t number() const { return number_; }
-  const sim2d::Scenario& scenario() const { return stages_.front(); }
+  const sim2d::Scenario& scenario() const { return written_; }
 
  private:
   base::Diagnostics put(sim2d::Scenario& scenario, std::size_t value,
                         const std::string& text) const;
   base::Diagnostics meaningErrors(const sim2d::Scenario& scenario) const;
   void putFirstTexts();
-  void findWhatBrings(const std::vector<base::Diagnostics>& errors);
+  void findWhatBrings(const std::set<ProblemKey>& errors);
+  const sim2d::Scenario& stageBefore(std::size_t value);
+  sim2d::Scenario othersWith(std::size_t value, const std::string& text, sim2d::Scenario stage,
+                             base::Diagnostics& errors) const;
 
   const Experiment& experiment_;
   const std::size_t number_;
   const sim2d::KnownNames names_;
   std::vector<std::string> firstTexts_;
-  std::vector<sim2d::Scenario> stages_;     // with the first texts of so many paths
+  sim2d::Scenario written_, first_;  // without and with the first texts of all paths
+  sim2d::Scenario stage_;            // with those of the first `stageOf_` paths
+  std::size_t stageOf_ = 0;
+  std::vector<base::Diagnostics> own_;      // of putting the first text of each path there
   std::vector<base::Diagnostics> brought_;  // errors of the first run, by the path that brings them
   std::set<ProblemKey> usual_;              // that are there whatever is tried
   bool dependsOnSeed_ = false;

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <chrono>
+#include <ctime>
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -21,6 +23,12 @@ QStringList linesOf(const base::Diagnostics& problems) {
                      .arg(QLatin1String(kind), QString::fromStdString(problem.message)));
   }
   return lines;
+}
+
+std::size_t errorsOf(const base::Diagnostics& problems) {
+  return static_cast<std::size_t>(std::count_if(
+      problems.begin(), problems.end(),
+      [](const base::Diagnostic& problem) { return problem.severity == base::Severity::Error; }));
 }
 
 /// A row that is called as its text, in one line.
@@ -47,6 +55,45 @@ class ExperimentCheckTest : public QObject {
   }
 
  private Q_SLOTS:
+  /// Four times the paths take about four times as long, whether there are such keys or not.
+  void manyPaths_takeTimeInProportion_data() {
+    QTest::addColumn<QByteArray>("path");
+    QTest::newRow("unknown") << QByteArray("robot1.key%1");
+    QTest::newRow("known") << QByteArray("p%1.max_vel");
+  }
+  void manyPaths_takeTimeInProportion() {
+    QFETCH(QByteArray, path);
+    QByteArray people = "hunav_loader:\n  ros__parameters:\n    agents: [p0";
+    for (int k = 1; k < 100; ++k) {
+      people += ", p" + QByteArray::number(k);
+    }
+    people += "]\n    global_goals: {1: {x: 1.0, y: 1.0}}\n";
+    for (int k = 0; k < 100; ++k) {
+      const QByteArray number = QByteArray::number(k);
+      people += "    p" + number + ": {id: " + QByteArray::number(k + 1) +
+                ", init_pose: {x: " + number + ".0, y: 0.0}, goals: [1]}\n";
+    }
+    writeScenario("many.yaml", people);
+    const auto secondsFor = [&](int count) {
+      QByteArray text = "hunavsim_experiment: 1\nscenarios: [many.yaml]\nvalues:\n";
+      for (int k = 0; k < count; ++k) {
+        text += "  " + QByteArray(path).replace("%1", QByteArray::number(k)) + ": [1.0]\n";
+      }
+      writeScenario("many_paths.yaml", text);
+      const std::clock_t before = std::clock();
+      const auto read =
+          app::readExperiment(folder_.path(QStringLiteral("many_paths.yaml")).toStdString());
+      const std::size_t wanted = path.startsWith('p') ? 0U : static_cast<std::size_t>(count);
+      return errorsOf(read.diagnostics()) == wanted
+                 ? static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC
+                 : -1.0;
+    };
+    const double few = secondsFor(25);
+    const double many = secondsFor(100);
+    QVERIFY(few > 0.0 && many > 0.0);
+    QVERIFY2(many < 10.0 * few, QByteArray::number(many / few).constData());
+  }
+
   /// The option would win in every run, so rows would name what never counted.
   void optionsOfAllRuns_areNoValues_data() {
     QTest::addColumn<QByteArray>("text");
