@@ -56,7 +56,8 @@ const ExperimentRunner::Used& ExperimentRunner::filesOf(const Bundle& bundle) {
   return used;
 }
 
-base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario) {
+base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario,
+                                                  base::Severity ofForeignCode) {
   const std::size_t runs = experiment_.runCount() / experiment_.scenarios.size();
   Used used;
   const Bundle bundle = read(scenario * runs, RunSettings(), used);
@@ -69,15 +70,15 @@ base::Diagnostics ExperimentRunner::checkScenario(std::size_t scenario) {
   base::append(problems, errorsOf(verdict.problems));
   if (!experiment_.allowCode) {
     base::append(problems, tellForeignCode(foreignCodeOf(experiment_, *bundle.scenario),
-                                           base::Severity::Error, bundle.path));
+                                           ofForeignCode, bundle.path));
   }
   return problems;
 }
 
-base::Diagnostics ExperimentRunner::check() {
+base::Diagnostics ExperimentRunner::check(base::Severity ofForeignCode) {
   base::Diagnostics problems;
   for (std::size_t k = 0; k < experiment_.scenarios.size(); ++k) {
-    base::append(problems, checkScenario(k));
+    base::append(problems, checkScenario(k, ofForeignCode));
   }
   return problems;
 }

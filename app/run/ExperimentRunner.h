@@ -25,8 +25,9 @@ class ExperimentRunner {
         loader_(std::move(loader)),
         files_(std::make_unique<KnownFiles>(loader_)) {}
 
-  /// Scenarios that no run could use, and values that no scenario takes.
-  base::Diagnostics check();
+  /// Scenarios that no run could use, values that no scenario takes, and, where code is not
+  /// allowed, programs that would have to start.
+  base::Diagnostics check(base::Severity ofForeignCode = base::Severity::Error);
   /// Files that the first runs of the scenarios use, each once; known after check().
   const std::vector<InputHash>& inputs() const { return seen_.all(); }
 
@@ -40,7 +41,7 @@ class ExperimentRunner {
   /// Numbers of files that were seen.
   using Used = std::vector<std::size_t>;
 
-  base::Diagnostics checkScenario(std::size_t scenario);
+  base::Diagnostics checkScenario(std::size_t scenario, base::Severity ofForeignCode);
   Bundle read(std::size_t index, const RunSettings& settings, Used& used);
   const Used& filesOf(const Bundle& bundle);
   base::Result<ResultRow> make(std::size_t index, const Bundle& bundle);

@@ -199,6 +199,14 @@ void ExternalPlannersTest::run_withoutPermission_startsNothing() {
   const Finished check = runProgram({text("check"), yard});
   QVERIFY2(check.err.contains(place + text("warning: ") + problem), qPrintable(check.err));
   QCOMPARE(check.exitCode, isLibrary ? 2 : 0);  // there is no ours.so
+  outside::writeText(path("study.yaml"), "hunavsim_experiment: 1\nscenarios: ['" + yard.toUtf8() +
+                                             "']\nduration: 1.0\n");
+  const Finished study = runProgram({text("check"), path("study.yaml")});
+  QVERIFY2(study.err.contains(place + text("warning: ") + problem), qPrintable(study.err));
+  QCOMPARE(study.exitCode, isLibrary ? 2 : 0);
+  const Finished batch = runProgram({text("batch"), path("study.yaml"), text("-o"), path("none")});
+  QVERIFY2(batch.err.contains(place + text("error: ") + problem), qPrintable(batch.err));
+  QCOMPARE(batch.exitCode, 2);
   QTest::qWait(200);
   QVERIFY(!QFile::exists(path("was-here")));
 }
