@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
 #include <set>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -167,6 +169,32 @@ void removeStaging(const std::string& folder) {
   }
 }
 
+Json outputsOf(const FileHashes& hashes) {
+  Json outputs = Json::array();
+  for (const auto& [name, hash] : hashes) {
+    outputs.push_back({{"path", name}, {"sha256", hash}});
+  }
+  return outputs;
+}
+
+std::string folderOf(const std::string& file) {
+  const fs::path folder = fs::path(file).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+/// Who notes a file has the lock for an instant.
+base::Result<std::unique_ptr<FolderLock>> waitForLock(const std::string& folder) {
+  constexpr int kMostTries = 200;
+  constexpr std::chrono::milliseconds kBetween(50);
+  base::Result<std::unique_ptr<FolderLock>> lock = FolderLock::take(folder);
+  for (int tries = 1;
+       !lock && lock.diagnostics().front().code == "batch.locked" && tries < kMostTries; ++tries) {
+    std::this_thread::sleep_for(kBetween);
+    lock = FolderLock::take(folder);
+  }
+  return lock;
+}
+
 }  // namespace
 
 OutputFolder::OutputFolder(std::string folder, bool force, bool isNew, const char* manifest)
@@ -288,10 +316,7 @@ base::Diagnostics OutputFolder::commit(const std::string& manifest, Earlier earl
   if (json.empty()) {
     json = Json::parse(manifest);
   }
-  json["outputs"] = Json::array();
-  for (const auto& [name, hash] : hashes) {
-    json["outputs"].push_back({{"path", name}, {"sha256", hash}});
-  }
+  json["outputs"] = outputsOf(hashes);
   problems = write(manifest_, base::jsonText(json) + "\n");
   if (base::hasErrors(problems)) {
     return problems;
@@ -322,6 +347,47 @@ base::Diagnostics writeIntoOthers(const std::string& folder,
   }
   (*output)->drop(dropped);
   return (*output)->commit(base::jsonText(Json{{"kind", kind}}), OutputFolder::Earlier::Kept);
+}
+
+base::Diagnostics otherFileInTheWay(const std::string& file, bool force) {
+  const fs::file_status status = statusOf(file);
+  if (!fs::exists(status) || (force && !fs::is_directory(status))) {
+    return {};
+  }
+  const std::string folder = folderOf(file);
+  const base::Result<FileHashes> listed = listedFiles(folder, OutputFolder::kHiddenManifest);
+  if (!listed) {
+    return listed.diagnostics();
+  }
+  const bool isOurs = isAsListed(folder, *listed, fs::path(file).filename().string());
+  return isOurs ? base::Diagnostics{}
+                : base::Diagnostics{base::error("file.is-in-the-way", {}, file)};
+}
+
+base::Diagnostics noteFile(const std::string& file, const char* kind) {
+  const std::string folder = folderOf(file);
+  const base::Result<std::unique_ptr<FolderLock>> lock = waitForLock(folder);
+  const base::Result<std::string> former = manifestText(folder, OutputFolder::kHiddenManifest);
+  const base::Result<FileHashes> listed = listedFiles(folder, OutputFolder::kHiddenManifest);
+  const std::optional<std::string> hash = sha256OfFile(file);
+  base::Diagnostics problems = lock.diagnostics();
+  base::append(problems, former.diagnostics());
+  base::append(problems, listed.diagnostics());
+  if (!hash) {
+    problems.push_back(base::error("file.cannot-read", {"it is gone or damaged"}, file));
+  }
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  FileHashes hashes = *listed;
+  hashes[fs::path(file).filename().string()] = *hash;
+  Json json = Json::parse(*former);
+  if (json.empty()) {
+    json["kind"] = kind;
+  }
+  json["outputs"] = outputsOf(hashes);
+  return base::writeFileAtomically(inFolder(folder, OutputFolder::kHiddenManifest),
+                                   base::jsonText(json) + "\n");
 }
 
 bool isRestOfOutput(const std::string& name) {

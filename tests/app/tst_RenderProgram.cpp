@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include <QImageReader>
+#include <QJsonArray>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
@@ -58,6 +59,41 @@ class RenderProgramTest : public QObject {
       QVERIFY(render(text("2.") + ending).exitCode == 0);
       QVERIFY(bytes == outside::bytesOf(path(text("2.") + ending)));
     }
+  }
+
+  /// A file of somebody else stays, unless --force is given; one of ours is replaced.
+  void file_ofOthers_isLeftAlone_data() {
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"others/x.svg", "others/x.gif", "others/x.html", "others/x.mcap"}) {
+      QTest::newRow(name) << text(name);
+    }
+  }
+  void file_ofOthers_isLeftAlone() {
+    QFETCH(QString, name);
+    outside::writeText(path(name), "mine");
+    const Finished told = render(name);
+    QCOMPARE(told.exitCode, 2);
+    QVERIFY2(told.err.contains(path(name)) && told.err.contains(text("--force")),
+             qPrintable(told.err));
+    QCOMPARE(outside::bytesOf(path(name)), QByteArray("mine"));
+    QCOMPARE(render(name, {text("--force")}).exitCode, 0);
+    const QByteArray drawn = outside::bytesOf(path(name));
+    QVERIFY(drawn != "mine");
+    QCOMPARE(render(name).exitCode, 0);
+    outside::writeText(path(name), drawn + "edited");
+    QCOMPARE(render(name).exitCode, 2);
+    QCOMPARE(outside::bytesOf(path(name)), drawn + "edited");
+  }
+
+  void json_saysWhatWasWritten() {
+    const Finished drawn = render(text("json/x.svg"), {text("--json")});
+    QCOMPARE(drawn.exitCode, 0);
+    const QJsonObject told = QJsonDocument::fromJson(drawn.out.toUtf8()).object();
+    QCOMPARE(told.value(text("written")).toArray().at(0).toString(), path(text("json/x.svg")));
+    const Finished wrong = render(text("json/x.tiff"), {text("--json")});
+    QCOMPARE(wrong.exitCode, 64);
+    const QJsonArray problems = QJsonDocument::fromJson(wrong.out.toUtf8()).array();
+    QCOMPARE(problems.at(0).toObject().value(text("severity")).toString(), text("error"));
   }
 
   void svg_ofAColumn_needsNoFontAndHasItsWidth() {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <QImage>
 
@@ -21,10 +22,12 @@
 #include "app/cli/RunStrip.h"
 #include "app/report/PlayerPage.h"
 #include "app/run/MetricsSetup.h"
+#include "app/run/OutputFolder.h"
 #include "app/run/RecordedRun.h"
 #include "app/run/RunFolder.h"
 #include "editor/look/Images.h"
 #include "sim2d/base/Files.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/RecordExport.h"
 #include "sim2d/trace/Scans.h"
@@ -54,6 +57,7 @@ struct RenderOptions {
   std::optional<double> timeMarks;  // [s] between two
   std::string strip;                // a number of instants, or their times
   std::string plot;                 // keys of metrics
+  bool force = false;               // a file of others may be replaced
 };
 
 enum class Kind { Picture, Vectors, Film, Page, Bag, Trajnet, Socnav3 };
@@ -299,37 +303,45 @@ std::string pageOf(const sim2d::Trace& trace) {
                             trace.header.scenario);
 }
 
-int renderCommand(const RenderOptions& options, const Invocation& given) {
-  const std::optional<Kind> kind = pictureKindOf(endingOf(options));
-  if (!kind) {
-    printError(base::error("option.picture-format", {endingOf(options)}, options.output).text());
-    return ExitWrongCommandLine;
-  }
-  requireFine(wrongOptions(options, *kind), ExitWrongCommandLine);
-  if (*kind == Kind::Bag) {
+void drawRun(const RenderOptions& options, Kind kind, bool quiet) {
+  if (kind == Kind::Bag) {
     requireFine(writeBag(options.output, options.run));
-    if (!given.quiet) {
-      printLine(options.output);
-    }
-    return ExitFine;
+    return;
   }
   const base::Result<sim2d::Trace> trace = readRun(options.run);
   requireFine(trace.diagnostics());
-  if (*kind == Kind::Trajnet || *kind == Kind::Socnav3) {
-    writeTracks(options, *kind, *trace, given.quiet);
-  } else if (*kind == Kind::Page) {
-    requireFine(base::writeFileAtomically(options.output, pageOf(*trace)));
-  } else {
-    const PictureLayout layout = layoutOf(options, *kind);
-    if (*kind != Kind::Film) {
-      requireFine(base::writeFileAtomically(options.output, bytesOf(options, *trace, layout)));
-    } else if (RunPicture picture(*trace, layout);
-               !makeFilm(options, *trace, picture, given.quiet)) {
-      printError("interrupted: no film was written");
-      return ExitRunFailed;
-    }
+  if (kind == Kind::Trajnet || kind == Kind::Socnav3) {
+    writeTracks(options, kind, *trace, quiet);
+    return;
   }
-  if (!given.quiet) {
+  if (kind == Kind::Page) {
+    requireFine(base::writeFileAtomically(options.output, pageOf(*trace)));
+    return;
+  }
+  const PictureLayout layout = layoutOf(options, kind);
+  if (kind != Kind::Film) {
+    requireFine(base::writeFileAtomically(options.output, bytesOf(options, *trace, layout)));
+    return;
+  }
+  RunPicture picture(*trace, layout);
+  if (!makeFilm(options, *trace, picture, quiet)) {
+    requireFine({base::error("movie.interrupted", {}, options.output)}, ExitRunFailed);
+  }
+}
+
+int renderCommand(const RenderOptions& options, const Invocation& given) {
+  const std::optional<Kind> kind = pictureKindOf(endingOf(options));
+  if (!kind) {
+    requireFine({base::error("option.picture-format", {endingOf(options)}, options.output)},
+                ExitWrongCommandLine);
+  }
+  requireFine(wrongOptions(options, *kind), ExitWrongCommandLine);
+  requireFine(otherFileInTheWay(options.output, options.force));
+  drawRun(options, *kind, given.quiet);
+  requireFine(noteFile(options.output, "render"));
+  if (given.json) {
+    print(base::jsonText(nlohmann::ordered_json{{"written", {options.output}}}) + "\n");
+  } else if (!given.quiet) {
     printLine(options.output);
   }
   return ExitFine;
@@ -369,6 +381,7 @@ void addRender(CommandRegistry& commands) {
                      "Instants side by side: how many, or their times with commas [s]");
   command.add_option("--plot", options.plot,
                      "Instead of the map: metrics over time, their keys with commas");
+  addForce(command, options.force);
   command
       .add_option("--fps", options.fps,
                   "Frames per second of a film (20), samples per second of .ndjson (2.5) and .json "
