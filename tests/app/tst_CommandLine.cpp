@@ -124,6 +124,11 @@ class CommandLineTest : public QObject {
     QTest::newRow("unknown option") << QStringList{text("bench"), text("--foo")};
     QTest::newRow("name") << QStringList{text("list"), text("keyz")};
     QTest::newRow("command") << QStringList{text("chekc"), demo()};
+    QTest::newRow("format and json")
+        << QStringList{text("list"), text("nodes"), text("--format"), text("xml")};
+    QTest::newRow("trees of nothing") << QStringList{text("trees")};
+    QTest::newRow("time between ticks")
+        << QStringList{text("trees"), text("--play"), demo(), text("--dt"), text("nan")};
     QTest::newRow("realism test") << QStringList{text("validate"), text("nope")};
   }
   void json_wrongWords_areListedOnStandardOutput() {

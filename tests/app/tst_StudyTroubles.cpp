@@ -320,6 +320,12 @@ class StudyTroublesTest : public QObject {
       bash.start(text("bash"), {text("-n"), folder_.path(text("check.sh"))});
       QVERIFY(bash.waitForFinished(10000));
       QVERIFY2(bash.exitCode() == 0, bash.readAllStandardError().constData());
+      const Finished json =
+          runProgram(StudyFolder::words(folder_.study(), folder_.path(text("it's")),
+                                        {text("--script"), text(kind), text("--json")}));
+      const QJsonObject told = QJsonDocument::fromJson(json.out.toUtf8()).object();
+      QCOMPARE(told.value(text("script")).toString(), text(kind));
+      QCOMPARE(told.value(text("text")).toString(), script.out);
     }
   }
 };

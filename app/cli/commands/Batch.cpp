@@ -7,6 +7,7 @@
 #include <thread>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/BatchReport.h"
 #include "app/cli/CommandRegistry.h"
@@ -17,6 +18,7 @@
 #include "app/run/DataPaths.h"
 #include "app/run/ExperimentRunner.h"
 #include "app/run/ResultFiles.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 
 namespace app {
@@ -67,11 +69,15 @@ std::string absolute(const std::string& path) {
   return fs::absolute(path, ignored).lexically_normal().string();
 }
 
-int printScript(const BatchOptions& options) {
+int printScript(const BatchOptions& options, const Invocation& given) {
   const ClusterJob job{
       programPath(),     absolute(options.experiment), absolute(options.output), options.chunks,
       options.allowCode, options.retryFailed,          options.timeLimit};
-  print(options.script == "slurm" ? slurmScript(job) : parallelScript(job));
+  const std::string script = options.script == "slurm" ? slurmScript(job) : parallelScript(job);
+  print(given.json
+            ? base::jsonText(nlohmann::ordered_json{{"script", options.script}, {"text", script}}) +
+                  "\n"
+            : script);
   return ExitFine;
 }
 
@@ -126,7 +132,7 @@ int batchCommand(const BatchOptions& options, const Invocation& given) {
   ExperimentRunner runner(*experiment, (fs::path(options.output) / "runs").string(), loadMapImage);
   requireFine(runner.check());
   if (!options.script.empty()) {
-    return printScript(options);
+    return printScript(options, given);
   }
   base::Result<Study> study =
       studyOf(*experiment, runner.inputs(), shardOf(options.shard).value_or(Shard()));

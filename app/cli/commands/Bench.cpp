@@ -1,5 +1,6 @@
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <malloc.h>
 #include <memory>
 #include <optional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <QDir>
 #include <QFileInfo>
@@ -15,6 +17,7 @@
 #include "app/cli/BenchScene.h"
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/Lidar.h"
 #include "sim2d/scenario/ScenarioCheck.h"
@@ -23,6 +26,8 @@
 
 namespace app {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct BenchOptions {
   bool quick = false;  // small crowds, short
@@ -235,9 +240,23 @@ std::string machineName() {
          sim2d::vectorPathName(sim2d::fastestVectorPath());
 }
 
-/// Measures and prints all sizes, without and with walls; nothing when a run has failed.
+/// A row as JSON: numbers where the cell is one.
+Json jsonOf(const std::vector<std::string>& cells) {
+  const std::vector<std::string> keys = headline();
+  Json row;
+  for (std::size_t k = 0; k < cells.size() && k < keys.size(); ++k) {
+    const std::optional<double> number = base::parseDouble(cells[k]);
+    row[keys[k]] = number ? Json(*number) : Json(cells[k]);
+  }
+  return row;
+}
+
+using ShowCells = std::function<void(const std::vector<std::string>&)>;
+
+/// Measures all sizes, without and with walls; nothing when a run has failed.
 std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
-                                                    const std::string& tree) {
+                                                    const std::string& tree,
+                                                    const ShowCells& show) {
   const std::vector<int> sizes = options.quick ? std::vector<int>{10, 100, 1000}
                                                : std::vector<int>{10, 100, 1000, 10000, 100000};
   const double atLeast = options.quick ? 0.3 : 2.0;
@@ -258,8 +277,7 @@ std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
       }
       row->plain = plain;
       row->isScaled = isScaled;
-      const std::vector<std::string> cells = cellsOf(*row);
-      printLine(options.format == "csv" ? csvLine(cells, machineName()) : textLine(cells));
+      show(cellsOf(*row));
       if (!walls) {
         points.push_back({people, row->whole() * 1e3, row->forces() * 1e3, plain * 1e3, isScaled});
       }
@@ -277,18 +295,30 @@ int benchCommand(const BenchOptions& options, const Invocation& given) {
     printError("cannot write " + tree);
     return ExitRunFailed;
   }
-  const bool isCsv = options.format == "csv";
+  const bool isCsv = options.format == "csv" && !given.json;
   if (isCsv) {
     printLine(csvLine(headline(), "machine"));
-  } else {
+  } else if (!given.json) {
     printLine(machineName() + ", threads: " + std::to_string(options.threads));
     printLine(textLine(headline()));
   }
-  const std::optional<std::vector<BenchPoint>> points = measureSizes(options, tree);
+  Json rows = Json::array();
+  const std::optional<std::vector<BenchPoint>> points =
+      measureSizes(options, tree, [&](const std::vector<std::string>& cells) {
+        if (given.json) {
+          rows.push_back(jsonOf(cells));
+        } else {
+          printLine(isCsv ? csvLine(cells, machineName()) : textLine(cells));
+        }
+      });
   if (!points) {
     return ExitRunFailed;
   }
-  if (!isCsv && !given.quiet) {
+  if (given.json) {
+    print(base::jsonText(
+              Json{{"machine", machineName()}, {"threads", options.threads}, {"rows", rows}}) +
+          "\n");
+  } else if (!isCsv && !given.quiet) {
     printLine(
         "Phases in ms per step of 0.05 s, in the fastest of 5 rounds; with one thread in time of "
         "the processor. sensing: a scan of 360 beams. plain: the same forces over all pairs in "

@@ -300,10 +300,12 @@ std::map<std::string, std::function<std::string()>> pages() {
 }
 
 int listCommand(const ListOptions& options, const Invocation& given) {
+  if (given.json && (options.format == "xml" || options.format == "markdown")) {
+    requireFine({base::error("list.json-or-format", {options.format})}, ExitWrongCommandLine);
+  }
   if (options.format == "xml") {
     if (options.what != "nodes") {
-      printError("--format xml is for nodes alone (text and json are for all)");
-      return ExitWrongCommandLine;
+      requireFine({base::error("list.format", {options.format, "nodes"})}, ExitWrongCommandLine);
     }
     bt::NodeCatalogue all;
     for (const auto& each : allNodes()) {
@@ -316,9 +318,8 @@ int listCommand(const ListOptions& options, const Invocation& given) {
     const auto all = pages();
     const auto page = all.find(options.what);
     if (page == all.end()) {
-      printError("--format markdown is for " + base::join(namesOf(all), ", ") +
-                 " (text and json are for all)");
-      return ExitWrongCommandLine;
+      requireFine({base::error("list.format", {options.format, base::join(namesOf(all), ", ")})},
+                  ExitWrongCommandLine);
     }
     print(page->second());
     return ExitFine;

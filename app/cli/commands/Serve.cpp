@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/CommandRegistry.h"
 #include "app/cli/Console.h"
@@ -11,6 +12,7 @@
 #include "app/cli/Ros2Words.h"
 #include "app/run/Bundle.h"
 #include "app/run/DataPaths.h"
+#include "sim2d/base/JsonText.h"
 
 #ifdef HUNAV_ROS2
 #include "app/bridge/nodes/AgentServer.h"
@@ -53,14 +55,21 @@ int serveAgents(const ServeOptions& options, const bridge::DomainSettings& domai
       bridge::AgentServer::create(bundle, settingsOf(options, domain), tell);
   requireFine(server.diagnostics(), ExitBadInput, base::Severity::Warning);
   catchInterrupts();
-  if (!given.quiet) {
+  if (given.json) {
+    printLine(base::jsonText(nlohmann::ordered_json{{"serving", options.run.scenario},
+                                                    {"domain", domain.domain},
+                                                    {"network", !domain.localhostOnly}},
+                             -1));
+  } else if (!given.quiet) {
     printLine("serving " + options.run.scenario + " in domain " + std::to_string(domain.domain) +
               (domain.localhostOnly ? " on this machine" : " on the network") + "; Ctrl-C ends it");
   }
   while (!wasInterrupted()) {
     (*server)->spin(kLookEvery);
   }
-  if (!given.quiet) {
+  if (given.json) {
+    printLine(base::jsonText(nlohmann::ordered_json{{"answered", (*server)->answered()}}, -1));
+  } else if (!given.quiet) {
     printLine(std::to_string((*server)->answered()) + " requests answered");
   }
   return ExitFine;

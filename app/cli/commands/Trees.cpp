@@ -218,12 +218,10 @@ int play(const TreesOptions& options, const Invocation& given) {
 
 int treesCommand(const TreesOptions& options, const Invocation& given) {
   if (options.scenario.empty() == options.play.empty()) {
-    printError("trees needs a scenario, or a tree to play: --play FILE");
-    return ExitWrongCommandLine;
+    requireFine({base::error("trees.no-scenario")}, ExitWrongCommandLine);
   }
   if (!std::isfinite(options.dt) || options.dt <= 0.0 || options.dt > 10.0) {
-    printError("--dt is a number of seconds above 0, 10 at most");
-    return ExitWrongCommandLine;
+    requireFine({base::error("trees.bad-dt")}, ExitWrongCommandLine);
   }
   return options.play.empty() ? generate(options, given) : play(options, given);
 }
