@@ -1,6 +1,9 @@
 #include "sim2d/trace/JsonInput.h"
 
 #include <algorithm>
+#include <string>
+
+#include "sim2d/base/JsonText.h"
 
 namespace sim2d {
 
@@ -17,15 +20,10 @@ std::optional<nlohmann::json> parseJsonInput(const ForeignInput& input) {
     input.problems.push_back(base::error("trace.not-json", {}, input.path,
                                          static_cast<int>(line) + 1, static_cast<int>(column)));
   } catch (const nlohmann::json::exception& problem) {  // a number out of range
-    input.problems.push_back(base::error("tracks.bad-json", {jsonReason(problem)}, input.path));
+    input.problems.push_back(
+        base::error("tracks.bad-json", {base::jsonReason(problem.what())}, input.path));
   }
   return std::nullopt;
-}
-
-std::string jsonReason(const nlohmann::json::exception& problem) {
-  const std::string text = problem.what();  // "[json.exception.type_error.302] type must be …"
-  const std::size_t end = text.find("] ");
-  return end == std::string::npos ? text : text.substr(end + 2);
 }
 
 }  // namespace sim2d

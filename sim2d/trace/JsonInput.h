@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -12,8 +11,5 @@ namespace sim2d {
 
 /// None: it is no JSON, which is noted with line and column.
 std::optional<nlohmann::json> parseJsonInput(const ForeignInput& input);
-
-/// What a library's exception says, without the name of its class.
-std::string jsonReason(const nlohmann::json::exception& problem);
 
 }  // namespace sim2d

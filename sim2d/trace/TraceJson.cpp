@@ -257,6 +257,16 @@ base::Diagnostic syntaxError(const std::string& text, std::size_t byte, const st
   return base::error("trace.not-json", {}, file, line, static_cast<int>(end - lineStart) + 1);
 }
 
+/// `reason` ends with the number in quotes: "number overflow parsing '1e999'".
+base::Diagnostic tooLarge(const std::string& text, const std::string& reason,
+                          const std::string& file) {
+  const std::size_t quote = std::min(reason.find('\''), reason.size());
+  const std::string number = reason.substr(std::min(quote + 1, reason.size()));
+  const std::size_t at = text.find(number.substr(0, number.find('\'')));
+  const base::Diagnostic place = syntaxError(text, at == std::string::npos ? 0 : at + 1, file);
+  return base::error("trace.number-too-large", {reason}, file, place.line, place.column);
+}
+
 // toJson: each type of a member as it stands in the file.
 /// JSON knows finite numbers only.
 Json toJson(double value) {
@@ -359,7 +369,7 @@ base::Result<TraceHeader> parseTraceJson(const std::string& text, const std::str
   } catch (const Json::parse_error& error) {
     return syntaxError(text, error.byte, file);
   } catch (const Json::exception& error) {  // a number out of range
-    return base::error("trace.number-too-large", {error.what()}, file);
+    return tooLarge(text, base::jsonReason(error.what()), file);
   }
   base::Diagnostics problems;
   if (!root.is_object()) {

@@ -210,6 +210,9 @@ void TraceTest::readTrace_badFile_namesPlace_data() {
   QTest::newRow("JSON syntax") << QByteArray("trace.json") << QByteArray("\"dt\": 0.1")
                                << QByteArray("\"dt\": ,")
                                << QByteArray("trace.json:4:8: error: not valid JSON");
+  QTest::newRow("JSON number") << QByteArray("trace.json") << QByteArray("\"dt\": 0.1")
+                               << QByteArray("\"dt\": 1e999")
+                               << QByteArray("trace.json:4:8: error: number overflow parsing");
   QTest::newRow("JSON type") << QByteArray("trace.json") << QByteArray("\"dt\": 0.1")
                              << QByteArray("\"dt\": \"0.1\"")
                              << QByteArray("trace.json:4: error: dt: must be a finite number");

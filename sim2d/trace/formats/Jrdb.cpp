@@ -1,6 +1,9 @@
 #include <limits>
 #include <set>
 
+#include <nlohmann/json.hpp>
+
+#include "sim2d/base/JsonText.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/JsonInput.h"
 
@@ -49,7 +52,8 @@ class JrdbReader {
         }
       }
     } catch (const Json::exception& problem) {
-      input_.problems.push_back(base::error("tracks.bad-json", {jsonReason(problem)}, input_.path));
+      input_.problems.push_back(
+          base::error("tracks.bad-json", {base::jsonReason(problem.what())}, input_.path));
       return {};
     }
     tell();
