@@ -274,6 +274,22 @@ class ForeignBagTest : public QObject {
     QVERIFY2(keys.empty(), keys.c_str());
   }
 
+  /// A parked robot has its /goal_pose when it sets off, and that is the start of its way.
+  void evaluate_parkedRobot_setsOffWithItsGoal() {
+    app::RunOptions options;
+    options.set = {"robot1.start_time=1.5"};
+    const base::Diagnostics problems = runCafeInto(path("parked"), 4.0, options);
+    QVERIFY2(problems.empty(), textsOf(problems).c_str());
+    QVERIFY(copyMessages(path("parked/bag/bag_0.mcap"), path("parked.mcap")));
+    const Measured run = measured(path("parked/bag/bag_0.mcap"));
+    const Measured copied = measured(path("parked.mcap"));
+    QVERIFY2(static_cast<bool>(copied.trace), textsOf(copied.trace.diagnostics()).c_str());
+    QCOMPARE(copied.trace->header.robots.front().startTime, 1.5);
+    for (const char* const key : {"time_not_moving", "avg_robot_linear_speed", "stalled_time"}) {
+      QVERIFY2(isClose(run.value(key), copied.value(key)), key);
+    }
+  }
+
   /// A part of the time is gone, and the metadata is still there: they do not fit.
   void evaluate_cutBagOfOurs_isReadByItsMessages() {
     base::Result<std::unique_ptr<Bag>> bag = openBag(path("run/bag/bag_0.mcap"));
