@@ -111,7 +111,7 @@ class BagsProgramTest : public QObject {
   void render_unknownEnding_namesThoseOfBags() {
     const Finished drawn = runProgram({text("render"), path("run"), text("-o"), path("drawn.bag")});
     QCOMPARE(drawn.exitCode, 64);
-    QVERIFY2(drawn.err.contains(text(".mcap or .db3")), qPrintable(drawn.err));
+    QVERIFY2(drawn.err.contains(text(".mcap, .db3")), qPrintable(drawn.err));
   }
 
   /// Without metadata.yaml the files are read; one that it names and that is not there is an error.
