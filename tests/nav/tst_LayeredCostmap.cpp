@@ -685,6 +685,12 @@ void LayeredCostmapTest::problemsOf_settings_areAllTold() {
   setup.settings.parameters.footprint = "[]";
   problems = problemsOf(setup);
   QVERIFY(told("inflation_layer.inflation_radius: 0.5 m is less than the robot's inscribed"));
+  setup.settings.parameters.resolution = 5.0;
+  setup.settings.parameters.width = 9;
+  setup.settings.parameters.height = 4;
+  problems = problemsOf(setup);
+  QVERIFY(told("resolution: a cell of 5 m is larger than the costmap (height 4 m)"));
+  QVERIFY(!told("width"));
 }
 
 void LayeredCostmapTest::layerOfType_names_goBothWays() {

@@ -118,10 +118,14 @@ void checkSize(const CostmapParameters& parameters, base::Diagnostics& problems)
       problems.push_back(base::within(
           key, base::error("nav2.too-many-cells",
                            {length, parameters.resolution, "resolution", kMostCells})));
-    } else if (kLengthRange.contains(length) && length < parameters.resolution) {
-      problems.push_back(base::within(
-          "resolution", base::error("nav2.cell-too-large", {parameters.resolution, key, length})));
     }
+  }
+  const bool isWide = parameters.width > parameters.height;
+  const double shorter = isWide ? parameters.height : parameters.width;
+  if (kLengthRange.contains(shorter) && shorter < parameters.resolution) {
+    problems.push_back(base::within(
+        "resolution", base::error("nav2.cell-too-large",
+                                  {parameters.resolution, isWide ? "height" : "width", shorter})));
   }
 }
 
