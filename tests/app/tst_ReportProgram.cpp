@@ -105,17 +105,26 @@ class ReportProgramTest : public QObject {
     const QString medians = folder.filePath(text("tables/medians.csv"));
     QCOMPARE(rowOf(medians, {text("alpha")}).value(1).toDouble(), 17.0);
     QCOMPARE(rowOf(medians, {text("b<&eta")}).value(1).toDouble(), 15.0);
-    // Differences −1, −3, 1, −1, −4: of 15 means of pairs the 8th is −1.5; ranks 2, 4, 2, 2, 5
-    // of sizes 1, 3, 1, 1, 4: four of 32 sums are at most 2, p = 2 4 / 32; delta −2 / 30.
+    // Differences −1, −3, 1 in the hall (weight 1 / 4) and −1, −4 at the door (1 / 3): ranks 1.5,
+    // 3, 1.5 and 1, 2, times 3 and 4; four of 32 sums are at most 4.5, p = 2 4 / 32. Means of pairs
+    // −4, −3, −2.5, −2 have 14 of the weight of 30, up to −1 it is 24. Delta (−3 − 2) / (9 + 6).
     const QStringList pair =
         rowOf(folder.filePath(text("tables/pairs.csv")),
               {text("Time to reach the goal [s]"), text("alpha - b<&eta"), text("5")});
     QVERIFY(pair.size() > 8);
     QCOMPARE(pair[3], text("1 / 0 / 4"));
-    QCOMPARE(pair[4].toDouble(), -1.5);
+    QCOMPARE(pair[4].toDouble(), -1.0);
     QCOMPARE(pair[6].toDouble(), 0.25);
     QCOMPARE(pair[7].toDouble(), 0.25);
-    QCOMPARE(pair[8], text("-0.07"));
+    QCOMPARE(pair[8], text("-0.33"));
+    // At the door alone: two differences of one sign, p = 2 / 4.
+    const QStringList door = rowOf(
+        folder.filePath(text("tables/pairs_by_case.csv")),
+        {text("Time to reach the goal [s]"), text("alpha - b<&eta"), text("door"), text("2")});
+    QVERIFY(door.size() > 7);
+    QCOMPARE(door[4], text("0 / 0 / 2"));
+    QCOMPARE(door[5].toDouble(), -2.5);
+    QCOMPARE(door[7].toDouble(), 0.5);
   }
 
   void report_page_isWellFormedAndHasTheRows() {
