@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "metrics/statistics/Distributions.h"
 #include "metrics/statistics/Ranks.h"
