@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <array>
-#include <map>
 #include <vector>
 
 #include <QtTest>
@@ -27,9 +25,6 @@ class ParticipantTest : public QObject {
   void topic_isWanted_byWhoHearsIt();
   void topic_latched_comesToWhoComesLater();
   void topic_bestEffortReader_isServed();
-  void topic_anyPublisher_isHeardOnce_data();
-  void topic_anyPublisher_isHeardOnce();
-  void others_areMet();
   void topic_otherTypeUnderTheName_isRefused();
   void service_everyCall_isAnswered_data();
   void service_everyCall_isAnswered();
@@ -218,68 +213,6 @@ void ParticipantTest::topic_bestEffortReader_isServed() {
     (*talks)->publish(text("tick"));
     return heard > 0;
   }));
-}
-
-void ParticipantTest::topic_anyPublisher_isHeardOnce_data() {
-  QTest::addColumn<bool>("latched");
-  QTest::newRow("volatile") << false;
-  QTest::newRow("latched") << true;
-}
-
-/// DDS matches no reliable reader with a publisher that is not, no latched one with one that is
-/// not: `Qos::anyPublisher` hears all of them, and of each every message once.
-void ParticipantTest::topic_anyPublisher_isHeardOnce() {
-  QFETCH(const bool, latched);
-  const auto reader = participant(inDomain(kDomain)), writer = participant(inDomain(kDomain));
-  const int to = reader->addNode("/", "reader"), from = writer->addNode("/", "writer");
-  Qos wanted = Qos::input(100);
-  wanted.transientLocal = latched;
-  std::map<std::string, int> heard;
-  const auto subscription = reader->subscription(
-      to, "mixed", kType, wanted, [&heard](const Bytes& bytes) { ++heard[wordsOf(bytes)]; });
-  QVERIFY(static_cast<bool>(subscription));
-  const Qos offers[] = {Qos::keepLast(10), Qos::sensor(), Qos::latched()};
-  const char* const names[] = {"reliable", "best effort", "latched"};
-  std::vector<std::unique_ptr<Publisher>> publishers;
-  for (const Qos& offer : offers) {
-    auto made = writer->publisher(from, "mixed", kType, offer);
-    QVERIFY(static_cast<bool>(made));
-    publishers.push_back(*std::move(made));
-  }
-  QVERIFY(spinBoth(*reader, *writer, [&] {
-    return (*subscription)->matched() == 3 &&
-           std::all_of(publishers.begin(), publishers.end(),
-                       [](const auto& each) { return each->matched() >= 1; });
-  }));
-  spinBoth(*reader, *writer, [begin = std::chrono::steady_clock::now()] {
-    return std::chrono::steady_clock::now() - begin > Milliseconds(500);
-  });
-  for (int k = 0; k < 20; ++k) {
-    for (std::size_t i = 0; i < publishers.size(); ++i) {
-      QVERIFY(publishers[i]->publish(text(names[i] + std::to_string(k))));
-    }
-    reader->spin(Milliseconds(5));
-  }
-  QVERIFY(spinBoth(*reader, *writer, [&] { return heard.size() == 60; }));
-  while (reader->spin(Milliseconds(200))) {  // what would come twice
-  }
-  QCOMPARE(heard.size(), std::size_t{60});
-  for (const auto& [words, times] : heard) {
-    QVERIFY2(times == 1, words.c_str());
-  }
-}
-
-void ParticipantTest::others_areMet() {
-  constexpr int kEmptyDomain = 60;
-  const auto one = participant(inDomain(kEmptyDomain));
-  QVERIFY(!one->hasMetAnyone());
-  one->spin(Milliseconds(300));
-  QVERIFY(!one->hasMetAnyone());
-  auto two = participant(inDomain(kEmptyDomain));
-  QVERIFY(spinBoth(*one, *two, [&] { return one->hasMetAnyone() && two->hasMetAnyone(); }));
-  two.reset();
-  one->spin(Milliseconds(300));
-  QVERIFY(one->hasMetAnyone());
 }
 
 void ParticipantTest::topic_otherTypeUnderTheName_isRefused() {

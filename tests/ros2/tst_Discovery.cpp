@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <QtTest>
+
+#include "app/bridge/messages/BasicMessages.h"
+#include "app/bridge/messages/Codec.h"
+#include "tests/ros2/Ros2Test.h"
+
+using namespace ros2test;
+
+/// Which participants and publishers of others are found.
+class DiscoveryTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void topic_anyPublisher_isHeardOnce_data();
+  void topic_anyPublisher_isHeardOnce();
+  void others_areMet();
+};
+
+namespace {
+
+constexpr int kDomainOfPublishers = 63;
+constexpr const char* kStringType = "std_msgs/msg/String";
+
+Bytes encodedText(const std::string& words) {
+  std_msgs::String message;
+  message.data = words;
+  return encode(message);
+}
+
+std::string textIn(const Bytes& bytes) {
+  const base::Result<std_msgs::String> message = decode<std_msgs::String>(bytes);
+  return message ? message->data : "?";
+}
+
+}  // namespace
+
+void DiscoveryTest::topic_anyPublisher_isHeardOnce_data() {
+  QTest::addColumn<bool>("latched");
+  QTest::newRow("volatile") << false;
+  QTest::newRow("latched") << true;
+}
+
+/// DDS matches no reliable reader with a publisher that is not, no latched one with one that is
+/// not: `Qos::anyPublisher` hears all of them, and of each every message once.
+void DiscoveryTest::topic_anyPublisher_isHeardOnce() {
+  QFETCH(const bool, latched);
+  const auto reader = participant(inDomain(kDomainOfPublishers)),
+             writer = participant(inDomain(kDomainOfPublishers));
+  const int to = reader->addNode("/", "reader"), from = writer->addNode("/", "writer");
+  Qos wanted = Qos::input(100);
+  wanted.transientLocal = latched;
+  std::map<std::string, int> heard;
+  const auto subscription = reader->subscription(
+      to, "mixed", kStringType, wanted, [&heard](const Bytes& bytes) { ++heard[textIn(bytes)]; });
+  QVERIFY(static_cast<bool>(subscription));
+  const Qos offers[] = {Qos::keepLast(10), Qos::sensor(), Qos::latched()};
+  const char* const names[] = {"reliable", "best effort", "latched"};
+  std::vector<std::unique_ptr<Publisher>> publishers;
+  for (const Qos& offer : offers) {
+    auto made = writer->publisher(from, "mixed", kStringType, offer);
+    QVERIFY(static_cast<bool>(made));
+    publishers.push_back(*std::move(made));
+  }
+  QVERIFY(spinBoth(*reader, *writer, [&] {
+    return (*subscription)->matched() == 3 &&
+           std::all_of(publishers.begin(), publishers.end(),
+                       [](const auto& each) { return each->matched() >= 1; });
+  }));
+  spinBoth(*reader, *writer, [begin = std::chrono::steady_clock::now()] {
+    return std::chrono::steady_clock::now() - begin > Milliseconds(500);
+  });
+  for (int k = 0; k < 20; ++k) {
+    for (std::size_t i = 0; i < publishers.size(); ++i) {
+      QVERIFY(publishers[i]->publish(encodedText(names[i] + std::to_string(k))));
+    }
+    reader->spin(Milliseconds(5));
+  }
+  QVERIFY(spinBoth(*reader, *writer, [&] { return heard.size() == 60; }));
+  while (reader->spin(Milliseconds(200))) {  // what would come twice
+  }
+  QCOMPARE(heard.size(), std::size_t{60});
+  for (const auto& [words, times] : heard) {
+    QVERIFY2(times == 1, words.c_str());
+  }
+}
+
+void DiscoveryTest::others_areMet() {
+  constexpr int kEmptyDomain = 60;
+  const auto one = participant(inDomain(kEmptyDomain));
+  QVERIFY(!one->hasMetAnyone());
+  one->spin(Milliseconds(300));
+  QVERIFY(!one->hasMetAnyone());
+  auto two = participant(inDomain(kEmptyDomain));
+  QVERIFY(spinBoth(*one, *two, [&] { return one->hasMetAnyone() && two->hasMetAnyone(); }));
+  two.reset();
+  one->spin(Milliseconds(300));
+  QVERIFY(one->hasMetAnyone());
+}
+
+QTEST_APPLESS_MAIN(DiscoveryTest)
+#include "tst_Discovery.moc"
