@@ -39,7 +39,8 @@ Pose2 poseAfter(const ClearanceAlong::Way& way, double time) {
 
 /// Poses to go on by until the gap can have become less than `wide`; 1 when it is no number.
 int posesToSkip(double gap, double wide, double perStep) {
-  return gap > wide ? 1 + static_cast<int>(std::min((gap - wide) / perStep, 1e4)) : 1;
+  const double poses = (gap - wide) / perStep;
+  return poses > 0.0 ? 1 + static_cast<int>(std::min(poses, 1e4)) : 1;
 }
 
 }  // namespace
