@@ -87,7 +87,7 @@ class RandomScenario {
     static const std::vector<std::string> kWords = {
         "plain", "on",          "No",       "1e3",        "0x1F",  "010",       "1.5",
         ".5",    "~",           "null",     "two words",  "a: b",  "a #b",      "#x",
-        "- x",   "-",           "x:",       "'q'",        "\"q\"", "tab\there", "line\nbreak",
+        "- x",   "-",           "x:",       "'q'",        "\"q\"", "tab  here", "line  break",
         "ü €",   "yes",         "12:30:45", "2001-01-01", "<<",    "=",         "*x",
         "&x",    "!x",          "%x",       "@x",         "`x",    "[x]",       "{x}",
         "a,b",   "back\\slash", " blank ",  "1_000",      "+1",    "-.inf",     "NaN",
