@@ -83,8 +83,8 @@ base::NodeStatus Ticker::sleep(int node) {
   return Status::Success;
 }
 
-/// The entry that a node works on: its slot, null when no node uses it; a fault when the name of the
-/// entry is missing.
+/// The entry that a node works on: its slot, null when no node uses it; a fault when the name of
+/// the entry is missing.
 std::optional<Slot*> Ticker::target(int node, const char* port, bool isOwn) {
   int slot = nodes_[node].detail;
   if (slot <= kFirstKeyInEntry) {
