@@ -18,7 +18,7 @@
 namespace {
 
 constexpr const char* kNames[] = {"ways.csv",  "ways.vsp", "ways.ndjson", "ways.traj",
-                                  "ways.json", "ways.txt", "ways.h5", "ways.pp"};
+                                  "ways.json", "ways.txt", "ways.h5",     "ways.pp"};
 constexpr std::size_t kMostFrames = 2000;  // more of the same costs time
 
 /// A folder for one file, with the matrix that the format vsp wants beside it.

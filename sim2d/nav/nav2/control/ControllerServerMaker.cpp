@@ -198,9 +198,8 @@ Nav2Keys controllerServerNodeKeys(const Nav2Block& given, Distro distro) {
     const ControllerType* type = controllerRegistry().find(plugin, distro);
     return type == nullptr ? Nav2Keys() : type->keys(block, distro);
   });
-  addSlotKeys(slots.goalCheckers, given, keys, [](const std::string& plugin, const auto&) {
-    return goalCheckerKeysOf(plugin);
-  });
+  addSlotKeys(slots.goalCheckers, given, keys,
+              [](const std::string& plugin, const auto&) { return goalCheckerKeysOf(plugin); });
   addSlotKeys(slots.progressCheckers, given, keys, [](const std::string&, const auto&) {
     Nav2Keys inner;
     addRows(inner, progressCheckerKeys(), ProgressCheckerParameters());
