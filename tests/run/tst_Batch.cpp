@@ -154,12 +154,12 @@ class BatchTest : public QObject {
     QFETCH(const int, signal);
     Rows rows;
     app::BatchJob job = jobOf(4, rows);
-    job.make = [inner = job.make, signal](std::size_t run) {
+    job.make = [inner = job.make, signal](std::size_t run, const auto& met) {
       if (run == 1) {
         ::signal(signal, SIG_DFL);  // NOLINT(bugprone-unused-return-value): KILL has no other
         ::raise(signal);
       }
-      return inner(run);
+      return inner(run, met);
     };
     QVERIFY(app::runBatch(job).empty());
     QCOMPARE(rows.size(), std::size_t{4});
@@ -170,11 +170,11 @@ class BatchTest : public QObject {
   void noMemory_isTheMachinesFailure() {
     Rows rows;
     app::BatchJob job = jobOf(3, rows);
-    job.make = [inner = job.make](std::size_t run) {
+    job.make = [inner = job.make](std::size_t run, const auto& met) {
       if (run == 1) {
         throw std::bad_alloc();
       }
-      return inner(run);
+      return inner(run, met);
     };
     QVERIFY(app::runBatch(job).empty());
     QVERIFY(!rows[1].ok && rows[1].failedBy == app::FailedBy::Machine);
