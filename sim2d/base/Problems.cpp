@@ -29,7 +29,7 @@ constexpr ProblemText kTexts[] = {
      "there is no plugin '{found}' here ({nearest?did you mean '%'? }known: {known})"},
     {"nav2.wrong-type", "{key} has an invalid type: ROS 2 wants {wanted}, this is {found}"},
     {"nav2.wrong-value", "{key} {found} is not {wanted}"},
-    {"nav2.too-much-work", "{key} {found} with {others} makes {count} {what}, {most} at most"},
+    {"nav2.too-much-work", "{key} {found} with {others} gives {count} {what}; the limit is {most}"},
     {"nav2.scaling-off",
      "{key} {found} is not above 0: use_cost_regulated_linear_velocity_scaling is switched off"},
     {"nav2.not-both", "{key} is switched off: it cannot be on together with {other}"},
@@ -48,8 +48,8 @@ constexpr ProblemText kTexts[] = {
     {"planner.unknown-parameter", "unknown to '{planner}'{nearest}"},
     {"planner.command-unused", "counts with planner 'external' only, not with '{planner}'"},
     {"planner.too-much-work",
-     "dwa would look at {found} poses in a step, {most} at most: with max_acc and max_alpha the "
-     "robot brakes for {time} s, and is looked at every {step} s along each of {samples} arcs"},
+     "dwa would check {found} poses per step, more than {most}: with max_acc and max_alpha the "
+     "robot brakes for {time} s, and each of {samples} arcs is checked every {step} s"},
     {"planner.bad-value", "'{found}' is not {wanted}"},
     {"source.no-like", "a source needs 'like', the person it copies"},
     {"source.like-unknown", "there is no person '{found}' to copy"},
@@ -199,15 +199,15 @@ constexpr ProblemText kTexts[] = {
      "in BehaviorTree.CPP the condition of an IfThenElse with two children is not reset when it "
      "fails, so it may keep that result (add a third child: AlwaysFailure)"},
     {"tree.there-emptied",
-     "BehaviorTree.CPP may leave '{entry}' without a value: a script made it, SetBlackboard writes "
-     "text into it (write it by a script)"},
+     "BehaviorTree.CPP may leave '{entry}' without a value: a script creates it, SetBlackboard "
+     "writes text into it (set it in a script instead)"},
     {"tree.there-kept",
      "in BehaviorTree.CPP a SubTree that was given '{entry}' keeps it when it is removed here"},
     {"tree.there-shared",
-     "in BehaviorTree.CPP '{entry}' and its copy share one queue: what is taken from one is gone "
-     "from both"},
+     "in BehaviorTree.CPP '{entry}' and its copy share one queue: an element taken from one is "
+     "removed from both"},
     {"tree.there-clock",
-     "Delay, Timeout and Sleep count the clock of the machine in BehaviorTree.CPP, simulated time "
+     "Delay, Timeout and Sleep use the system clock in BehaviorTree.CPP, simulated time "
      "here"},
     {"tree.never-written", "nothing writes {entry}, so reading it stops the tree"},
     {"tree.bad-script", "script '{source}': {reason}"},
@@ -241,7 +241,7 @@ constexpr ProblemText kTexts[] = {
      "{place} is taken by another body and no place is free within 1 m; they are pushed apart"},
     {"world.too-many-crowded",
      "more than {most} bodies start where others stand: so many cannot be pushed apart"},
-    {"world.observation-not-finite", "robot '{robot}': what its sensors give is not finite"},
+    {"world.observation-not-finite", "robot '{robot}': its sensor values are not finite"},
     {"world.command-not-finite", "robot '{robot}': the command of its planner is not finite"},
     {"world.pose-too-far", "init pose is not finite or beyond 1e6 m"},
     {"world.robot-too-far", "start or goal is not finite or beyond 1e6 m"},
@@ -356,7 +356,7 @@ constexpr ProblemText kTexts[] = {
      "name{nearest}"},
     {"nav2.partial-file",
      "this file holds only {nodes}: it configures no controller (controller_plugins of "
-     "controller_server), so alone it drives no robot"},
+     "controller_server), so it cannot drive a robot by itself"},
     {"nav2.no-controller",
      "no controller is configured (controller_plugins of controller_server): this file holds only "
      "{nodes}"},
@@ -383,7 +383,7 @@ constexpr ProblemText kTexts[] = {
     {"nav2.no-footprint", "{key} needs a footprint, local_costmap has none: Nav2 does not start"},
     {"nav2.body-differs",
      "{key} reaches {reach} m from the centre, the body of robot '{robot}' {body} m: Nav2 avoids "
-     "obstacles with the former, contacts are those of the latter"},
+     "obstacles with the former, contacts are computed with the latter"},
     {"nav2.two-shapes", "both footprint and robot_radius are given: footprint counts"},
     {"nav2.scaling-differs",
      "{controller}.inflation_cost_scaling_factor is {found}, the inflation layer of local_costmap "
@@ -595,7 +595,7 @@ constexpr ProblemText kTexts[] = {
      "declares {count} rows, a file of this size can hold {most} at most (damaged file?)"},
     {"tracks.more-rows", "has more than {most} rows, more than fit into the file (damaged file?)"},
     {"tracks.too-many-states",
-     "more than {most} states would be made of few observations (a longer step: --dt)"},
+     "more than {most} states would be made from few observations (use a longer step: --dt)"},
     {"tracks.too-many-steps",
      "reading was stopped after {count} rows: it takes longer than the size of the file justifies "
      "(damaged file?)"},
@@ -645,8 +645,8 @@ constexpr ProblemText kTexts[] = {
      "otherwise next time"},
     {"ros2.bad-domain", "ROS_DOMAIN_ID is '{found}', a domain is 0 to 232"},
     {"ros2.no-peer-here",
-     "no other participant of domain {domain} was found within {seconds} s: this side uses the "
-     "loopback interface alone (--network adds the others), or the other programs use another "
+     "no other participant of domain {domain} was found within {seconds} s: this program uses only "
+     "the loopback interface (--network adds the others), or the other programs use another "
      "interface or ROS_DOMAIN_ID"},
     {"ros2.no-peer-on-network",
      "no other participant of domain {domain} was found within {seconds} s: the other programs use "
@@ -684,31 +684,32 @@ constexpr ProblemText kTexts[] = {
     {"live.not-local", "whoever reaches {address} can watch this run and steer it"},
     {"live.no-client", "no client has connected to {address} within {seconds} s"},
     {"live.no-client-here",
-     "no client has connected to port {port} within {seconds} s (it listens for this machine "
-     "alone; from another one: ssh -L {port}:localhost:{port} HOST, or --foxglove-address)"},
+     "no client has connected to port {port} within {seconds} s (it accepts connections from "
+     "this machine only; from another one: ssh -L {port}:localhost:{port} HOST, or "
+     "--foxglove-address)"},
     {"live.page-refused",
      "a page of {origin} wanted to connect and was refused (--foxglove-origin {origin} lets it)"},
 
     {"groot.no-person",
      "there is no person{found? '%'} whose tree Groot2 could watch{nearest? (did you mean '%'?)}"},
     {"groot.no-client",
-     "Groot2 has not connected to port {port} within {seconds} s (it listens for this machine "
-     "alone; from another one: ssh -L {port}:localhost:{port} -L {next}:localhost:{next} HOST)"},
+     "Groot2 has not connected to port {port} within {seconds} s (it accepts connections from "
+     "this machine only; from another one: ssh -L {port}:localhost:{port} -L "
+     "{next}:localhost:{next} HOST)"},
     {"groot.too-many", "the tree has {count} nodes, Groot2 tells {most} apart"},
 
     // Bags: MCAP files and folders of rosbag2.
-    {"bag.no-bag", "is no bag: neither an MCAP file, a database of rosbag2 nor a folder of either"},
+    {"bag.no-bag", "is not a bag: neither an MCAP file, a rosbag2 database nor a folder of either"},
     {"bag.no-metadata",
-     "has no metadata.yaml (`ros2 bag reindex` makes one): read are the {count} bag files in it, "
-     "in "
-     "the order of their names"},
+     "has no metadata.yaml (`ros2 bag reindex` creates one): its {count} bag files are read in the "
+     "order of their names"},
     {"bag.absent-file", "names {found}, which is not in the folder{there? (bag files there: %)}"},
     {"bag.bad-metadata", "tells no files of a bag"},
     {"bag.storage", "bags of '{found}' cannot be read (mcap and sqlite3 can)"},
     {"bag.compressed-file",
-     "is compressed as a whole by '{found}': decompress it first (zstd -d, lz4 -d, gunzip …)"},
+     "is compressed as a whole with '{found}': decompress it first (zstd -d, lz4 -d, gunzip …)"},
     {"bag.compressed-messages",
-     "its messages are compressed one by one by '{found}' (`ros2 bag convert` writes them plain)"},
+     "each message is compressed with '{found}' (`ros2 bag convert` writes them uncompressed)"},
     {"bag.compression", "a chunk is compressed by '{found}', which is unknown (zstd is known)"},
     {"bag.cut", "ends at byte {position} in the midst of a record: what is whole before it counts"},
     {"bag.damaged", "a {part} at byte {position} is damaged and left out"},
@@ -722,37 +723,35 @@ constexpr ProblemText kTexts[] = {
     {"bag.bad-messages",
      "{count} messages of topic {topic} could not be read and are left out, the first: {reason}"},
     {"bag.bad-samples",
-     "{count} samples of topic {topic} are left out: {field} is not finite or beyond any size (the "
+     "{count} samples of topic {topic} are left out: {field} is not finite or too large (the "
      "first: {found})"},
     {"bag.bad-values",
-     "{count} values of topic {topic} are not used: {field} is not finite or beyond any size (the "
+     "{count} values of topic {topic} are not used: {field} is not finite or too large (the "
      "first: {found})"},
     {"bag.not-as-written",
-     "is not the whole bag that a run wrote ({reason}): read as a recording of another program"},
+     "is not the complete bag that a run wrote ({reason}): it is read as a recording of another "
+     "program"},
     {"bag.other-robots",
-     "holds {count} more robots ({topics}): measured is that of {topic} (--topics robot=NAME "
-     "chooses "
-     "another)"},
+     "holds {count} more robots ({topics}): the one of {topic} is measured (--topics "
+     "robot=NAME chooses another)"},
     {"bag.no-obstacles-of-people",
      "holds no obstacle points of people (closest_obs), no map and no /obstacles (--map FILE gives "
-     "a "
-     "map): undefined, in profile hunav2 0, are {metrics}"},
+     "a map): undefined (in profile hunav2: 0): {metrics}"},
     {"bag.no-obstacles-of-robot",
      "holds no obstacle points of the robot (closest_obs), no map and no /obstacles (--map FILE "
-     "gives "
-     "a map): undefined, or as without obstacles, are {metrics}"},
+     "gives a map): undefined, or measured as without obstacles: {metrics}"},
     {"bag.points-of-walls",
-     "holds no obstacle points (closest_obs): the nearest points of walls and obstacles make "
-     "{metrics}"},
+     "holds no obstacle points (closest_obs): the nearest points of walls and obstacles are "
+     "used for {metrics}"},
     {"bag.no-map",
-     "holds no map (--map FILE gives one): as without walls, in profile hunav2 undefined, are "
-     "{metrics}"},
+     "holds no map (--map FILE gives one): measured as without walls (in profile hunav2: "
+     "undefined): {metrics}"},
     {"bag.no-goal",
-     "holds no goal of the robot (goals, /goal_pose; --robot-goal gives one): undefined, or as "
-     "without a goal, are {metrics}"},
+     "holds no goal of the robot (goals, /goal_pose; --robot-goal gives one): undefined, or "
+     "measured as without a goal: {metrics}"},
     {"bag.no-factors",
-     "holds no social_force_factor of any person: that of the evaluator makes {metrics}"},
-    {"bag.no-replans", "holds no new plans of the robot: 0 is {metrics}"},
+     "holds no social_force_factor of any person: the evaluator's is used for {metrics}"},
+    {"bag.no-replans", "holds no new plans of the robot, so this is 0: {metrics}"},
     {"bag.no-messages", "topic {topic} has no message that can be read"},
     {"bag.same-stamp",
      "{count} places have the stamp of one before them and are left out (are stamps filled in?)"},
@@ -1006,10 +1005,10 @@ constexpr ProblemText kTexts[] = {
     {"batch.no-process", "the system gives no more processes"},
     {"batch.runs-failed",
      "{failed} of {finished} finished runs failed, the first is run {run}: {reason} (batch "
-     "--retry-failed makes them again)"},
+     "--retry-failed repeats them)"},
     {"batch.failed-by-machine",
-     "the process of {count} failed runs was killed or had no memory: batch --resume makes those "
-     "again"},
+     "the process of {count} failed runs was killed or ran out of memory: batch --resume "
+     "repeats those"},
     {"batch.other-program",
      "the batch was begun by version {was}, this is {now}: finish it with that one, or begin anew "
      "elsewhere"},
@@ -1112,7 +1111,7 @@ constexpr ProblemText kTexts[] = {
     {"yaml.no-list", "must be a list, found {found}"},
     {"yaml.no-text", "must be a text, found {found}"},
     {"yaml.control-character",
-     "'{found}' has a control character in it (line end, tab, zero byte …)"},
+     "'{found}' contains a control character (line end, tab, zero byte …)"},
     {"yaml.no-value", "no value (taken as absent)"},
     {"yaml.missing", "is missing"},
     {"yaml.not-boolean", "{found} is neither true nor false"},

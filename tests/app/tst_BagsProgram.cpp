@@ -168,10 +168,11 @@ class BagsProgramTest : public QObject {
                                            text("no social_force_factor"),
                                            text("no new plans")};
     QTest::newRow("map") << true
-                         << QStringList{text("the nearest points of walls and obstacles make "
-                                             "obstacle_force_on_agents"),
-                                        text("the nearest points of walls and obstacles make "
-                                             "social_work, obstacle_force_on_robot")};
+                         << QStringList{
+                                text("the nearest points of walls and obstacles are used for "
+                                     "obstacle_force_on_agents"),
+                                text("the nearest points of walls and obstacles are used for "
+                                     "social_work, obstacle_force_on_robot")};
   }
   void evaluate_missingInputs_areNamedOnce() {
     QFETCH(bool, hasMap);
@@ -204,7 +205,8 @@ class BagsProgramTest : public QObject {
       const Finished made =
           runProgram({text("evaluate"), path(name), text("-o"), path("no"), text("-q")});
       QCOMPARE(made.exitCode, 2);
-      QVERIFY2(made.err.contains(text("is compressed as a whole by 'zstd'")), qPrintable(made.err));
+      QVERIFY2(made.err.contains(text("is compressed as a whole with 'zstd'")),
+               qPrintable(made.err));
     }
   }
 

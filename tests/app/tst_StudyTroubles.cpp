@@ -120,7 +120,7 @@ class StudyTroublesTest : public QObject {
     QVERIFY2(found.err.contains(text("1 of 1 finished runs failed, the first is run 0: the process "
                                      "was killed (signal 9)")),
              qPrintable(found.err));
-    QVERIFY2(found.err.contains(text("batch --resume makes those again")), qPrintable(found.err));
+    QVERIFY2(found.err.contains(text("batch --resume repeats those")), qPrintable(found.err));
     Running again(
         StudyFolder::words(folder_.endless(1), out, {text("--jobs"), text("1"), text("--resume")}));
     QTRY_VERIFY_WITH_TIMEOUT(again.workers().size() == 1, 20000);  // its run is made again
