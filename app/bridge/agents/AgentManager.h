@@ -33,7 +33,7 @@ class AgentManager {
   /// Everything wrong with the scenario; with errors among it nobody can be served. Works out what
   /// takes time before the first request.
   base::Diagnostics prepare();
-  /// What is served: from prepare() on with its variation drawn (drawnScenario).
+  /// The scenario that is served; from prepare() on with its variation drawn (drawnScenario).
   const std::shared_ptr<const sim2d::Scenario>& scenario() const { return bundle_.scenario; }
 
   hunav_msgs::ComputeAgents::Response compute(const hunav_msgs::ComputeAgents::Request& request);
@@ -69,7 +69,7 @@ class AgentManager {
   void tell(base::Severity severity, std::string_view code, base::ProblemValues values = {});
 
   app::Bundle bundle_;
-  /// What the world was made of, so that one of the same people is made without checking the
+  /// The setup of the world, so that a world of the same people can be created without checking the
   /// scenario and its trees again.
   struct Recipe {
     std::shared_ptr<const sim2d::Scenario> of;

@@ -16,8 +16,8 @@ bool isDrawn(const sim2d::VariationSettings& variation, Varied quantity) {
   return sim2d::spreadOf(variation, quantity).kind != sim2d::SpreadKind::None;
 }
 
-/// Its robots are switched off, as in a run without them, which has the same people: no planner
-/// has to be started for this.
+/// Its robots are switched off, so that no planner has to be started: a run without robots has the
+/// same people.
 base::Result<std::unique_ptr<sim2d::CoupledWorld>> peopleOf(app::Bundle bundle) {
   auto people = std::make_shared<Scenario>(*bundle.scenario);
   for (sim2d::Robot& robot : people->robots) {

@@ -8,14 +8,14 @@
 
 namespace bridge {
 
-/// The scenario of a bundle with what its key `variation` draws for its seed written into it, as a
-/// run of that seed has its people: starts, headings, speeds and the order of goals. Factors of
-/// reaction times have no key and stay to be drawn (`reactionTimesAlone`); start times have no part
-/// in the world of a caller. Without variation it is the scenario as it is. Errors: no world can be
+/// The scenario of a bundle with the values that its key `variation` draws for its seed: starts,
+/// headings, speeds and the order of goals are those of a run with that seed. Factors of reaction
+/// times have no key and are drawn later (`reactionTimesAlone`); start times are not used in the
+/// world of a caller. Without variation the scenario is returned unchanged. Errors: no world can be
 /// made of it.
 base::Result<std::shared_ptr<const sim2d::Scenario>> drawnScenario(const app::Bundle& bundle);
 
-/// The variation without what requests contain or what is already drawn.
+/// The variation without the values that requests contain and those that are already drawn.
 sim2d::VariationSettings reactionTimesAlone(sim2d::VariationSettings variation);
 
 }  // namespace bridge

@@ -11,18 +11,18 @@
 
 namespace bridge {
 
-// Beyond these no number of a recording can be.
+// No plausible number of a recording is larger.
 constexpr double kMostMetres = 1e9;    // from the origin, as the reader of tracks has it
 constexpr double kMostSpeed = 1e4;     // [m/s], and [rad/s] of turning
 constexpr double kMostRadius = 100.0;  // [m] of a body
 constexpr double kMostFactor = 1e6;    // of a force; also [m] of a goal's radius
 
-/// Numbers in messages that are not finite or beyond any size, counted by topic and field.
+/// Numbers in messages that are not finite or implausibly large, counted by topic and field.
 class BadNumbers {
  public:
-  enum class Loss { Sample, Value };  // what is left out with the number
+  enum class Loss { Sample, Value };  // what is left out together with the number
 
-  /// False, and counted, when one is not finite or its size is above `most`.
+  /// False, and counted, when a number is not finite or its magnitude is above `most`.
   bool areFine(std::size_t channel, const char* field, std::initializer_list<double> numbers,
                double most, Loss loss = Loss::Sample);
   bool hasSamples() const;  // some samples were left out

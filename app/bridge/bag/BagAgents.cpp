@@ -8,13 +8,13 @@
 #include "app/bridge/topics/RunMessages.h"
 #include "sim2d/base/Text.h"
 
-/// What bags hold in hunav_msgs.
+/// Contents of hunav_msgs in bags.
 namespace bridge {
 namespace {
 
-constexpr double kSameHeading = 1e-6;  // [rad]: what a float leaves of it
+constexpr double kSameHeading = 1e-6;  // [rad]: precision of a float
 
-/// The quaternion when the two agree: it is a double. Some never fill it.
+/// The quaternion when the two agree, as it is a double. Some programs never fill it in.
 double turnedBy(const hunav_msgs::Agent& agent) {
   const double turned = headingOf(agent.position.orientation);
   const double yaw = static_cast<double>(agent.yaw);
@@ -80,7 +80,7 @@ std::vector<base::Vec2> BagBodies::obstaclesOf(std::size_t channel,
   return points;
 }
 
-/// Takes what earlier messages have left open.
+/// Fills in what earlier messages have left open.
 void BagBodies::fillIn(std::size_t channel, const hunav_msgs::Agent& agent, BagBody& body) {
   if (!body.told) {
     body.told.emplace();
@@ -137,7 +137,7 @@ void BagBodies::takeAgent(std::size_t channel, const hunav_msgs::Agent& agent, s
   sample.heading = sample.pose.heading;
   sample.velocity = velocityOf(agent, sample.pose.heading);
   sample.omega = turningOf(agent);
-  sample.group = agent.groupId;  // NOLINT(bugprone-signed-char-misuse): -1 is nobody's
+  sample.group = agent.groupId;  // NOLINT(bugprone-signed-char-misuse): -1 is no group
   sample.state = agent.behavior.state;
   if (!agent.goals.empty()) {
     sample.goal = base::Vec2(agent.goals.front().position.x, agent.goals.front().position.y);
@@ -158,7 +158,7 @@ void BagBodies::takeAgents(std::size_t channel, std::string_view bytes, std::int
   }
 }
 
-/// robot_states has no stamp: it gets that of the people recorded nearest to it.
+/// robot_states has no stamp: it gets the stamp of the people recorded nearest to it.
 void BagBodies::pairRobots() {
   std::sort(stamps_.begin(), stamps_.end());
   for (auto& [id, body] : robots_) {

@@ -166,7 +166,7 @@ void BagBodies::takeOdometry(std::size_t channel, const nav_msgs::Odometry& odom
   sample.omega = twist.angular.z;
 }
 
-/// False: its numbers are none, and nothing is added.
+/// False: it has numbers that are not finite, and nothing is added.
 bool BagBodies::takePose(std::size_t channel, const std_msgs::Header& header,
                          const geometry_msgs::Pose& pose) {
   const base::Pose2 inFrame = planarPose(pose);
@@ -278,7 +278,8 @@ void BagBodies::takeGoal(std::size_t channel, std::string_view bytes) {
   }
 }
 
-/// As a run of ours publishes them: what was there goes, then one closed line for each outline.
+/// As hunavsim publishes them: all earlier outlines are deleted, then one closed line follows for
+/// each.
 void BagBodies::takeObstacles(std::size_t channel, std::string_view bytes) {
   using visualization_msgs::Marker;
   const auto all = decoded<visualization_msgs::MarkerArray>(channel, bytes);
@@ -294,7 +295,7 @@ void BagBodies::takeObstacles(std::size_t channel, std::string_view bytes) {
     const base::Pose2 frame = toMap(marker.header.frameId);
     const base::Pose2 inFrame = planarPose(marker.pose);
     sim2d::Outline outline;
-    for (std::size_t k = 0; k + 1 < marker.points.size(); ++k) {  // the last is the first again
+    for (std::size_t k = 0; k + 1 < marker.points.size(); ++k) {  // the last repeats the first
       const geometry_msgs::Point& point = marker.points[k];
       if (bad_.areFine(channel, "points", {point.x, point.y}, kMostMetres,
                        BadNumbers::Loss::Value)) {

@@ -25,7 +25,7 @@ namespace bridge {
 double asWritten(float value);
 
 constexpr double kNanosecond = 1e-9;  // [s]
-constexpr double kSamePlace = 1e-6;   // [m]: what a message leaves of a place
+constexpr double kSamePlace = 1e-6;   // [m]: precision of a position in a message
 
 inline std::int64_t nanosecondsOf(const builtin_interfaces::Time& stamp) {
   return std::int64_t{stamp.sec} * 1000000000 + stamp.nanosec;
@@ -48,13 +48,13 @@ struct BagSample {
 struct BagBody {
   int id = 0;
   std::string name;
-  /// What hunav_msgs say about it; of each part the first message that fills it in. Its goals: all
-  /// that the messages have named, in order.
+  /// Its properties in hunav_msgs; each is taken from the first message that fills it in. Its goals
+  /// are all goals in the messages, in order.
   std::optional<hunav_msgs::Agent> told;
   std::vector<BagSample> samples;  // in the order of the bag
 };
 
-/// The outlines on /obstacles from a time on.
+/// The outlines on /obstacles from a certain time on.
 struct BagObstacles {
   struct Part {
     std::string name;  // of the obstacle or door

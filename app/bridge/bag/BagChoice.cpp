@@ -48,7 +48,7 @@ bool endsWith(const std::string& topic, const std::string& name) {
          topic.compare(topic.size() - name.size(), name.size(), name) == 0;
 }
 
-/// Goals of a robot, outlines of obstacles.
+/// Types of topics with the goals of a robot or the outlines of obstacles.
 bool isBeside(const BagChannel& channel) {
   return (channel.type == geometry_msgs::PoseStamped::kType &&
           endsWith(channel.topic, kGoalPose)) ||
@@ -76,8 +76,8 @@ class Chooser {
     return std::nullopt;
   }
 
-  /// Beside the topic of the robot; else the one of no namespace, unless another robot has its
-  /// topic there.
+  /// The topic in the namespace of the robot; else the one without a namespace, unless another
+  /// robot has its topic there.
   std::optional<std::size_t> goalsOf(std::size_t robot) const {
     const char* const type = geometry_msgs::PoseStamped::kType;
     const std::string& topic = channels_[robot].topic;
@@ -86,7 +86,7 @@ class Chooser {
     return beside || find(name, channels_[robot].type.c_str()) ? beside : find(kGoalPose, type);
   }
 
-  /// Robots that are recorded as the chosen one is and are not measured.
+  /// Robots that are recorded on the same type of topic as the chosen one and are not measured.
   void tellOfOthers(std::size_t robot) {
     Names others;
     for (std::size_t k = 0; k < channels_.size(); ++k) {

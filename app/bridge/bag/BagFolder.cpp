@@ -48,7 +48,7 @@ bool beginsWith(const std::string& text, std::string_view with) {
   return std::string_view(text).substr(0, with.size()) == with;
 }
 
-/// What the file is compressed by as a whole; empty: by nothing known.
+/// Name of the compression of the whole file; empty: none that is known.
 std::string_view packingOf(const std::string& begin) {
   const auto* const found =
       std::find_if(std::begin(kPackings), std::end(kPackings),
@@ -56,7 +56,7 @@ std::string_view packingOf(const std::string& begin) {
   return found == std::end(kPackings) ? std::string_view() : found->name;
 }
 
-/// By the content; of what is compressed or stored elsewhere the name alone is left.
+/// By the content; of files that are compressed or stored elsewhere, by the name alone.
 Kind kindOfFile(const std::string& path) {
   const std::string begin = beginningOf(path);
   if (beginsWith(begin, kMcapMagic)) {
@@ -100,8 +100,8 @@ bool isBeforeByNumbers(const std::string& a, const std::string& b) {
   return a.size() - i < b.size() - k;
 }
 
-/// The files of a bag in a folder, whatever metadata says: by their content, in the order of their
-/// numbers.
+/// The files of a bag in a folder, independent of the metadata: recognised by their content, in the
+/// order of their numbers.
 std::vector<std::string> bagFilesIn(const std::string& folder) {
   std::vector<std::string> files;
   std::error_code ignored;
@@ -110,7 +110,7 @@ std::vector<std::string> bagFilesIn(const std::string& folder) {
     const std::string ending = base::lowered(entry.path().extension().string());
     const bool isFile = entry.is_regular_file(ignored);
     const Kind kind = isFile ? kindOfFile(path) : Kind::None;
-    // Other programs keep other things in databases.
+    // Other programs use databases for other purposes.
     if (kind != Kind::None && (kind != Kind::Database || ending == ".db3")) {
       files.push_back(path);
     }
@@ -119,7 +119,7 @@ std::vector<std::string> bagFilesIn(const std::string& folder) {
   return files;
 }
 
-/// A folder with the record of a run is that, whatever lies beside it.
+/// A folder with the record of a run is a run, whatever other files it contains.
 bool isRecord(const fs::path& folder) {
   std::error_code ignored;
   return fs::is_regular_file(folder / "trace.json", ignored);
@@ -196,8 +196,8 @@ class FileRow final : public Bag {
   std::vector<std::vector<std::size_t>> places_;  // of each file's channels in channels_
 };
 
-/// Where the file lies that the metadata names: early versions name its folder as well, and a file
-/// that was decompressed by hand has lost its last ending. Empty: not there.
+/// Path of a file that the metadata names: early versions include its folder in the name, and a
+/// file that was decompressed manually has lost its last extension. Empty: the file does not exist.
 std::string placeOf(const std::string& folder, const std::string& name) {
   const fs::path file = fs::path(name).filename();
   const std::string ending = base::lowered(file.extension().string());

@@ -55,7 +55,7 @@ class OwnTrace {
     BagBodies bodies(bag_, ownTopics(bag_.channels()), path_);
     base::Diagnostics problems = bodies.read();
     if (base::hasErrors(problems) || bodies.hasBadSamples()) {
-      return problems;  // of what is left no run can be made
+      return problems;  // no run can be made of the remaining parts
     }
     texts.trajectory.content = rowsOf(bodies, *header);
     base::Result<sim2d::Trace> trace = sim2d::parseTrace(texts);

@@ -22,13 +22,13 @@ base::Result<BagUse> parseBagUse(const std::string& text);
 /// People: hunav_msgs/Agents, else people_msgs/People. The robot: hunav_msgs/Agent, else
 /// nav_msgs/Odometry, geometry_msgs/PoseStamped or PoseWithCovarianceStamped, else the frame
 /// base_footprint or base_link of tf; its goals: those of hunav_msgs/Agent, and /goal_pose. The
-/// map: nav_msgs/OccupancyGrid, and /obstacles of a run of ours. Poses in other frames than the
-/// map's are brought there by tf where it has a way. `points`: takes closest_obs of hunav_msgs.
-/// Samples with numbers that are not finite are left out, with a warning.
+/// map: nav_msgs/OccupancyGrid, and /obstacles of a run of hunavsim. Poses in other frames than the
+/// map's are transformed by tf where it connects the frames. `points`: takes closest_obs of
+/// hunav_msgs. Samples with numbers that are not finite are left out, with a warning.
 ///
 /// A bag of ours (`kRunMetadata`) that is used as it is gives the record of its run: all but the
-/// bodies comes from its metadata, the bodies from /human_states and /robot_states. One of which a
-/// part is gone is read as a recording of another program, with a warning.
+/// bodies comes from its metadata, the bodies from /human_states and /robot_states. A bag of which
+/// a part is missing is read as a recording of another program, with a warning.
 base::Result<sim2d::Trace> readBagTrace(const std::string& path, const BagUse& use,
                                         const sim2d::TrackOptions& options,
                                         sim2d::RecordedPoints* points = nullptr);

@@ -11,14 +11,14 @@
 
 namespace bridge {
 
-/// What messages are written under.
+/// The topic or channel under which messages are written.
 struct WrittenChannel {
   std::string topic, type;
   std::string definition;                                     // form `ros2msg`
   std::vector<std::pair<std::string, std::string>> metadata;  // of the channel
 };
 
-/// A file that takes messages, and stands in its place when it is finished.
+/// Writes messages to a temporary file, which is moved to its final path when it is finished.
 class BagWriter {
  public:
   struct Totals {
@@ -36,13 +36,13 @@ class BagWriter {
   BagWriter& operator=(BagWriter&&) = delete;
 
   virtual std::uint16_t addChannel(WrittenChannel channel) = 0;
-  /// `time` [ns]; need not rise.
+  /// `time` [ns] need not be increasing.
   virtual void write(std::uint16_t channel, std::int64_t time, std::string_view message) = 0;
-  /// What messages have no place for, under a name.
+  /// Adds metadata that has no place in messages, under a name.
   virtual void addMetadata(const std::string& name, const Entries& entries) = 0;
-  /// Something could not be written: finish() says why.
+  /// Something could not be written; finish() returns the reason.
   virtual bool hasFailed() const = 0;
-  /// Empty = the file is in its place.
+  /// Empty = the file is complete and at its final path.
   virtual base::Diagnostics finish() = 0;
   /// So far.
   virtual const Totals& totals() const = 0;

@@ -60,7 +60,7 @@ class Database final : public Bag {
 
   const std::vector<BagChannel>& channels() const override { return channels_; }
 
-  /// Ours are in a table of their own, which rosbag2 leaves alone.
+  /// The metadata of hunavsim is in a table of its own, which rosbag2 ignores.
   std::string metadata(const std::string& name, const std::string& key) override {
     const Statement entry = prepared(
         connection_.get(), "SELECT value FROM hunavsim_metadata WHERE name = ?1 AND key = ?2");

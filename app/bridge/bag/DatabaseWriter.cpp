@@ -65,7 +65,7 @@ DatabaseWriter::~DatabaseWriter() {
   }
 }
 
-/// Beside its place: that is the disk that has to take it.
+/// In the folder of the final file, so that both are on the same disk.
 bool DatabaseWriter::makeFile() {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
@@ -152,7 +152,7 @@ void DatabaseWriter::addMetadata(const std::string& name, const Entries& entries
   }
 }
 
-/// Those with messages, and the description of the file that rosbag2 reads.
+/// The topics with messages, and the description of the file that rosbag2 reads.
 void DatabaseWriter::writeTopics() {
   const Statement insert = prepared("INSERT INTO topics VALUES(?1, ?2, ?3, 'cdr', ?4)");
   std::vector<BagTopic> topics;

@@ -12,8 +12,8 @@ struct sqlite3_stmt;
 namespace bridge {
 
 /// A `.db3` of rosbag2 (schema 3: Humble, later ones read it): tables schema, metadata, topics and
-/// messages, and `hunavsim_metadata` for what messages have no place for. Made in a file of its own
-/// and put in its place by finish(). One thread at a time.
+/// messages, and `hunavsim_metadata` for metadata that has no place in messages. It is written to a
+/// temporary file, which finish() moves to its final path. One thread at a time.
 class DatabaseWriter final : public BagWriter {
  public:
   explicit DatabaseWriter(std::string path);
@@ -46,7 +46,7 @@ class DatabaseWriter final : public BagWriter {
   void writeTopics();
   void copyInPlace();
 
-  std::string path_, made_;  // in the end, until then
+  std::string path_, made_;  // the final path, and the temporary one
   std::unique_ptr<sqlite3, Close> database_;
   Statement insert_;  // of a message
   std::vector<WrittenChannel> channels_;

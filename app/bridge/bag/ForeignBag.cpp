@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kUsualGoalRadius = 0.2;  // [m]
 constexpr double kStanding = 0.05;        // [m]: noise of a body at rest
-constexpr double kArrivalSlack = 0.3;     // [m]: goals that end farther away were given up
+constexpr double kArrivalSlack = 0.3;     // [m]: goals that end farther away were abandoned
 
-/// A recording of others, brought onto a grid of times.
+/// A recording of another program, resampled to a grid of times.
 class ForeignTrace {
  public:
   ForeignTrace(const BagBodies& bodies, const sim2d::TrackOptions& options, std::string path)
@@ -61,7 +61,7 @@ class ForeignTrace {
     }
   }
 
-  /// Some wrappers publish a robot of another id until theirs is there.
+  /// Some wrappers publish a robot with another id until their own is available.
   const BagBody* robotSeenMost() const {
     const BagBody* most = nullptr;
     for (const auto& [id, body] : bodies_.robots()) {
@@ -126,7 +126,7 @@ class ForeignTrace {
     file_.tracks.push_back(std::move(track));
   }
 
-  /// The points of the observation nearest to each instant.
+  /// Keeps the points of the observation nearest to each instant.
   void takePoints(sim2d::RecordedPoints& points) const {
     for (const sim2d::TrackLinks::Link& link : links_.links) {
       points.add(link.step, link.id, link.isRobot, samples_[link.track][link.point]->obstacles);
@@ -169,7 +169,7 @@ class ForeignTrace {
     }
   }
 
-  /// Those that its own messages name, then those that were sent to it.
+  /// The goals in its own messages, then those that were sent to it.
   std::vector<base::Vec2> goalsOf(const BagBody& body) const {
     std::vector<base::Vec2> goals;
     for (std::size_t k = 0; body.told && k < body.told->goals.size(); ++k) {
@@ -210,8 +210,8 @@ class ForeignTrace {
     }
   }
 
-  /// When its first goal was sent, if it stood until then: a robot that waits for it has not set
-  /// off.
+  /// When its first goal was sent, if it stood until then: a robot that waits for its goal has not
+  /// started.
   double startOf(const BagBody& body) const {
     const std::optional<std::int64_t> sent = bodies_.firstGoal();
     if (!isOfRobots_ || !sent || body.samples.empty() || *sent > body.samples.back().time) {
@@ -226,7 +226,7 @@ class ForeignTrace {
     return std::max(secondsOf(*sent) - links_.begin, 0.0);
   }
 
-  /// The first message without goals after the last with some, if the body is at a goal then.
+  /// The first message without goals after the last one with goals, if the body is at a goal then.
   bool addArrival(sim2d::Trace& trace, const BagBody& body, int id,
                   const std::vector<sim2d::TraceGoal>& goals) const {
     const auto last = std::find_if(body.samples.rbegin(), body.samples.rend(),
@@ -252,7 +252,7 @@ class ForeignTrace {
     return true;
   }
 
-  /// What is there in each message stands; what comes and goes is a door.
+  /// An outline that is in every message is an obstacle; one that appears and disappears is a door.
   void addObstacles(sim2d::Trace& trace) const {
     const std::vector<BagObstacles>& all = bodies_.obstacles();
     for (const BagObstacles& some : all) {

@@ -7,7 +7,7 @@
 
 namespace bridge {
 
-/// A recording of another program as a record, by its messages alone; private to the folder
+/// Makes a record of another program's recording, from its messages alone. Private to the folder
 /// (`readBagTrace`).
 base::Result<sim2d::Trace> readForeignBag(Bag& bag, const std::string& path, const BagUse& use,
                                           const sim2d::TrackOptions& options,

@@ -18,8 +18,8 @@ namespace bridge {
 constexpr const char* kRunMetadata = "hunavsim";
 
 /// Takes a run while it goes on and writes the states that are recorded, all that `RunTopics` tells
-/// but /clock, into one file, beside its place until finish(): a database of rosbag2 when its name
-/// ends in .db3, else MCAP.
+/// but /clock, into one file, which has a temporary name until finish(): a database of rosbag2 when
+/// its name ends in .db3, else MCAP.
 class RunBag : public sim2d::FrameSink {
  public:
   RunBag(const std::string& path, const sim2d::TraceHeader& header, RunTopicsOptions options);

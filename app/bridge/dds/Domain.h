@@ -49,10 +49,10 @@ struct Qos {
   bool anyPublisher = false;
 
   static Qos keepLast(int depth) { return {true, false, depth, 0.0, false}; }
-  static Qos sensor() { return {false, false, 5, 0.0, false}; }  // for what is read, not written
+  static Qos sensor() { return {false, false, 5, 0.0, false}; }  // for subscriptions
   static Qos latched() { return {true, true, 1, 0.0, false}; }   // /map, /tf_static
   static Qos clockReader() { return {false, false, 1, 0.0, false}; }
-  /// For input of others, whatever they publish with.
+  /// For input from other programs, whatever quality of service they publish with.
   static Qos input(int depth = 10) { return {true, false, depth, 0.0, true}; }
   static Qos transforms() { return keepLast(100); }
   static Qos parameters() { return keepLast(1000); }  // their services and events

@@ -29,7 +29,7 @@ void OthersTopics::on_publisher_discovery(efd::DomainParticipant* /*participant*
     }
   }
   if (info.status != rtps::WriterDiscoveryInfo::DISCOVERED_WRITER) {
-    return;  // a topic stays: its publisher may come back
+    return;  // the topic is kept: its publisher may come back
   }
   OthersTopic topic;
   topic.name = rosTopic(info.info.topicName().to_string());
@@ -49,7 +49,7 @@ void OthersTopics::on_publisher_discovery(efd::DomainParticipant* /*participant*
   }
 }
 
-/// Under the lock.
+/// Called with the lock held.
 void OthersTopics::add(const rtps::GUID_t& publisher, const Offer& offer) {
   for (auto each = publishers_.begin(); publishers_.size() >= kMost && each != publishers_.end();) {
     each = each->second.isGone ? publishers_.erase(each) : std::next(each);

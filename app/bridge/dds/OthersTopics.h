@@ -11,8 +11,8 @@
 
 namespace bridge {
 
-/// Who else takes part in the domain, and which topics they publish. Filled by threads of DDS;
-/// private to this folder.
+/// The other participants of the domain, and the topics that they publish. Filled by threads of
+/// DDS; private to this folder.
 class OthersTopics : public eprosima::fastdds::dds::DomainParticipantListener {
  public:
   static constexpr std::size_t kMost = 10000;
@@ -30,7 +30,7 @@ class OthersTopics : public eprosima::fastdds::dds::DomainParticipantListener {
  private:
   struct Offer {
     bool reliable = false, transientLocal = false;
-    bool isGone = false;  // what it sent may still wait to be handed out
+    bool isGone = false;  // its samples may still wait to be delivered
   };
 
   void add(const eprosima::fastrtps::rtps::GUID_t& publisher, const Offer& offer);

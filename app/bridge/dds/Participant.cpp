@@ -33,8 +33,9 @@ class DdsPublisher : public Publisher {
   bool isKept_;  // for who comes later
 };
 
-/// Two readers where every publisher is wanted (Qos::anyPublisher): one as asked for, and one that
-/// requests least and hands out what comes from publishers that the first cannot match.
+/// Two readers where every publisher is wanted (Qos::anyPublisher): one with the requested quality
+/// of service, and one that requests least and delivers samples of publishers that the first cannot
+/// match.
 class DdsSubscription : public Subscription, public Source {
  public:
   DdsSubscription(DdsPtr dds, int node, const Qos& qos, efd::DataReader* reader,

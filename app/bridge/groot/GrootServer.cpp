@@ -9,10 +9,10 @@ namespace groot {
 
 namespace {
 
-constexpr int kPatience = 100;                     // [ms] until the thread looks up
+constexpr int kPatience = 100;                     // [ms] until the thread checks for stop requests
 constexpr std::size_t kMostParts = 8;              // of a request
 constexpr std::int64_t kLargestRequest = 1 << 20;  // [B] of a part
-constexpr int kTrials = 20;                        // for two free ports side by side
+constexpr int kTrials = 20;                        // to find two adjacent free ports
 constexpr int kHandshakeTime = 1000;               // [ms]; a client of this machine takes a few
 /// Length of the queue of connections not yet accepted, limited by the system. With ZeroMQ's
 /// default of 100 a burst of connections makes further clients retry after seconds.

@@ -43,7 +43,7 @@ nlohmann::json valueOf(const std::string& text) {
   return number ? nlohmann::json(*number) : nlohmann::json(text);
 }
 
-/// Entries of the part and entries of others that it was given; the latter under its own keys.
+/// Entries of the subtree and entries that are remapped into it; the latter under its own keys.
 nlohmann::json blackboardOf(const WatchedTree& tree, const WatchedTree::Part& part,
                             const WatchedRun::Entries& known) {
   nlohmann::json entries = nlohmann::json::object();
@@ -105,8 +105,8 @@ std::string WatchedRun::statuses() const {
   return bytes;
 }
 
-/// Of the parts that are named, with ';' between, as MessagePack. The main tree has no name of its
-/// own, so it answers to its ID.
+/// Blackboards of the named trees (separated by ';') as MessagePack. The main tree has no name of
+/// its own, so its ID is used.
 std::string WatchedRun::blackboards(const std::string& names) const {
   nlohmann::json all = nlohmann::json::object();
   for (const std::string& name : base::split(names, ';')) {

@@ -189,7 +189,7 @@ void LiveRun::catchUp(const sim2d::Frame& frame) {
   if (frame.step > newest_) {
     return;  // it will be shown
   }
-  if (frame.step > published_) {  // left out as others came faster than a screen shows
+  if (frame.step > published_) {  // skipped, as newer frames came faster than a screen shows
     publish(frame, Clock::now());
   }
   topics_.repeatScans();

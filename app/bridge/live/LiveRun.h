@@ -61,10 +61,12 @@ class LiveRun {
   void meet(const sim2d::Frame& frame);
   using Wants = std::function<bool(ChannelId)>;
   void publish(const sim2d::Frame& frame, Clock::time_point now);
-  /// The messages of the frame that are wanted; metrics of those channels too if `withMetrics`.
+  /// Publishes the messages of the frame that are subscribed to; metrics of those channels too if
+  /// `withMetrics`.
   std::vector<FoxgloveServer::Message> messagesOf(const sim2d::Frame& frame, const Wants& wants,
                                                   bool withMetrics);
-  /// After a subscription or at the begin of a pause: the newest state for all that lack it.
+  /// After a subscription or at the start of a pause: publishes the newest state to all
+  /// subscriptions that lack it.
   void catchUp(const sim2d::Frame& frame);
   bool wantsMetrics(const Wants& wants) const;
   bool isFasterThanScreens() const;

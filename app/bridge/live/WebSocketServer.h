@@ -16,9 +16,9 @@
 
 namespace live {
 
-constexpr std::size_t kMostClients = 32;  // open connections at once
-/// Unopened connections at once: their request is incomplete or was refused. Beyond this number the
-/// oldest is closed, so that incomplete requests block no other client.
+constexpr std::size_t kMostClients = 32;  // simultaneous open connections
+/// Simultaneous unopened connections: their request is incomplete or was refused. Beyond this
+/// number the oldest is closed, so that incomplete requests block no other client.
 constexpr std::size_t kMostUnopened = 64;
 
 /// Where a server listens and whom it serves.

@@ -155,7 +155,7 @@ void DdsRecorder::listenTo(const OthersTopic& topic) {
   auto heard = std::make_unique<Heard>();
   heard->topic = topic;
   Heard& from = *heard;
-  Qos qos = Qos::input(kDepth);  // others may publish it with less than the first one
+  Qos qos = Qos::input(kDepth);  // other publishers may offer less than the first one
   qos.transientLocal = topic.transientLocal;
   if (node_->subscribeBytes(topic, qos, [this, &from](const Bytes& bytes) { take(from, bytes); })) {
     heard_.push_back(std::move(heard));

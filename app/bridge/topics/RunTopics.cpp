@@ -159,7 +159,7 @@ void RunTopics::tell(const sim2d::Frame& frame, const Send& send, const Wants& w
     Robot& robot = robots_[k];
     robot.isOrdered = robot.isOrdered && frame.robots.goal[k] == sim2d::kNoGoal;
     const sim2d::TraceRobot& told = header_.robots[k];
-    const bool isParked = told.startTime > frame.time + kTimeSlack;  // it has not got its goal yet
+    const bool isParked = told.startTime > frame.time + kTimeSlack;  // no goal published yet
     if (robot.isOrdered) {
       robot.goal = robot.order ? &*robot.order : nullptr;
     } else {
