@@ -6,7 +6,8 @@ namespace app {
 
 namespace {
 
-/// How many runs failed, and the reason of the first: explains the exit code, with --quiet too.
+/// Reports how many runs failed and the reason of the first, also with --quiet: it explains the
+/// exit code.
 base::Diagnostics failuresOf(const BatchFolder& folder) {
   const ResultStore& store = folder.store();
   base::Diagnostics said;

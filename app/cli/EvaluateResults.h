@@ -24,7 +24,7 @@ std::string manifestOf(const EvaluateOptions& options, const Invocation& given,
 /// What was measured.
 struct Measured {
   const sim2d::Trace& trace;
-  const sim2d::RecordedPoints& points;  // that the source gives
+  const sim2d::RecordedPoints& points;  // from the source of the record
 };
 
 /// All files of the results.

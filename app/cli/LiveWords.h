@@ -32,10 +32,10 @@ std::unique_ptr<groot::GrootRun> openGroot(const RunOptions& options, const Bund
 /// Warns once, after the first seconds, of each port that no client has connected to.
 class NoViewerCheck {
  public:
-  /// Null: not opened. Both must outlive this.
+  /// Null: the port is not open. Both must outlive this object.
   NoViewerCheck(const RunOptions& options, const live::LiveRun* live, const groot::GrootRun* groot)
       : options_(options), live_(live), groot_(groot) {}
-  /// Each state; what is due goes to standard error.
+  /// To be called with each state; writes the warnings that are due to standard error.
   void look();
 
  private:

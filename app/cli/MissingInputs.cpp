@@ -28,7 +28,7 @@ bool hasOutlines(const sim2d::TraceHeader& header) {
                      [](const sim2d::TraceObstacle& each) { return !each.outlines.empty(); });
 }
 
-/// Some person has a factor of the social force.
+/// Whether any person has a factor of the social force.
 bool hasFactors(const std::vector<sim2d::TraceHuman>& humans) {
   return std::any_of(humans.begin(), humans.end(), [](const sim2d::TraceHuman& human) {
     return std::any_of(human.parameters.begin(), human.parameters.end(),
@@ -72,7 +72,7 @@ class MissingInputs {
   }
 
  private:
-  /// Where walls make the points those of the record are missed by the forces alone.
+  /// Where obstacle points are computed from walls, only the forces lack the recorded ones.
   void findPoints() {
     const bool hasWalls = hasOutlines(header_);
     if (!header_.humans.empty() && !points_.hasPeople()) {

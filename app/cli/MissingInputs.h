@@ -8,8 +8,9 @@
 
 namespace app {
 
-/// What the selected metrics need and the recording of another program does not hold: one warning
-/// for each missing thing, with the keys of the metrics that lack it. Nothing for a run of ours.
+/// Inputs of the selected metrics that the recording of another program does not contain: one
+/// warning for each missing input, with the keys of the metrics that need it. None for a run of
+/// hunavsim.
 base::Diagnostics missingInputs(const sim2d::Trace& trace, const sim2d::RecordedPoints& points,
                                 const MetricsSetup& setup, const std::string& source);
 

@@ -62,7 +62,7 @@ void addRos2Options(CLI::App& command, Ros2Words& words, const std::string& help
       ->needs(ros2);
   command
       .add_flag("--network", words.network,
-                "On all interfaces, so that other machines are found too; else on loopback alone")
+                "Use all interfaces, so that other machines are found too (default: loopback only)")
       ->needs(ros2);
 }
 

@@ -55,7 +55,7 @@ statistics::PairedOutcomes outcomesOf(const PairResult::OfCase& ofCase) {
           count - ofCase.both - ofCase.higher - ofCase.lower};
 }
 
-/// A rate: 1 and 0 of both options, told by the outcomes and the differences.
+/// A rate: the values 1 and 0 of both options, recovered from the outcomes and the differences.
 void testRates(const Study& study, const std::vector<statistics::PairedOutcomes>& outcomes,
                PairTest& pair) {
   pair.shift = statistics::mean(pair.differences);
@@ -84,7 +84,7 @@ double enoughFor(const PairResult& pair) {
   return std::ceil(enough * pairs / differing);
 }
 
-/// In each case, and over all of them.
+/// In each case, and over all cases.
 void testPair(const Study& study, bool isRate, PairResult& pair) {
   std::vector<statistics::PairedOutcomes> outcomes;
   statistics::Strata strata;
@@ -143,7 +143,7 @@ PairResult pairOfOptions(const Study& study, std::size_t metric, std::size_t fir
   return pair;
 }
 
-/// Holm's over the pairs that have a test.
+/// Holm's adjustment over the pairs that have a test.
 void adjust(std::vector<PairTest*> tests) {
   Numbers ps;
   ps.reserve(tests.size());
@@ -155,7 +155,7 @@ void adjust(std::vector<PairTest*> tests) {
   }
 }
 
-/// Over all cases, and within each.
+/// Over all cases, and within each case.
 void adjustPairs(std::vector<PairResult>& pairs) {
   std::vector<PairTest*> all;
   std::map<std::size_t, std::vector<PairTest*>> byCase;
@@ -171,7 +171,7 @@ void adjustPairs(std::vector<PairResult>& pairs) {
   }
 }
 
-/// Cliff's delta of the values of each case, weighted with how many are compared there.
+/// Cliff's delta of the values of each case, weighted by the number of comparisons in it.
 double deltaOf(const std::vector<Numbers>& first, const std::vector<Numbers>& second) {
   double sum = 0.0;
   double compared = 0.0;

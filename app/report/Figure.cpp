@@ -271,7 +271,7 @@ void horizontalAxis(Figure& figure, const Scale& scale, double y, bool asPercent
 
 namespace {
 
-/// Of a character of UTF-8 its first byte.
+/// Whether it is the first byte of a UTF-8 character.
 bool isCharacterStart(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
 }

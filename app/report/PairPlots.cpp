@@ -14,7 +14,7 @@ using Anchor = Figure::Anchor;
 constexpr double kPairLetter = 6.2;  // px of a character of the names of pairs
 constexpr double kPairGap = 16.0;    // px beside them
 
-/// Px for the names of pairs, the gap included: as the longest need, up to `most`.
+/// Width [px] for the names of pairs, including the gap: as the longest name needs, up to `most`.
 double pairNamesWidth(const Study& study, const Comparisons& comparisons, double most) {
   std::size_t longest = 0;
   for (const MetricComparison& comparison : comparisons) {
@@ -26,7 +26,7 @@ double pairNamesWidth(const Study& study, const Comparisons& comparisons, double
   return std::clamp(kPairLetter * static_cast<double>(longest) + kPairGap, 150.0, most);
 }
 
-/// "dwa − mppi", each with half of the room.
+/// "dwa − mppi", each with half of the width.
 std::string nameOfPair(const Study& study, const PairResult& pair, double width) {
   const auto room = static_cast<std::size_t>((width - kPairGap) / kPairLetter);
   const std::string& first = study.options[pair.first];

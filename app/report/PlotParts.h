@@ -29,17 +29,17 @@ Scale scaleOfValues(const Extent& values, double from, double to);
 /// The comparisons of rates, or of the other metrics.
 std::vector<const MetricComparison*> ofKind(const Study& study, const Comparisons& comparisons,
                                             bool rates);
-/// Px for the names of the options beside a panel, the gap included: as the longest needs, up to
-/// `most`.
+/// Width [px] for the names of the options beside a panel, including the gap: as the longest name
+/// needs, up to `most`.
 double namesWidth(const Study& study, double most);
-/// Columns of so many panels with `names` px for names beside them, if they had all room: two where
-/// the names leave more than half of a panel.
+/// Number of columns for so many panels, with `names` px for names beside them when width is not
+/// limited: two where the names leave more than half of a panel.
 int columnsOfPanels(std::size_t count, double names);
-/// Names of all options beside their rows, in so many px.
+/// Draws the names of all options beside their rows, in a width of so many px.
 void optionNames(Figure& figure, const Study& study, double left, double top, double rowHeight,
                  double width);
 void panelTitle(Figure& figure, const std::string& title, double left, double top);
-/// As much of it as there is room for [px].
+/// As much of the text as fits into the width [px].
 std::string nameOfOption(const Study& study, std::size_t option, double room);
 std::string percentText(double share);  // "95 %"
 std::string levelText(double level);    // "95 %", "97.5 %"

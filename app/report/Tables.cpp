@@ -122,7 +122,8 @@ void addTest(const Study& study, const MetricComparison& comparison, const PairT
   row.push_back(chanceCell(test.adjusted, test.adjusted < kSignificance));
 }
 
-/// In how many cases the first option is higher, equal, lower, by the typical difference.
+/// The numbers of cases in which the first option is higher, equal and lower by the typical
+/// difference.
 std::string directionsOf(const PairResult& pair) {
   int directions[3] = {};
   for (const PairResult::OfCase& ofCase : pair.cases) {
@@ -281,9 +282,9 @@ Table pairsTable(const Study& study, const Comparisons& comparisons, bool all) {
       levelText(study.level) +
       "; p of the signed-rank test (rates: McNemar), and adjusted over the pairs of the metric; "
       "Cliff's δ; pairs that would be enough to see such a difference (power 80 %, level 5 %)." +
-      (hasCases ? " Differences are ranked within their case and the cases put together (van "
-                  "Elteren); the last column says in how many cases the first is higher, equal, "
-                  "lower."
+      (hasCases ? " Differences are ranked within their case and the cases combined (van "
+                  "Elteren); the last column is the number of cases in which the first is higher, "
+                  "equal, lower."
                 : "") +
       (all || study.options.size() < 4
            ? ""

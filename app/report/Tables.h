@@ -20,7 +20,7 @@ Table resultsTable(const Study& study, const Comparisons& comparisons,
 std::optional<Table> mediansTable(const Study& study, const Comparisons& comparisons);
 /// Pairs of options: difference, tests, effect, seeds that would be enough.
 Table pairsTable(const Study& study, const Comparisons& comparisons, bool all);
-/// The same of each case alone; nothing with one case. `all`: of all pairs and rows, else of those
+/// The same for each case alone; empty with only one case. `all`: all pairs and rows, else those
 /// shown.
 std::optional<Table> casePairsTable(const Study& study, const Comparisons& comparisons, bool all);
 /// Friedman's test of each metric; nothing with fewer than three options.

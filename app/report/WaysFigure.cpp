@@ -117,7 +117,7 @@ class WaysMaker {
                                : panelHeightOf(pictures_.grounds.at(scenarioOf(panel)),
                                                grid_.panelWidth(), kMostHeight));
   }
-  /// In as many lines as it needs.
+  /// Draws the title in as many lines as it needs.
   std::vector<std::string> titleOf(const WayPanel& panel) const {
     const std::string title =
         isTable_ || study_.cases.size() == 1

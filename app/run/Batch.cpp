@@ -54,12 +54,12 @@ base::Result<ResultRow> readAnswer(const std::string& text) {
   return problems;
 }
 
-constexpr char kMet[] = "met";  // begin of a message with the files of a run that goes on
+constexpr char kMet[] = "met";  // prefix of a message with the files of a running run
 
 /// In a worker. What no run foresees, as no memory, is the end of that run alone.
 std::string answerTo(const BatchJob& job, const std::string& question,
                      const WorkerProcess::Tell& tell) {
-  ResultRow row;  // of a run that ends so
+  ResultRow row;  // of a run that ends in this way
   try {
     const std::optional<long long> run = base::parseInt(question);
     const auto met = [&](const std::vector<InputHash>& files) {
@@ -75,8 +75,8 @@ std::string answerTo(const BatchJob& job, const std::string& question,
   }
 }
 
-/// Signals that others send: the system when memory ends, a queue at the end of its time, people.
-/// A run brings about all others by itself.
+/// Signals from outside the run: by the system when memory is exhausted, by a queue at its time
+/// limit, by users. All other signals are caused by the run itself.
 bool isFromOutside(int signal) {
   switch (signal) {
     case SIGKILL:
@@ -113,7 +113,7 @@ struct Worker {
   Clock::time_point begin;
   std::size_t made = 0;        // runs so far
   std::size_t firstBytes = 0;  // memory after the first
-  std::vector<InputHash> met;  // files that the run uses, as far as it has said so
+  std::vector<InputHash> met;  // files that the run uses, as far as it has reported them
 };
 
 class Batch {
@@ -208,7 +208,7 @@ class Batch {
     return worker.made >= job_.runsPerWorker || bytes > worker.firstBytes + job_.mostGrowth;
   }
 
-  /// Whether the message is of a run that goes on.
+  /// Whether the message is from a run that is still running.
   static bool noteMet(const std::string& message, Worker& worker) {
     const std::string begin = kMet;
     if (message.compare(0, begin.size(), begin) != 0) {

@@ -18,8 +18,8 @@ base::Result<Study> studyOf(const Experiment& experiment, const std::vector<Inpu
 /// those that both have used.
 base::Diagnostics differences(const Study& was, const Study& now);
 
-/// What to do with a batch that lies in the folder already and is not finished. `Resume` makes the
-/// runs that are missing and those that the machine ended (FailedBy), `Retry` all that failed.
+/// What to do with an unfinished batch that is already in the folder. `Resume` executes the missing
+/// runs and those that the machine ended (FailedBy); `Retry` also repeats all failed runs.
 enum class Earlier { Refuse, Resume, Retry, Replace };
 
 /// The folder of a batch: `results.sqlite` while it goes on, from it `results.csv` and

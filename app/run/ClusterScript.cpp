@@ -35,8 +35,8 @@ std::string moreOf(const ClusterJob& job) {
 /// What both scripts begin with.
 std::string beginning(const ClusterJob& job, const std::string& use) {
   return "#!/bin/bash\n" + use +
-         "# Start it again when it was interrupted: what is finished is not run again, but for "
-         "runs whose\n# process was killed or had no memory.\n"
+         "# Start it again when it was interrupted: finished runs are not repeated, except for "
+         "runs whose\n# process was killed or ran out of memory.\n"
          "set -u\n"
          "export PROGRAM=" +
          quoted(job.program) +

@@ -9,7 +9,7 @@ struct ClusterJob {
   std::string program, experiment, output;  // absolute paths, the same on all machines
   std::size_t chunks = 1;                   // shards: at most as many work at a time
   bool allowCode = false;                   // programs that scenarios name may start
-  bool retryFailed = false;                 // a part that begins again makes failed runs anew
+  bool retryFailed = false;                 // a restarted part repeats failed runs
   double timeLimit = 0.0;                   // of a run [s]; 0 = none
 };
 

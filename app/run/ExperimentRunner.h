@@ -25,8 +25,8 @@ class ExperimentRunner {
         loader_(std::move(loader)),
         files_(std::make_unique<KnownFiles>(loader_)) {}
 
-  /// Scenarios that no run could use, values that no scenario takes, and, where code is not
-  /// allowed, programs that would have to start.
+  /// Reports scenarios that no run could use, values that no scenario accepts and, where code is
+  /// not allowed, programs that would have to be started.
   base::Diagnostics check(base::Severity ofForeignCode = base::Severity::Error);
   /// Files that the first runs of the scenarios use, each once; known after check().
   const std::vector<InputHash>& inputs() const { return seen_.all(); }

@@ -25,8 +25,8 @@ ProblemKey keyOf(const base::Diagnostic& problem) {
   return {problem.code, problem.values};
 }
 
-/// Whether what one path sets may change what the other one does: they are of the same thing, or
-/// one of them is of all people or robots.
+/// Whether setting one path may change the effect of the other: they concern the same entity, or
+/// one of them concerns all people or robots.
 bool meet(const std::string& first, const std::string& second) {
   const auto nameIn = [](const std::string& path) { return path.substr(0, path.find('.')); };
   const std::string one = nameIn(first), other = nameIn(second);
@@ -85,8 +85,8 @@ void ExperimentTrial::putFirstTexts() {
   }
 }
 
-/// `errors`: that the first run has with the texts of all paths. What a later path puts right is
-/// none.
+/// `errors`: those of the first run with the texts of all paths. A problem that a later path
+/// corrects is not an error.
 void ExperimentTrial::findWhatBrings(const std::set<ProblemKey>& errors) {
   sim2d::Scenario stage = written_;
   for (std::size_t k = 0; k < experiment_.values.size(); ++k) {
@@ -101,7 +101,7 @@ void ExperimentTrial::findWhatBrings(const std::set<ProblemKey>& errors) {
   }
 }
 
-/// With the first texts of the paths before it. Cheap as long as values come in their order.
+/// With the first texts of the paths before it. Fast as long as values are requested in order.
 const sim2d::Scenario& ExperimentTrial::stageBefore(std::size_t value) {
   if (value < stageOf_) {
     stage_ = written_;
@@ -115,9 +115,9 @@ const sim2d::Scenario& ExperimentTrial::stageBefore(std::size_t value) {
   return stage_;
 }
 
-/// The scenario with this text and the first ones of all other paths; `stage` has it and those
-/// before. Of the later ones only those that this one meets have to be put there again, unless it
-/// does not fit beside them.
+/// The scenario with this text and the first ones of all other paths; `stage` already has it and
+/// those before. Of the later paths, only those that this one affects must be set again; all of
+/// them, if the text does not fit together with the first ones.
 sim2d::Scenario ExperimentTrial::othersWith(std::size_t value, const std::string& text,
                                             sim2d::Scenario stage,
                                             base::Diagnostics& errors) const {

@@ -56,7 +56,7 @@ class ExperimentTrial {
   sim2d::Scenario written_, first_;  // without and with the first texts of all paths
   sim2d::Scenario stage_;            // with those of the first `stageOf_` paths
   std::size_t stageOf_ = 0;
-  std::vector<base::Diagnostics> own_;      // of putting the first text of each path there
+  std::vector<base::Diagnostics> own_;      // from setting the first text of each path
   std::vector<base::Diagnostics> brought_;  // errors of the first run, by the path that brings them
   std::set<ProblemKey> usual_;              // that are there whatever is tried
   bool dependsOnSeed_ = false;

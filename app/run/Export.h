@@ -37,7 +37,7 @@ const char* stateName(ExportPlan::State state);  // "written", "replaced", "unch
 
 /// The scenario of a bundle for another simulator, with its map and trees, whose texts it has.
 ExportPlan planExport(const Bundle& source, const ExportRequest& request);
-/// What BehaviorTree.CPP 4.10 does otherwise with the trees of a bundle that are in files.
+/// Where BehaviorTree.CPP 4.10 treats the trees in files of a bundle differently.
 base::Diagnostics notesOnTrees(const Bundle& source);
 /// All files or none.
 base::Diagnostics writeExport(const ExportPlan& plan);

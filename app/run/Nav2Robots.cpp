@@ -134,7 +134,7 @@ base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch) {
       return each.code == problem.code && each.line == problem.line;
     });
     const bool isElsewhere = reading.parameters.isPartial && problem.line == 0;  // in another file
-    if (!isTold && !isElsewhere && problem.code != "nav2.no-map") {  // scenarios bring maps
+    if (!isTold && !isElsewhere && problem.code != "nav2.no-map") {  // scenarios name maps
       found.push_back(problem);
     }
   }

@@ -182,7 +182,7 @@ std::string folderOf(const std::string& file) {
   return folder.empty() ? "." : folder.string();
 }
 
-/// Who notes a file has the lock for an instant.
+/// Processes that record a file hold the lock briefly.
 base::Result<std::unique_ptr<FolderLock>> waitForLock(const std::string& folder) {
   constexpr int kMostTries = 200;
   constexpr std::chrono::milliseconds kBetween(50);

@@ -81,11 +81,12 @@ base::Diagnostics writeIntoOthers(const std::string& folder,
                                   const std::vector<base::FileContent>& files, const char* kind,
                                   bool force, const std::vector<std::string>& dropped = {});
 
-/// For commands that write one file, which may be many at a time in one folder. What stands there
-/// and is not listed in the folder's hidden manifest as it is: an error, unless `force` is given.
+/// For commands that write one file; many may write to one folder at the same time. An existing
+/// file that the folder's hidden manifest does not list with its present content is an error,
+/// unless `force` is given.
 base::Diagnostics otherFileInTheWay(const std::string& file, bool force);
-/// The file that was written then: the hidden manifest lists it from now on. `kind`: of the
-/// command, where there is no manifest yet. Waits for others who do the same.
+/// Adds the file that was written to the hidden manifest. `kind`: of the command, used where there
+/// is no manifest yet. Waits for other processes that do the same.
 base::Diagnostics noteFile(const std::string& file, const char* kind);
 
 /// A name in a folder that is of the work of this program on it, not a result.

@@ -9,8 +9,8 @@
 
 namespace app {
 
-/// What made a run fail. `Machine`: its process was killed from outside, or had no memory; that
-/// says nothing about the run, which may well succeed the next time. `Run`: all else.
+/// The cause of a failed run. `Machine`: its process was killed from outside or ran out of memory;
+/// this is no fault of the run, which may succeed the next time. `Run`: everything else.
 enum class FailedBy { Run, Machine };
 
 /// What the results keep of one run of a batch.

@@ -30,7 +30,7 @@ const char* const kTables =
     " value_texts TEXT NOT NULL, status TEXT NOT NULL, reason TEXT NOT NULL,"
     " simulated TEXT NOT NULL, metrics TEXT NOT NULL);";
 
-/// Beside those: it came later, and older databases are read without it.
+/// An additional table that older databases do not have; they are read without it.
 const char* const kMachineTable =
     "CREATE TABLE IF NOT EXISTS machine_failures(run INTEGER PRIMARY KEY);";
 
@@ -303,7 +303,7 @@ base::Diagnostics ResultStore::dropFailed(bool all) {
                              ";DELETE FROM machine_failures;COMMIT";
   if (!run(change.c_str())) {
     base::Diagnostics problems = trouble("batch.cannot-store");
-    run("ROLLBACK");  // without effect where nothing was begun
+    run("ROLLBACK");  // without effect where no transaction was begun
     return problems;
   }
   return readRuns();
@@ -364,7 +364,7 @@ base::Diagnostics ResultStore::add(const StoredRun& run) {
   to.bind(6, run.row.reason);
   to.bind(7, run.row.simulated);
   to.bind(8, fieldsText(run.row));
-  // A transaction of its own, but for the mark of one that the machine ended.
+  // The insertion commits by itself, unless the run is also marked as ended by the machine.
   const bool isMarked = !run.row.ok && run.row.failedBy == FailedBy::Machine;
   const std::string mark = "BEGIN IMMEDIATE;" + std::string(kMachineTable) +
                            "INSERT OR IGNORE INTO machine_failures VALUES(" +

@@ -82,7 +82,7 @@ class ResultStore {
   /// Inputs of the run belong to the study from then on. Errors: one of them is another file than
   /// for the study; the run is not added then.
   base::Diagnostics add(const StoredRun& run);
-  /// Takes failed runs out, so that they are missing: those that the machine ended, or all.
+  /// Removes failed runs, so that they count as missing: those that the machine ended, or all.
   base::Diagnostics dropFailed(bool all);
   /// Of the runs that are missing.
   base::Diagnostics setTimeLimit(double seconds);

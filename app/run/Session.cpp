@@ -254,7 +254,7 @@ void Session::serve(sim2d::HumanBehavior& behavior, const sim2d::WorldView& view
   }
 }
 
-/// Called without the lock: the callback may give orders, or take locks of threads that do.
+/// Called without the lock: the callback may send commands, or take locks of threads that do.
 void Session::refresh(const sim2d::World& world, std::unique_lock<std::mutex>& lock) {
   wantsRefresh_ = false;
   if (refresh_) {
@@ -289,7 +289,7 @@ bool Session::waitForTurn(sim2d::World& world) {
       return false;
     } else if (wantsRefresh_ || (paused_ && !isWaiting)) {
       isWaiting = paused_;
-      refresh(world, lock);  // and looks again: there may be other orders
+      refresh(world, lock);  // and checks again: there may be other commands
     } else if (paused_) {
       changed_.wait(lock);
     } else {

@@ -75,8 +75,8 @@ class Session {
   /// Sees each state before the next step, in the thread that runs, and may change the world.
   using Changer = std::function<void(const sim2d::Frame&, sim2d::World&)>;
   void changeWith(Changer change) { change_ = std::move(change); }
-  /// Gets the newest state once more whenever `refresh` is called and each time the run begins to
-  /// wait in a pause; between two steps, in the thread that runs, not while something is repeated.
+  /// Receives the newest state again whenever `refresh` is called and each time the run begins to
+  /// wait in a pause; between two steps, in the thread of the run, not while a part is repeated.
   void refreshWith(Watcher watch) { refresh_ = std::move(watch); }
   /// Once. `watch` sees each state before the next step and may give orders; `sink` gets all of
   /// them, the last with the event `stop`.

@@ -145,7 +145,7 @@ bool WorkerProcess::ask(const std::string& question) const {
 
 WorkerProcess::Heard WorkerProcess::hear(std::string& answer) {
   if (takeMessage(heard_, answer)) {
-    return Heard::Answer;  // it came with the one before
+    return Heard::Answer;  // it arrived together with the previous one
   }
   if (receive(socket_, heard_, MSG_DONTWAIT) == 0) {
     return Heard::End;

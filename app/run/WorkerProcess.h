@@ -13,7 +13,7 @@ namespace app {
 /// length of four bytes, over a pair of sockets. Of the parent only one thread may be running.
 class WorkerProcess {
  public:
-  /// Sends a message before the answer, to be heard also if the process ends without one.
+  /// Sends a message before the answer; it is received even if the process ends without an answer.
   using Tell = std::function<void(const std::string& text)>;
   /// Called in the new process for each question; what it throws ends the process.
   using Serve = std::function<std::string(const std::string& question, const Tell& tell)>;
@@ -31,8 +31,8 @@ class WorkerProcess {
 
   int descriptor() const { return socket_; }  // readable when there is something to hear
   enum class Heard { Part, Answer, End };
-  /// Takes what has come, without waiting for more; an answer, or a message before it, is in
-  /// `answer` then. More may have come with it: descriptor() does not tell.
+  /// Reads the available data without waiting for more; an answer, or a message before it, is then
+  /// in `answer`. More messages may have arrived with it, which descriptor() does not indicate.
   Heard hear(std::string& answer);
 
   /// Ends it, unless it has ended by itself; returns what waitpid tells.

@@ -169,8 +169,8 @@ void addBatch(CommandRegistry& commands) {
                        "Go on with a batch that was interrupted; begin it if there is none");
   CLI::Option* const retry = command.add_flag(
       "--retry-failed", options.retryFailed,
-      "As --resume, and make all failed runs again (--resume alone: those that were killed or had "
-      "no memory)");
+      "As --resume, and repeat all failed runs (--resume alone repeats those that were killed or "
+      "ran out of memory)");
   CLI::Option* const force =
       command
           .add_flag("--force", options.force,

@@ -240,7 +240,7 @@ std::string machineName() {
          sim2d::vectorPathName(sim2d::fastestVectorPath());
 }
 
-/// A row as JSON: numbers where the cell is one.
+/// A row as JSON; cells that hold a number are numbers.
 Json jsonOf(const std::vector<std::string>& cells) {
   const std::vector<std::string> keys = headline();
   Json row;
@@ -253,7 +253,7 @@ Json jsonOf(const std::vector<std::string>& cells) {
 
 using ShowCells = std::function<void(const std::vector<std::string>&)>;
 
-/// Measures all sizes, without and with walls; nothing when a run has failed.
+/// Measures all sizes, without and with walls. Nothing is returned when a run has failed.
 std::optional<std::vector<BenchPoint>> measureSizes(const BenchOptions& options,
                                                     const std::string& tree,
                                                     const ShowCells& show) {

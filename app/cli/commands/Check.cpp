@@ -75,7 +75,8 @@ base::Diagnostics checkTree(const std::string& path) {
   return found;
 }
 
-/// With its scenarios, as `batch` checks them; code that needs --allow-code is a warning.
+/// Checks the experiment and its scenarios as `batch` does; code that needs --allow-code is a
+/// warning.
 base::Diagnostics checkExperiment(const std::string& path) {
   base::Result<Experiment> experiment = readExperiment(path);
   base::Diagnostics found = experiment.diagnostics();
@@ -152,8 +153,8 @@ void addCheck(CommandRegistry& commands) {
   command.add_option("--trees", options.scenario.trees, "Folder with their trees");
   command
       .add_option("--nav2-distro", options.distro,
-                  "Of files of Nav2: humble, jazzy, kilted, lyrical or main (default: guessed "
-                  "from the file)")
+                  "Branch of Nav2 files: humble, jazzy, kilted, lyrical or main (default: "
+                  "guessed from the file)")
       ->check(oneOf(sim2d::fieldOf<sim2d::Robot>("nav2_distro")->spec.choices));
 }
 

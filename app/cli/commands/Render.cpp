@@ -57,7 +57,7 @@ struct RenderOptions {
   std::optional<double> timeMarks;  // [s] between two
   std::string strip;                // a number of instants, or their times
   std::string plot;                 // keys of metrics
-  bool force = false;               // a file of others may be replaced
+  bool force = false;               // third-party files may be replaced
 };
 
 enum class Kind { Picture, Vectors, Film, Page, Bag, Trajnet, Socnav3 };
@@ -286,7 +286,7 @@ base::Diagnostics writeBag(const std::string& path, const std::string& run) {
   return scans ? bridge::writeRunBag(path, *recorded->recording, *scans) : scans.diagnostics();
 }
 
-/// As a file of another program.
+/// Writes the run as a file of another program.
 void writeTracks(const RenderOptions& options, Kind kind, const sim2d::Trace& trace, bool quiet) {
   const double rate = options.fps.value_or(0.0);
   const base::Result<std::string> text =

@@ -30,7 +30,7 @@ std::string oneDecimal(double value) {
   return base::formatDecimals(std::round(value * 10.0) / 10.0, 1);
 }
 
-/// Who sees each state of a run; null: not there, but for the last.
+/// Observers of each state of a run; all but the last may be null.
 struct Watchers {
   RunAgain* again = nullptr;
   RunOnRos2* ros2 = nullptr;
