@@ -42,7 +42,7 @@ struct Instant {
   std::size_t index = 0;            // of now, from 0
   double begin = 0.0;               // time of the first sample [s]
   std::optional<double> arrival{};  // of the robot at its goals, by an event up to here [s]
-  bool keepsSeries = true;          // somebody wants one value per sample
+  bool keepsSeries = true;          // one value per sample is requested
   NumberStore* store = nullptr;     // takes series; null: they stay in memory
   TermMemory* memory = nullptr;     // null: terms are worked out again
 

@@ -10,12 +10,12 @@ namespace {
 constexpr double kSlack = 1e-9;  // [s]
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// Integral from 0 of P(x / h), P being Legendre's polynomial of second degree.
+/// Integral from 0 of P(x / h), where P is the Legendre polynomial of degree two.
 double ofParabola(double x, double h) {
   return 0.5 * (x * x * x / (h * h) - x);
 }
 
-/// The same of x P(x / h).
+/// The same for x P(x / h).
 double ofSlope(double x, double h) {
   return 0.5 * (0.75 * x * x * x * x / (h * h) - 0.5 * x * x);
 }
@@ -40,7 +40,7 @@ double Jerk::secondDifference() const {
   return (latter - former) / ((after.time - before.time) / 2.0);
 }
 
-/// Of (speed - that at the centre) P between two samples, as far as the window goes.
+/// Integral of (speed - speed at the centre) P between two samples, within the window.
 double Jerk::integral(const Point& from, const Point& to, const Point& centre) const {
   const double a = std::max(from.time - centre.time, -half_);
   const double b = std::min(to.time - centre.time, half_);

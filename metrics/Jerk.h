@@ -18,11 +18,11 @@ class Jerk {
   /// `halfWindow` [s].
   explicit Jerk(double halfWindow) : half_(halfWindow) {}
 
-  /// Takes the next speed [m/s] at a time [s] that is not before the one before. Calls
-  /// `take(jerk)` [m/s³] for each sample that has its whole window by now, in order, from the
-  /// second one on; NaN: no time passes beside it, or its window begins before the first sample.
-  /// `between(jerk)` gets that of the middle between it and the one before, if there is one: what
-  /// is largest depends less on where samples lie.
+  /// Takes the next speed [m/s] at a time [s] that is not earlier than the previous one. Calls
+  /// `take(jerk)` [m/s³] for each sample whose window is complete, in order, from the second sample
+  /// on; NaN: a neighbour has the same time, or its window begins before the first sample.
+  /// `between(jerk)` receives the jerk at the middle between it and the previous sample, if there
+  /// is one: with it, the maximum depends less on the times of the samples.
   void add(double time, double speed, const std::function<void(double)>& take,
            const std::function<void(double)>& between);
 
@@ -30,7 +30,7 @@ class Jerk {
   struct Point {
     double time = 0.0, speed = 0.0;
   };
-  bool isCoarse() const;  // around the next one to be told
+  bool isCoarse() const;  // around the next sample to be reported
   double secondDifference() const;
   double windowed(const Point& centre) const;
   double integral(const Point& from, const Point& to, const Point& centre) const;

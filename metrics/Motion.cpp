@@ -68,8 +68,9 @@ bool isWithin(const Robot& robot, const Person& person, double limit) {
          gap(robot, person) < limit;
 }
 
-/// The velocities before the sample, as the contact may have stopped the bodies already. Of a
-/// person who was not there before, those of both at the sample: never two of different times.
+/// The velocities before the sample, as the contact may have stopped the bodies already. For a
+/// person who was not present before, the velocities of both at the sample: never velocities of
+/// different times.
 void Contacts::addEntry(const Instant& at, const Person& person, Culprits& to) {
   const Robot& robot = at.now.robot;
   const Person* before = at.before != nullptr ? findPerson(*at.before, person.id) : nullptr;

@@ -15,16 +15,16 @@ bool isInGoalRegion(const RunContext& context, const Vec2& position,
                     const MetricParameters& parameters);
 /// Neither drives nor turns.
 bool isStanding(const Robot& robot, const MetricParameters& parameters);
-/// The robot has arrived by the last sample: by the event where events tell it, else it is in the
-/// goal region there, as always in the original.
+/// Whether the robot has arrived by the last sample: by the event where events record arrivals,
+/// else by its position in the goal region, as always in the original.
 bool isCompleted(const Instant& last);
 double distanceToGoals(const RunContext& context, const Vec2& position);  // nearest goal; inf: none
 
 /// gap < limit; quick for whoever is clearly farther away.
 bool isWithin(const Robot& robot, const Person& person, double limit);
 
-/// When the robot arrived. The one definition for all metrics: at the event, else, where no event
-/// can tell it, at the first sample of the stay in the goal region that still lasts.
+/// When the robot arrived. All metrics share this definition: at the event; where events do not
+/// record arrivals, at the first sample of its last uninterrupted stay in the goal region.
 class Arriving : public Accumulator {
  public:
   void add(const Instant& at) override;

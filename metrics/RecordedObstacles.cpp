@@ -24,7 +24,7 @@ void takeRobotsPoints(const sim2d::RecordedPoints::Range& points, Robot& robot) 
   }
 }
 
-/// One robot of a record, or its people alone.
+/// One robot of a record, or only its people.
 class Evaluator {
  public:
   Evaluator(const sim2d::Trace& trace, const sim2d::RecordedPoints& points,

@@ -70,9 +70,10 @@ struct BehaviorEvaluation {
   std::vector<MetricResult> results;
 };
 
-/// The shortest ways that keys are measured by: corner points; empty where no such key is selected.
+/// Corner points of the shortest paths that metrics are computed with; empty where no such metric
+/// is selected.
 struct ShortestWays {
-  std::vector<Vec2> toGoal, toEnd;  // from the begin of the robot's way
+  std::vector<Vec2> toGoal, toEnd;  // from the start of the robot's path
 };
 
 struct Evaluation {

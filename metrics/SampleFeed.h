@@ -42,14 +42,14 @@ class SampleFeed {
   /// The run has not begun yet.
   void forgetEvents() { noted_.clear(); }
   void add(Sample sample, const OnWay& onWay);
-  /// What was kept aside was not the end: the robot has arrived, at this time [s].
+  /// The samples that were held back were not the end: the robot has arrived, at this time [s].
   void noteArrival(double time);
   std::size_t size() const { return all_.count; }
   Sample& newest() { return *all_.now; }
   /// `all`: results among all people; those that do not look at people are taken over.
   std::vector<MetricResult> values(const std::vector<MetricResult>* all = nullptr,
                                    const SeriesSink& sink = {}) const;
-  /// Of the robot's way, as far as selected keys need them.
+  /// Shortest paths for the robot's way, as far as selected keys need them.
   ShortestWays shortestWays() const;
   /// Series put aside could not be read back.
   bool hasLostSeries() const { return store_ && store_->hasFailed(); }

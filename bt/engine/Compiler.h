@@ -41,7 +41,7 @@ class Scopes {
     bool literal = false;   // a constant of a SubTree: takes the type of its first reader
     bool inScript = false;  // a script assigns it
     std::optional<base::Diagnostic> textSet;  // by SetBlackboard; not yet known whether it matters
-    std::optional<base::Diagnostic> removed;  // idem, by UnsetBlackboard
+    std::optional<base::Diagnostic> removed;  // likewise, by UnsetBlackboard
     bool written = false;
     bool read = false;
     std::string firstTyped;  // who fixed the type, for messages

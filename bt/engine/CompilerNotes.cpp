@@ -4,15 +4,15 @@
 #include "bt/engine/Compiler.h"
 #include "bt/tree/TextValue.h"
 
-/// The part of the compiler that finds what BehaviorTree.CPP 4.10 does otherwise with a tree, for
-/// those who export it. The README has the list.
+/// The part of the compiler that finds where BehaviorTree.CPP 4.10 treats a tree differently, for
+/// users who export it. The README has the list.
 namespace bt {
 namespace {
 
 constexpr std::string_view kPrefix = "tree.there-";
 
-/// Whether a condition has something that outlives its failure: a state, or conditions of its own
-/// that are asked of idle nodes only.
+/// Whether a condition keeps something after its failure: a state, or conditions of its own that
+/// are evaluated only for idle nodes.
 bool keepsState(const NodeSpec& spec, const NodeLibrary& library) {
   static const std::set<std::string_view> kPlain = {
       "AlwaysSuccess",   "AlwaysFailure", "Script",           "ScriptCondition", "SetBlackboard",
@@ -75,7 +75,7 @@ void Compiler::noteNode(const NodeSpec& spec, const Place& place) {
   }
 }
 
-/// A constant of a SubTree has the type that it looks like, and no other.
+/// A constant of a SubTree has the type in which it is written, and no other.
 void Compiler::noteConstant(const NodeSpec& spec, const PortSpec& port, int slot,
                             const std::string& key, const Place& place) {
   const Slot& entry = scopes_.slot(slot);
@@ -86,7 +86,7 @@ void Compiler::noteConstant(const NodeSpec& spec, const PortSpec& port, int slot
                  text, isMended ? text + ".0" : std::string()}));
 }
 
-/// What depends on how all nodes use an entry.
+/// Notes that depend on how all nodes use an entry.
 void Compiler::noteEntries() {
   const std::vector<Program::Entry> aliases =
       notesOnOriginal_ ? scopes_.aliases() : std::vector<Program::Entry>();

@@ -129,7 +129,7 @@ PortBinding Compiler::bindPort(const NodeSpec& spec, const PortSpec& port, const
   return constantPort(text, port.portType, !given);
 }
 
-/// The type of the elements, of a port that takes a queue.
+/// The element type of a port that takes a queue.
 PortType Compiler::elementOf(const NodeSpec& spec, const PortSpec& port) const {
   const PortSpec* const value = port.portType == PortType::Queue
                                     ? library_.catalogue().find(spec.id)->port("value")
@@ -180,8 +180,8 @@ int Compiler::bindEntry(const NodeSpec& spec, const PortSpec& port, const std::s
   return slot;
 }
 
-/// The first port that names an entry makes it, of its type; the types of later ones must be the
-/// same, unless one of the two takes any or the entry holds text.
+/// The first port that names an entry creates it with its type; later ports must have the same
+/// type, unless one of the two accepts any type or the entry holds text.
 void Compiler::declare(int slot, const NodeSpec& spec, const PortSpec& port, PortType element,
                        const std::string& key, const Place& place) {
   Slot& entry = scopes_.slot(slot);

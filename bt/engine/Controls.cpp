@@ -111,8 +111,8 @@ base::NodeStatus Ticker::decideParallel(int node, int skipped, const Thresholds&
   return hasFailed ? Status::Failure : Status::Idle;
 }
 
-/// Ticks the children that are not done in this run, with limits until they decide. IDLE = nothing
-/// is decided.
+/// Ticks the children that have not finished in this run, with limits until the result is decided.
+/// IDLE = it is not decided.
 base::NodeStatus Ticker::tickParallelChildren(int node, int& skipped, const Thresholds* limits) {
   auto& own = memory<ParallelMemory>(node);
   auto* const bits = static_cast<unsigned char*>(memoryOf(node)) + sizeof(ParallelMemory);

@@ -174,7 +174,8 @@ std::optional<bool> Ticker::takeElement(int node) {
   return takeWritten(node, *list);
 }
 
-/// A queue that is written out in the file begins anew with each start.
+/// A queue that is written in the file starts again from its first element with each start of the
+/// node.
 std::optional<bool> Ticker::takeWritten(int node, const Value& list) {
   auto& own = memory<LoopMemory>(node);
   std::string_view rest = list.text;
@@ -192,12 +193,12 @@ std::optional<bool> Ticker::takeWritten(int node, const Value& list) {
   return true;
 }
 
-/// An element that is taken from an entry is gone.
+/// An element that is taken from an entry is removed from it.
 std::optional<bool> Ticker::takeFromEntry(int node) {
   Slot& entry = boundSlot(slots(), nodes_[node].ports[0]);
   Value& list = entry.value;
   const PortType element = nodes_[node].ports[2].type;
-  if (!entry.exists) {  // was removed: the port makes it anew
+  if (!entry.exists) {  // it was removed: the port creates it again
     entry.exists = true;
     entry.type = PortType::Queue;
     entry.element = element;

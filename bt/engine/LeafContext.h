@@ -62,8 +62,8 @@ class LeafContext {
   /// Any value as text ("2,3", or a number); for ports of type Any. May allocate.
   std::optional<std::string> text(int port) const;
 
-  /// Output port. False = the port is no "{key}", or the value does not fit the type of the entry,
-  /// which marks the tree faulty; nothing is written then.
+  /// Output port. False = the port is not a "{key}", or the value does not fit the type of the
+  /// entry, which marks the tree faulty; nothing is written in these cases.
   template <class T>
   bool set(int port, T value) {
     Slot* const slot = slotOf(port);

@@ -129,7 +129,7 @@ base::NodeStatus Ticker::setBlackboard(int node) {
   return setEntry(node, **to, from.value) ? Status::Success : kFault;
 }
 
-/// Text is converted to the declared type; of anything else the type must be that of the entry.
+/// Text is converted to the declared type; any other value must have the type of the entry.
 bool Ticker::setEntry(int node, Slot& to, const Value& value) {
   const bool isText = value.type == ValueType::String;
   if (!isText || !to.exists || to.type == PortType::String || to.type == PortType::Any) {
@@ -170,7 +170,7 @@ bool Ticker::wasUpdated(int node, UpdateMemory& own) {
   if (!entry.exists) {
     return false;
   }
-  const std::uint32_t seen = entry.version + 1;  // 0: it was never looked at
+  const std::uint32_t seen = entry.version + 1;  // 0: it was never read
   const bool updated = seen != own.seen;
   own.seen = seen;
   return updated;

@@ -52,11 +52,11 @@ struct TimerMemory {
   bool started = false;
 };
 struct LoopMemory {
-  std::int32_t taken = 0;  // elements of a queue that is written out, since it started
+  std::int32_t taken = 0;  // elements taken of a queue in the file, since it started
   bool running = false;
 };
 struct UpdateMemory {
-  std::uint32_t seen = 0;  // version of the entry and 1; 0: never looked at
+  std::uint32_t seen = 0;  // version of the entry plus 1; 0: never read
   bool running = false;
 };
 

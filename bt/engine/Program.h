@@ -47,7 +47,7 @@ struct HostEntry {
 struct CompileOptions {
   std::string mainTree;  // empty = as the file says
   std::vector<HostEntry> hostEntries = {{"id", PortType::Int}, {"dt", PortType::Double}};
-  bool notesOnOriginal = false;  // also what BehaviorTree.CPP 4.10 does otherwise with the file
+  bool notesOnOriginal = false;  // also where BehaviorTree.CPP 4.10 treats the file differently
 };
 
 class Program {
@@ -177,7 +177,7 @@ base::Result<std::shared_ptr<const Program>> compile(const TreeFile& file,
                                                      const NodeLibrary& library,
                                                      const CompileOptions& options = {});
 
-/// What BehaviorTree.CPP 4.10 does otherwise with a table that can be compiled; see the README.
+/// Where BehaviorTree.CPP 4.10 treats a table that can be compiled differently; see the README.
 base::Diagnostics notesOnOriginal(const TreeTable& table, const NodeLibrary& library,
                                   CompileOptions options = {});
 

@@ -11,9 +11,9 @@
 #include "bt/engine/Value.h"
 #include "sim2d/base/Result.h"
 
-/// The script language of conditions and Script nodes, compiled to expressions. Numbers as written
-/// are whole (64 bits) or real, what is computed is real; there is no short-circuit: both sides of
-/// && and || are evaluated.
+/// The script language of conditions and Script nodes, compiled to expressions. Literal numbers are
+/// whole (64 bits) or real, computed numbers are real; there is no short-circuit evaluation: both
+/// sides of && and || are evaluated.
 namespace bt {
 
 enum class ScriptSign : std::uint8_t {
@@ -44,9 +44,9 @@ struct ScriptExpression {
   enum class Kind : std::uint8_t {
     Constant,  // constant
     Load,      // the value of `slot`
-    Assign,    // its part to `slot`
-    Unary,     // a sign before its part
-    Combine,   // a + b - c: signs between the parts, from the left
+    Assign,    // its operand to `slot`
+    Unary,     // a sign before its operand
+    Combine,   // a + b - c: operators between the operands, from the left
     Compare,   // a < b < c: all of the comparisons hold
     Choose     // a ? b : c
   };
@@ -80,7 +80,7 @@ class ScriptRunner {
   bool run();
   /// Value of the last statement, after run().
   const Value& result() const { return result_; }
-  /// The result as a condition; nothing = text, or a whole number but 0 and 1.
+  /// The result as a condition; nothing = text, or a whole number other than 0 and 1.
   std::optional<bool> truth() const;
   const std::string& error() const { return error_; }
 

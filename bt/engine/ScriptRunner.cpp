@@ -17,7 +17,7 @@ void setNumber(Value& value, double number) {
   value.text.clear();
 }
 
-/// As the original asks, which is another thing of numbers that are none (0 / 0).
+/// Compares as the original does, which matters for NaN (0 / 0).
 template <class T>
 bool ordered(ScriptSign sign, const T& left, const T& right) {
   switch (sign) {
@@ -49,12 +49,12 @@ std::optional<double> numberOf(const Value& value) {
                 : doubleFromText(value.text);
 }
 
-/// Nothing = text, or a whole number but 0 and 1.
+/// Nothing = text, or a whole number other than 0 and 1.
 std::optional<bool> truthOf(const Value& value) {
   return value.isNumber() ? valueAs<bool>(value) : std::nullopt;
 }
 
-/// Nothing = text that is no number against a number, or no value.
+/// Nothing = text that is not a number compared with a number, or no value.
 std::optional<bool> compareValues(ScriptSign sign, const Value& left, const Value& right) {
   if (left.type == ValueType::String && right.type == ValueType::String) {
     return ordered(sign, left.text, right.text);
@@ -146,7 +146,7 @@ bool ScriptRunner::assign(Slot& slot, ScriptSign sign, Value& value) {
     return fail("an entry that is assigned does not exist (create it with ':=')");
   }
   if (value.type == ValueType::Unset) {
-    return fail("what is assigned has no value");
+    return fail("the assigned expression has no value");
   }
   if (sign == ScriptSign::Create || sign == ScriptSign::Assign) {
     const bool isText = value.type == ValueType::String;
@@ -181,7 +181,8 @@ bool ScriptRunner::combine(ScriptSign sign, Value& left, const Value& right) {
       const std::optional<bool> b = truthOf(right);
       if (!a || !b) {
         return fail(
-            "'&&' and '||' take neither text nor whole numbers but 0 and 1 (compare: 'n != 0')");
+            "'&&' and '||' take neither text nor whole numbers other than 0 and 1 "
+            "(compare: 'n != 0')");
       }
       setNumber(left, (sign == ScriptSign::And ? *a && *b : *a || *b) ? 1.0 : 0.0);
       return true;
@@ -200,7 +201,7 @@ bool ScriptRunner::join(Value& left, const Value& right) {
     return fail("'..' joins something that has no value");
   }
   if (left.isNumber() && right.isNumber()) {
-    left = Value();  // as in the original, which says so where the result is used
+    left = Value();  // as in the original, which reports it where the result is used
     return true;
   }
   if (left.isNumber()) {

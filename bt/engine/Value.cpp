@@ -12,7 +12,7 @@
 namespace bt {
 namespace {
 
-constexpr double kLargestLong = 9.2e18;  // a real beyond it is no int64_t
+constexpr double kLargestLong = 9.2e18;  // a larger real does not fit into int64_t
 
 /// A whole number within the limits, or nothing.
 std::optional<std::int64_t> wholeNumber(const Value& value, double lowest, double highest) {
@@ -142,7 +142,7 @@ std::optional<base::NodeStatus> valueAs(const Value& value) {
 
 namespace {
 
-/// A text as a queue; nothing: an element is not of that type.
+/// A text as a queue. Nothing: an element is not of that type.
 std::optional<Value> listFrom(const Value& text, PortType element) {
   if (text.type != ValueType::String) {
     return std::nullopt;
@@ -158,7 +158,7 @@ std::optional<Value> listFrom(const Value& text, PortType element) {
   return list;
 }
 
-/// What a value of this type declares an entry to be.
+/// The type that a value of this type declares for an entry.
 PortType declaredBy(const Value& value) {
   switch (value.type) {
     case ValueType::Int:
@@ -173,7 +173,7 @@ PortType declaredBy(const Value& value) {
       return PortType::String;
     case ValueType::List:
       return PortType::Queue;
-    case ValueType::Long:  // of no port, so that it meets no entry that is declared
+    case ValueType::Long:  // no port has it, so it fits no declared entry
     case ValueType::Unset:
       break;
   }
@@ -316,7 +316,7 @@ bool store(Slot& slot, const Value& value) {
     const bool wasThere = slot.exists;
     declare(slot, value);
     if (!wasThere && value.type == ValueType::String) {
-      slot.type = PortType::Any;  // a text that makes an entry declares nothing
+      slot.type = PortType::Any;  // a text that creates an entry declares no type
     }
     copyValue(slot.value, value);
     return noteWrite(slot);

@@ -14,14 +14,14 @@
 namespace bt {
 
 /// The type with which a value was made. Long: a whole number written in a script (int64_t), which
-/// no port has. List: what is left of a queue.
+/// no port has. List: the remaining elements of a queue.
 enum class ValueType : std::uint8_t { Unset, Int, Long, Unsigned, Bool, Double, String, List };
 
 struct Value {
   ValueType type = ValueType::Unset;
   PortType element = PortType::Any;  // of a List
   union {
-    std::int64_t integer = 0;  // whole numbers and Bool; of a List how many elements are left
+    std::int64_t integer = 0;  // whole numbers and Bool; number of remaining elements of a List
     double real;               // Double
   };
   mutable std::string text;  // String; elements with ';' between; of a number its text, once asked
@@ -41,7 +41,7 @@ struct Value {
   bool isWhole() const { return type >= ValueType::Int && type <= ValueType::Bool; }
   bool isNumber() const { return type >= ValueType::Int && type <= ValueType::Double; }
   double number() const { return type == ValueType::Double ? real : static_cast<double>(integer); }
-  std::string toText() const;  // for people: "0.5", "true"; "" when unset
+  std::string toText() const;  // for display: "0.5", "true"; "" when unset
 };
 /// The text that string ports and '..' see: "0.500000" for a real, "1" for true.
 std::string engineText(const Value& value);
@@ -75,32 +75,32 @@ std::optional<std::string_view> valueAs(const Value& value);
 template <>
 std::optional<base::NodeStatus> valueAs(const Value& value);
 
-/// `value` as a port of this type takes it, or nothing. `element`: of a queue.
+/// `value` as a port of this type reads it, or nothing. `element`: element type of a queue.
 std::optional<Value> convertTo(const Value& value, PortType type, PortType element = PortType::Any);
 
-/// One entry of the blackboard. `type` is what the first port or typed value declared; what is
-/// written later has to fit it or the value that is there, see below.
+/// One entry of the blackboard. `type` is the type that the first port or typed value declared;
+/// later values must fit it or the present value, see below.
 struct Slot {
   Value value;
   PortType type = PortType::Any;     // Any: not declared yet
   PortType element = PortType::Any;  // of a Queue
-  bool exists = false;               // made at load or written since
-  bool isObject = false;             // declared as BT::Any: its first value is no text of a script
+  bool exists = false;               // created at load or written since
+  bool isObject = false;             // declared as BT::Any: its first value is not text of a script
   std::uint32_t version = 0;         // counts the writes
 };
 
-/// Blackboard::set<T> of a value of type T: what a leaf writes to an output port, or the host.
-/// False = the value does not fit the type of the entry; nothing is written then.
+/// Blackboard::set<T> of a value of type T: a leaf writes to an output port, or the host to an
+/// entry. False = the value does not fit the type of the entry; nothing is written then.
 bool store(Slot& slot, const Value& value);
 bool store(Slot& slot, double value);  // the two that are written in every step; no allocation
 bool store(Slot& slot, int value);
-/// Any::copyInto: the value that is there keeps its type. False = it does not fit.
+/// Any::copyInto: the present value keeps its type. False = the new value does not fit.
 bool copyInto(Value& to, const Value& from);
-/// The assignment of a script. `number`: of a text; nothing = it is none.
+/// The assignment of a script. `number`: the number in a text; nothing = the text is not a number.
 bool assign(Slot& slot, const Value& value, const std::optional<double>& number);
 /// Blackboard::set<Any>, as SetBlackboard does: the type must be that of the entry.
 bool storeAny(Slot& slot, const Value& value);
-/// As if it had never been.
+/// As if the entry had never existed.
 void remove(Slot& slot);
 
 /// Where a port takes its value. Eight bytes, as ports are most of what a tick reads.

@@ -48,7 +48,7 @@ std::unique_ptr<sim2d::HumanBehavior> makeTreeBehavior(
     const sim2d::Scenario& scenario, const TreeFiles& files, base::Diagnostics& diagnostics,
     const sim2d::Compatibility& quirks = {}, const std::shared_ptr<KnownTrees>& known = nullptr);
 
-/// The same trees for the same people, none of whom has entered yet; `behavior` is one of
+/// The same trees for the same people, none of whom has entered yet; `behavior` was returned by
 /// makeTreeBehavior. Nothing is read or compiled again.
 std::unique_ptr<sim2d::HumanBehavior> withFreshMinds(const sim2d::HumanBehavior& behavior);
 

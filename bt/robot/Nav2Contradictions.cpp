@@ -79,7 +79,7 @@ class Contradictions {
         parameters_, name + (isMain ? ".primary_controller.plugin" : ".primary_controller"), "");
   }
 
-  /// At the place of the key, else of its plugin.
+  /// The problem at the line of the key, else of its plugin.
   void add(const std::string& path, const char* code, base::ProblemValues values,
            base::Severity severity = base::Severity::Warning) {
     base::Diagnostic problem = base::problem(severity, code, std::move(values), parameters_.file);
@@ -106,7 +106,8 @@ class Contradictions {
     }
   }
 
-  /// What collides in the simulator is the robot's body; what Nav2 avoids with is the costmap's.
+  /// The simulator computes contacts with the robot's body; Nav2 avoids obstacles with the
+  /// footprint of the costmap.
   void checkBody(const std::string& node, const CostmapParameters& costmap) {
     constexpr double kAlike = 0.02;  // [m]
     const bool hasFootprint = !costmap.footprint.empty() && costmap.footprint != "[]";

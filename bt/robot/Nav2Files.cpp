@@ -198,7 +198,7 @@ Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string
   }
   sim2d::nav2::Nav2Reading reading = readWith(*file, choice, robot, loaded.wrongValues);
   for (base::Diagnostic& problem : reading.problems) {
-    if (problem.code == "nav2.partial-file") {  // no other file completes it
+    if (problem.code == "nav2.partial-file") {  // no other file completes this one
       problem =
           base::error("nav2.no-controller", {reading.parameters.held}, problem.file, problem.line);
     }

@@ -201,7 +201,7 @@ class Nav2Planner final : public sim2d::Planner {
   mutable ShownCosts localCosts_, globalCosts_;
 };
 
-/// Of a file with other errors, whose servers are not made.
+/// For a file with other errors, whose servers are not created.
 base::Diagnostics costmapErrors(const Nav2Loaded& loaded) {
   base::Diagnostics errors;
   if (loaded.parameters.file.empty()) {

@@ -14,8 +14,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
 
-/// Of github.com/ros-navigation/navigation2: what the formulas were taken from. Lyrical has those
-/// of main.
+/// Commits of github.com/ros-navigation/navigation2 from which the formulas were taken. Lyrical has
+/// those of main.
 const char* commitOf(Distro distro) {
   static constexpr const char* kCommits[] = {"3c3db59", "f4108e5", "71a1d84", "a3a9704", "a3a9704"};
   return kCommits[static_cast<std::size_t>(distro)];

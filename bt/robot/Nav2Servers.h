@@ -52,10 +52,10 @@ class Nav2Servers final : public NavigatorHost {
     int robotId = -1;
     sim2d::nav2::FilterMasks localMasks{}, globalMasks{};  // of filters
   };
-  /// What is wrong with the costmaps, with the places of the file's values.
+  /// Problems of the costmaps, at the lines of the file's values.
   static base::Diagnostics costmapProblems(const Setup& setup);
-  /// Problems of costmaps, controllers and the rest, with the places of the file's values; with
-  /// errors there are no servers.
+  /// Problems of costmaps, controllers and other servers, at the lines of the file's values. With
+  /// errors, there are no servers.
   static base::Result<std::unique_ptr<Nav2Servers>> make(Setup setup);
   ~Nav2Servers() override;
   Nav2Servers(const Nav2Servers&) = delete;

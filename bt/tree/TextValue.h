@@ -19,7 +19,7 @@ std::optional<double> doubleFromText(std::string_view text);
 std::optional<bool> boolFromText(std::string_view text);  // 0 1 true TRUE True false FALSE False
 std::optional<base::NodeStatus> statusFromText(std::string_view text);
 
-/// The elements of a queue, with ';' between; one behind the last element separates nothing.
+/// The elements of a queue, separated by ';'; a trailing ';' is ignored.
 std::vector<std::string> elementsOf(std::string_view list);
 
 /// The number that a port of a numeric type is given by this text, when that is not all that

@@ -193,7 +193,7 @@ void Checker::checkPort(const NodeSpec& node, const Attribute& given, const Port
   if (referencedKey(given.text, port.key)) {
     return;
   }
-  if (!isConvertible(given.text, port.portType)) {  // also of an output, as the original
+  if (!isConvertible(given.text, port.portType)) {  // also for an output, as in the original
     error(node, "tree.port-type", {given.name, given.text, portTypeName(port.portType)});
     return;
   }

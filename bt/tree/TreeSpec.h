@@ -114,7 +114,7 @@ struct TreeTable {
   std::map<std::string, Entry, std::less<>> entries;  // by tree ID
   std::vector<XmlBlock> subTreeModels;                // <SubTree ID=…> of the model blocks
   std::set<std::string, std::less<>> declaredNodes;   // IDs of the other nodes of these blocks
-  bool hasModel = false;                              // there is such a block
+  bool hasModel = false;                              // the file has such a block
   /// Where a {GOAL_SEQUENCE} was left over.
   struct TemplateText {
     std::string file;

@@ -43,7 +43,7 @@ class LatestTask {
 
   bool isBusy() const { return running_.valid(); }
 
-  /// Nothing that was requested so far is delivered. Does not wait.
+  /// Discards the results of all earlier requests. Does not wait.
   void forget() {
     waiting_ = nullptr;
     isForgotten_ = running_.valid();

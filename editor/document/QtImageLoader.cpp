@@ -50,14 +50,14 @@ struct Format {
   const char* bytes;
 };
 
-/// By their content; those that Qt reads only with plugins, or not at all.
+/// Formats by their content; those that Qt reads only with plugins, or not at all.
 constexpr Format kOthers[] = {
     {"TIFF", 0, "II*"},      {"TIFF", 0, "MM"},       {"WebP", 8, "WEBP"},
     {"AVIF", 4, "ftypavif"}, {"HEIF", 4, "ftyphei"},  {"JPEG 2000", 4, "jP  "},
     {"GIF", 0, "GIF8"},      {"JPEG", 0, "\xFF\xD8"}, {"XCF (GIMP)", 0, "gimp xcf"},
     {"PDF", 0, "%PDF"},      {"SVG", 0, "<svg"},      {"Photoshop", 0, "8BPS"}};
 
-/// "TIFF"; null: of no format that is known.
+/// "TIFF"; null: the format is not known.
 const char* formatOf(const QString& path) {
   QFile file(path);
   const QByteArray begin = file.open(QIODevice::ReadOnly) ? file.read(16) : QByteArray();
@@ -68,7 +68,7 @@ const char* formatOf(const QString& path) {
   return found == std::end(kOthers) ? nullptr : found->name;
 }
 
-/// "PGM, PNG, JPEG, BMP": of the usual formats those that work here.
+/// "PGM, PNG, JPEG, BMP": the usual formats that this installation can read.
 std::string knownFormats() {
   const QList<QByteArray> supported = QImageReader::supportedImageFormats();
   std::string names = "PGM";

@@ -266,7 +266,7 @@ void ScenarioDocument::startCheck() {
 
 void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {
   Q_EMIT aboutToBeReplaced();
-  if (!selection_.empty()) {  // first: forms commit typed text with the ids of this scenario
+  if (!selection_.empty()) {  // first, as forms commit typed text with the ids of this scenario
     selection_.clear();
     Q_EMIT selectionChanged();
   }

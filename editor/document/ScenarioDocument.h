@@ -178,7 +178,7 @@ class ScenarioDocument : public QObject {
  Q_SIGNALS:
   void changed(editor::Change change);  // of one thing; more may follow at once
   void settled();                       // behind the last `changed` of a step
-  void aboutToBeReplaced();             // by another one; typed text is committed to this one
+  void aboutToBeReplaced();             // by another document; typed text is committed to this one
   void mapChanged();
   void selectionChanged();
   void pathChanged();

@@ -5,8 +5,8 @@ class QMenu;
 
 namespace editor {
 
-/// Takes everything out. The parts are deleted after the current event: one of them may be the
-/// action or button that the event came from.
+/// Removes all items. They are deleted after the current event: one of them may be the action or
+/// button that sent the event.
 void clearLater(QMenu& menu);
 void clearLater(QLayout& layout);
 

@@ -9,7 +9,7 @@ namespace editor {
 /// it when its subject is replaced: a run that continues meanwhile may select another person.
 class PanelMenu {
  public:
-  /// An empty one in the place of the one before; `owner` is its parent.
+  /// Replaces the menu by an empty one; `owner` is its parent.
   QMenu& begin(QWidget& owner);
   void close();
 

@@ -35,7 +35,7 @@ void finishTyping(QWidget& window) {
     return;  // a menu or dialog that took the keyboard has committed the text
   }
   field->clearFocus();
-  if (field && field->isVisible()) {  // a field in a list is closed by now
+  if (field && field->isVisible()) {  // a field in a list is already closed
     field->setFocus();
   }
 }

@@ -386,7 +386,7 @@ base::Diagnostics BehaviorPanel::saveTreeTo(const QString& path, EntityId person
   return problems;
 }
 
-/// A run that continues behind the dialog may select another person.
+/// A run that continues while the dialog is open may select another person.
 void BehaviorPanel::askForTree() {
   const EntityId person = person_;
   const QString path = QFileDialog::getOpenFileName(

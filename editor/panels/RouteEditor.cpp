@@ -90,7 +90,7 @@ void RouteEditor::show(const std::vector<int>& goals) {
 }
 
 void RouteEditor::rebuild() {
-  menu_.close();  // it is about the route of before
+  menu_.close();  // it is about the previous route
   for (QWidget* part : parts_) {
     part->hide();
     part->deleteLater();

@@ -269,7 +269,7 @@ void ScenarioPanel::rename(EntityId id) {
   if (!filter_->indexOf(id).isValid()) {
     filterField_->clear();
   }
-  finishTyping(*tree_);  // also when the keyboard is elsewhere: a list has one field at a time
+  finishTyping(*tree_);  // also without keyboard focus: a list has one field at a time
   const QModelIndex row = filter_->indexOf(id);
   if (row.isValid()) {  // a menu may be older than what has become of the thing
     tree_->scrollTo(row);

@@ -35,7 +35,7 @@ ToolManager::ToolManager(ScenarioDocument& document, MapScene& scene, const Tool
   });
   connect(&document, &ScenarioDocument::aboutToBeReplaced, this, [this] {
     if (current_ != nullptr) {
-      current_->cancel();  // the ids that a gesture holds have another meaning from now on
+      current_->cancel();  // the ids that a gesture holds refer to other entities now
     }
   });
   setCurrent(entries_.front());

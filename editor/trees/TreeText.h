@@ -23,7 +23,7 @@ class TreeText : public QWidget {
   /// than before.
   void showText(const std::string& text);
   void showLine(int line);  // from 1; 0 = none
-  void finishTyping();      // what is typed is taken now, if it can be read
+  void finishTyping();      // applies the typed text now, if it can be parsed
   QPlainTextEdit& text() const { return *text_; }
   QString problem() const { return problem_->text(); }
 

@@ -118,7 +118,7 @@ class Arrivals : public Accumulator {
     const std::optional<double> arrival = robot_.time(last);
     const bool isTold = times_.count(last.context.robotId) > 0;
     if (last.context.hasRobot && !isTold && arrival && !last.isOriginal()) {
-      sum += *arrival;  // no event can tell it
+      sum += *arrival;  // events do not record it
       ++count;
     } else if (last.context.hasRobot && !last.context.goals.empty()) {
       wait(last.context.robotId);

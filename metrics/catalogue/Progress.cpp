@@ -6,7 +6,7 @@ namespace metrics {
 
 namespace {
 
-/// The original tells how long the record is.
+/// The original gives the duration of the record.
 MetricValue timeToGoal(const Arriving& arriving, const Instant& last) {
   if (last.isOriginal()) {
     return last.elapsed();

@@ -48,7 +48,7 @@ double acceleration(const Instant& at) {
   return at.step() > 0.0 ? (at.now.robot.speed - at.before->robot.speed) / at.step() : kNaN;
 }
 
-/// Of the original, which divides the acceleration by the time once more [m/s^3].
+/// As in the original, which divides the acceleration by the time a second time [m/s^3].
 double originalJerk(const Instant& at) {
   return at.term(acceleration) / at.step();
 }
@@ -68,7 +68,7 @@ double plainJerk(const Instant& at) {
 }
 
 /// The jerks of the robot. Their series has that of sample i at i + 1, and 0 where it is undefined;
-/// the largest of the original's profile is of second differences.
+/// in profile hunav2 the maximum is of second differences.
 class Jerks : public Accumulator {
  public:
   explicit Jerks(const MetricParameters& parameters) : jerk_(0.5 * parameters.jerkWindow) {}

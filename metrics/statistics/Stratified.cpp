@@ -35,7 +35,7 @@ std::size_t countOf(const Strata& strata) {
                          [](std::size_t sum, const Numbers& each) { return sum + each.size(); });
 }
 
-/// Of strata of these sizes, as the smallest whole numbers where those are not large.
+/// Weights of strata of these sizes, as the smallest whole numbers where those are not large.
 Weights weightsOf(const Strata& strata) {
   Weights weights;
   long long common = 1;
@@ -63,10 +63,10 @@ double smallest(const Weights& weights) {
   return *std::min_element(weights.each.begin(), weights.each.end());
 }
 
-/// Ranks of the differences that are not zero, times the weight of their stratum.
+/// Ranks of the non-zero differences, times the weight of their stratum.
 struct WeightedRanks {
   Numbers ranks;
-  double plus = 0.0;  // sum of those of positive differences
+  double plus = 0.0;  // sum over positive differences
   int zeros = 0;
 };
 
@@ -102,7 +102,7 @@ double exactP(const WeightedRanks& all) {
   return std::min(1.0, 2.0 * signedSumAtMost(all.ranks, std::min(all.plus, sum - all.plus)));
 }
 
-/// Means of pairs of differences within the strata, weighted: how much lies up to a place.
+/// Weighted means of pairs of differences within the strata: how much weight lies up to a value.
 class PairMeans {
  public:
   PairMeans(const Strata& strata, Numbers weights) : strata_(strata), weights_(std::move(weights)) {
@@ -114,7 +114,7 @@ class PairMeans {
   }
 
   double all() const { return upTo(high_); }
-  /// The smallest mean up to which at least so much lies.
+  /// The smallest mean up to which at least so much weight lies.
   double at(double weight) const {
     return orderStatistic([this](double x) { return upTo(x); }, weight, low_, high_);
   }

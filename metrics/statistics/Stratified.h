@@ -6,11 +6,11 @@
 #include "metrics/statistics/Summary.h"
 
 /// Two options tried on the same seeds of several strata (scenarios): differences are ranked within
-/// their stratum only, so that no stratum is measured by the spread of another. With one stratum
+/// their stratum only, so that the spread of one stratum does not affect another. With one stratum
 /// the results are those of Paired.h.
 namespace statistics {
 
-/// Differences of the pairs, one list per stratum; empty ones count for nothing.
+/// Differences of the pairs, one list per stratum; empty lists are ignored.
 using Strata = std::vector<Numbers>;
 
 struct StratifiedSignedRank {
@@ -31,14 +31,13 @@ StratifiedSignedRank stratifiedSignedRank(const Strata& differences);
 /// The typical difference of that test (Hodges & Lehmann 1963): median of the means of all pairs of
 /// differences of one stratum, each with itself too, weighted likewise. No differences: NaN.
 double stratifiedShift(const Strata& differences);
-/// Its interval, from the distribution without ties: exact for up to 50 differences, else normal.
-/// Undefined where there are too few.
+/// The interval of that difference, from the distribution without ties: exact for up to 50
+/// differences, else normal. Undefined where there are too few differences.
 Interval stratifiedShiftInterval(const Strata& differences, double level = 0.95);
 
 /// Interval for the mean of the differences of paired rates, each stratum with the share of its
-/// pairs: the intervals of the strata (pairedRateInterval) put together as squares of their
-/// distances from the estimates (Yan & Su 2010, Stat. Biopharm. Res. 2, 323-335). No pairs:
-/// undefined.
+/// pairs: the intervals of the strata (pairedRateInterval) combined as squares of their distances
+/// from the estimates (Yan & Su 2010, Stat. Biopharm. Res. 2, 323-335). No pairs: undefined.
 Interval stratifiedRateInterval(const std::vector<PairedOutcomes>& strata, double level = 0.95);
 
 }  // namespace statistics

@@ -173,7 +173,7 @@ void ScriptsTest::run_badScript_fails_data() {
   row(doubling, "more than 1 MB");
   row("s -= 'a'", "arithmetic with text");
   row("1 && 's'", "take neither text");
-  row("2 && 1", "whole numbers but 0 and 1");
+  row("2 && 1", "whole numbers other than 0 and 1");
   row("x := 1 .. 2", "has no value");
   row("x := 1; x := 0.5", "does not fit");
   row("x := 1; x += 0.5", "does not fit");
