@@ -57,20 +57,21 @@ constexpr char kIntroduction[] = R"(# Metrics
 
 Written by `hunavsim list metrics --format markdown`; do not edit by hand.
 
-Every value can be worked out again from this page and three files of a run: `trajectory.csv`,
-`events.csv`, `trace.json`. Numbers in the first column are those of HuNavSim's evaluator; the others
-are ours. SI units, radians, world frame. Profile `corrected` (default) uses the formulas below.
-Profile `hunav2` gives the same numbers as the public HuNavSim 2.0 evaluator, with its peculiarities.
-Names in `code` are keys, parameters (last section) or names in the files.
+Every value can be recomputed from this page and three files of a run: `trajectory.csv`,
+`events.csv`, `trace.json`. Metrics with a number in the first column are those of HuNavSim's
+evaluator; the others are defined by this program. SI units, radians, world frame. Profile
+`corrected` (default) uses the formulas below. Profile `hunav2` gives the same numbers as the public
+HuNavSim 2.0 evaluator, with its peculiarities. Names in `code` are keys, parameters (last section)
+or names in the files.
 
-A value that a record does not define is empty in CSV and `null` in JSON, with the reason; so is an
-infinite one, which only the evaluator's own files (`--layout`) have as `inf`.
+A value that is undefined for a record is empty in CSV and `null` in JSON, with the reason; so is an
+infinite value, which is `inf` only in the evaluator's own files (`--layout`).
 
 ## Samples
 
-The rows of `trajectory.csv` with one `step` are a sample i = 0 .. N-1 at the time t_i = `step` *
-`dt` of `trace.json`; `metrics.frequency` there, when not 0, takes the first and then those at or
-after the next multiple of its period. dt_i = t_(i+1) - t_i, T = t_(N-1) - t_0.
+The rows of `trajectory.csv` with the same `step` are a sample i = 0 .. N-1 at the time t_i = `step`
+* `dt` of `trace.json`; if `metrics.frequency` there is not 0, only the first sample and those at or
+after the next multiple of its period are used. dt_i = t_(i+1) - t_i, T = t_(N-1) - t_0.
 
 - Robot (kind `robot`; the first has `id` -1): position p, heading psi, velocity v = (`vx`, `vy`) in
   the world, speed s = |v|, turning speed w = `omega`; from `trace.json` its radius r_r, v_max =
@@ -81,34 +82,35 @@ after the next multiple of its period. dt_i = t_(i+1) - t_i, T = t_(N-1) - t_0.
   R = r_r + r_a, C = q - p, closing velocity V = v - u.
 - wrap(x) is in (-pi, pi]; cross(a, b) = a_x b_y - a_y b_x.
 - Sums, means, minima and maxima "over i, a" run over all samples and the people in each.
-- A time, or a share of time, is the sum of the dt_i of the samples i at which its condition holds
-  (the state of a sample lasts until the next one; the last counts for nothing), for a share * 100 / T,
-  0 if T = 0. A share of samples is 100/N * their number. A time-weighted mean is sum f_i dt_i / sum
-  dt_i over the samples that have a value, but the last one.
-- People are told apart by `id`. Whoever is not in the sample before, has an event `enter` since then,
-  or steps over the seam of `wrap_x` (nearer to where they were when moved by its length), has jumped.
+- A time, or a share of time, is the sum of the dt_i of the samples i at which its condition holds (the
+  state of a sample lasts until the next one; the last sample adds nothing); a share is this sum * 100
+  / T, 0 if T = 0. A share of samples is 100/N * their number. A time-weighted mean is sum f_i dt_i /
+  sum dt_i over the samples that have a value, except the last one.
+- People are identified by `id`. A person who is not in the previous sample, has an event `enter`
+  since then, or crosses the seam of `wrap_x` (is nearer to the previous place when moved by its
+  length) has jumped.
 
 ## The robot's way
 
-Metrics that need a robot look at the samples of its way (`corrected`): N, T and t_0 are those of the
-way. It begins with the first sample at or after `start_time` and ends with its arrival, between two
-samples with the second. `metrics.from` and `metrics.until` of `trace.json`, where one of them says
-something else than `begin` and `end`, are heeded instead of both. Metrics that need no robot look at
-the whole record.
+Metrics that need a robot use the samples of its way (`corrected`): N, T and t_0 are those of the
+way. It begins with the first sample at or after `start_time` and ends with its arrival; if that is
+between two samples, with the second. If one of `metrics.from` and `metrics.until` of `trace.json`
+differs from `begin` and `end`, both replace these limits. Metrics that need no robot use the whole
+record.
 
-One arrival counts for every key, table and file:
+All keys, tables and files use the same arrival:
 
-- A robot that the program has simulated (`planner` in `trace.json` is neither empty nor `recorded`) arrives at the
-  time of its first event `arrived`: its centre is within the radius of its last goal. Without that
-  event it has not arrived, however near it stands. An event `arrived` with the text `order` is of a
-  place to which the robot was sent from outside and is no arrival.
-- A recorded robot arrives by that event too, if there is one. Else it has arrived when its last sample
-  is in the goal region, |p - g| - radius of g < `goal_tolerance` for some goal g, at the first sample
-  of its last stay there. Its way then ends where it came to stand (s < `stop_linear_speed`, |w| <
-  `stop_angular_speed`) in the region after it has moved, if it stands there to the end, else with the
+- A robot that the program has simulated (`planner` in `trace.json` is neither empty nor `recorded`)
+  arrives at the time of its first event `arrived`: its centre is within the radius of its last goal.
+  Without that event it has not arrived, however near to its goal it is. An event `arrived` with the text
+  `order` refers to a place to which the robot was sent from outside and is not an arrival.
+- A recorded robot also arrives by that event, if there is one. Otherwise it has arrived if its last
+  sample is in the goal region, |p - g| - radius of g < `goal_tolerance` for some goal g, at the first
+  sample of its last stay there. Its way then ends where it stopped (s < `stop_linear_speed`, |w| <
+  `stop_angular_speed`) in the region after moving, if it stays stopped to the end, else with the
   record.
 - A robot with a goal that does not arrive has failed after `time_limit`: its way ends with the first
-  sample at which t_i - t_0 >= `time_limit`, or with the record. While a run goes on this is said of it
+  sample at which t_i - t_0 >= `time_limit`, or with the record. During a run this applies to the run
   so far.
 
 Of several robots each is measured for itself, as if the others were not there. The values of the
@@ -117,27 +119,27 @@ first stand where those of a single one do; those of the others in `metrics.json
 (`evaluate --robot` measures one alone). A `--reference` is beside the first; it is that part of its
 run, of the same robot, or of its first.
 
-Without a robot what needs one is undefined, also if it does not set off. Without goal everything
-about a goal is undefined, but `completed` = 0. With nobody in the record counts, times, shares and
-sums are 0, `space_compliance` is 100, `min_time_to_collision` infinite; means, minima and maxima over
-people or samples with people are undefined. Without map and obstacles clearances, obstacle forces and
-`obstacle_collisions` are undefined, O = 0 in `social_work`, and nothing hides anybody. Without groups
-the keys of groups are 0. A robot that does not move has no value per metre. A rate of change needs two
-samples at different times, a second one three.
+Without a robot, or if it does not start, all metrics that need one are undefined. Without a goal all
+metrics of goals are undefined, except `completed` = 0. Without people in the record counts, times,
+shares and sums are 0, `space_compliance` is 100, `min_time_to_collision` infinite; means, minima and
+maxima over people or samples with people are undefined. Without map and obstacles clearances,
+obstacle forces and `obstacle_collisions` are undefined, O = 0 in `social_work`, and no view is
+blocked. Without groups the metrics of groups are 0. A robot that does not move has no value per
+metre. A rate of change needs two samples at different times, a second one three.
 
 ## Distances and zones
 
 Bands of distance x: intimate 0 <= x < `intimate_distance`, personal from there to x <
-`personal_distance`, social from there to x < `social_distance`. The edges are Hall's (1966), but his
-distances are between persons, and ours, as HuNavSim's, between surfaces: x is c_i, or the distance of
-the robot's surface from the centre of a group, so that at the same x the centres are R farther apart.
-`time_in_personal_space` and `avg_speed_in_personal_space` alone use centres.
+`personal_distance`, social from there to x < `social_distance`. The limits are Hall's (1966), but his
+distances are between persons, and those here, as in HuNavSim, between surfaces: x is c_i, or the
+distance of the robot's surface from the centre of a group, so that at the same x the centres are R
+farther apart. Only `time_in_personal_space` and `avg_speed_in_personal_space` use centres.
 
-A contact or an entry of a zone begins at sample i for a person whose gap is below the limit at i and
-was not at i-1, or who was not there then (also at the first sample of the way). Who caused it: with
-n = C/d at sample i (0 if d = 0), c_r = v n and c_p = -u n; c_r > c_p + 1e-6: the robot, c_p > c_r +
+A contact or an entry into a zone begins at sample i for a person whose gap is below the limit at i and
+was not at i-1, or who was not present at i-1 (also at the first sample of the way). The cause: with n
+= C/d at sample i (0 if d = 0), c_r = v n and c_p = -u n; c_r > c_p + 1e-6: the robot, c_p > c_r +
 1e-6: the person, else both. v and u are those of sample i-1, as contact may have stopped the bodies at
-i; if the person was not there at i-1 or has jumped, both are of sample i.
+i; if the person was not present at i-1 or has jumped, both are those of sample i.
 
 ttc of a pair, on straight courses: 0 if d <= R; else, with b = C V and D = b^2 - |V|^2 (d^2 - R^2),
 (b - sqrt(D))/|V|^2 if b > 0 and D > 0, else there is no collision course.
@@ -146,24 +148,24 @@ ttc of a pair, on straight courses: 0 if d <= R; else, with b = C V and D = b^2 
 
 `obstacles` of `trace.json` are entries of closed outlines (the one named `map` of the map's walls);
 the solid lies to the left of each edge. A place is inside an entry when the winding number of its
-outlines around it, plus 1 if their signed areas add up to less than 0, is above 0. A door is there
-unless it is open: as `open` says at first, and the other way after each time t of `toggles` with
-t <= t_i. The clearance is the distance of the robot's centre from the nearest edge, negative inside,
-less r_r; it exists only where that distance is below 5 m.
+outlines around it, plus 1 if their signed areas add up to less than 0, is above 0. A door is
+present unless it is open: its initial state is `open`, and it changes at each time t of `toggles`
+with t <= t_i. The clearance is the distance of the robot's centre from the nearest edge, negative
+inside, less r_r; it exists only where that distance is below 5 m.
 
 Obstacle points of a body at x (`obstacle_points`: `boundary`): of each edge from a to b, with e its
-unit vector, the foot of the perpendicular from x if it lies between a and b (ends excluded) and
-cross(x - a, e) >= 0; of each corner k, with edges e- into and e+ out of it, the corner itself if
-(x - k) e+ <= 0, (x - k) e- >= 0 and (cross(e+, x - k) <= 0 or cross(e-, x - k) <= 0); only those
-nearer than 5 m, and none whose place 1e-6 m outwards (to the right of the edge, of a corner of both) is
-inside an entry. Then, by distance (equal to 1e-9 m: by x, then y), those that are at least 0.3 m from
-all that were taken before. For x inside an entry instead: the nearest point of an edge that is not
-covered so, alone. With `rays`: where 90 rays, 4 degrees apart from +x on, first meet an edge within 4 m.
+unit vector, the foot of the perpendicular from x if it lies between a and b (ends excluded) and cross(x
+- a, e) >= 0; of each corner k, with edges e- into and e+ out of it, the corner itself if (x - k) e+ <=
+0, (x - k) e- >= 0 and (cross(e+, x - k) <= 0 or cross(e-, x - k) <= 0); only those nearer than 5 m, and
+none whose place 1e-6 m outwards (to the right of the edge, of a corner of both) is inside an entry.
+Then, in the order of distance (if equal to 1e-9 m: of x, then y), those that are at least 0.3 m from
+all points taken before. For x inside an entry instead: only the nearest point of an edge that is not
+excluded in this way. With `rays`: where 90 rays, 4 degrees apart from +x on, first meet an edge within
+4 m.
 
-O(b), the obstacle force on body b (radius r): mean over its points o of
-`obstacle_factor` * exp(-(|x - o| - r)/`obstacle_sigma`) * (x - o)/|x - o|; 0 without points; a point
-within 1e-9 m counts in the number alone. For x inside, |x - o| in the exponent and the sign of the
-whole are negative.
+O(b), the obstacle force on body b (radius r): mean over its points o of `obstacle_factor` * exp(-(|x
+- o| - r)/`obstacle_sigma`) * (x - o)/|x - o|; 0 without points; a point within 1e-9 m counts only in
+the number of points. For x inside, |x - o| in the exponent and the sign of the whole are negative.
 
 F(j -> k), the social force of body j on body k (Moussaid et al. 2009), f in front: with D = |x_j - x_k|,
 e = (x_j - x_k)/D, I = `social_lambda` * (v_k - v_j) + e, L = |I|, h = I/L, B = `social_gamma` * L,
@@ -174,29 +176,29 @@ the robot; for that on a person their `social_force_factor` in `trace.json`, if 
 `person_force_parameters` is 1, else `social_factor` too.
 
 A person sees the robot if theta = angle between their heading and p - q (0 if d = 0) is <=
-`field_of_view`/2 and nothing hides it: the line between the centres meets no outline and no inside of an
-entry other than `map` (doors as above), and all cells of Bresenham's line from the cell of the person to
-that of the robot, both included, have values 0 to 50 (beyond the map: none). Cells are `map.cells` (value,
-repeat, value, repeat ...; row by row from the lower left), a cell is floor of the place in the frame of
-`map.x`, `map.y`, `map.heading`, over `map.resolution`. The line: width w and height h in cells, error =
-w - h; at each step twice = 2 error; if twice > -h: error -= h, one column on; if twice < w: error += w, one
-row on.
+`field_of_view`/2 and nothing blocks the view: the line between the centres meets no outline and no interior
+of an entry other than `map` (doors as above), and all cells of Bresenham's line from the cell of the person
+to that of the robot, both included, have values 0 to 50 (beyond the map: none). Cells are `map.cells`
+(value, repeat, value, repeat ...; row by row from the lower left), a cell is floor of the place in the
+frame of `map.x`, `map.y`, `map.heading`, over `map.resolution`. The line: width w and height h in cells,
+error = w - h; at each step twice = 2 error; if twice > -h: error -= h, one column on; if twice < w: error
++= w, one row on.
 
-Shortest ways, whose corner points are in `metrics.json` (`shortest_ways`: `to_goal` from p_0 to the centre of
-the first goal, `to_end` from p_0 to p_(N-1)), are those of a disc of the robot's radius round walls, map and obstacles, doors open;
-the straight line where the disc gets along it (with the clearance of its ends, where that is less).
-Else: pulled tight, of all ways over cells the shortest, unknown ground only where nothing else leads
-there, arcs round corners as chords, to 2e-4 of its length; the straight line where no way leads there.
-Cells know 16 directions: another side of some obstacle may be shorter by 3.1 % of the way and
-about a cell at each corner, hence `path_efficiency`, `spl` and `stl` too high by so much, at most. A
-passage less than a cell wider than the robot may count as closed.
+Shortest paths, whose corner points are in `metrics.json` (`shortest_ways`: `to_goal` from p_0 to the
+centre of the first goal, `to_end` from p_0 to p_(N-1)), are those of a disc of the robot's radius around
+walls, map and obstacles, with open doors: the straight line where the disc fits along it (with the
+clearance of its ends, where that is less). Otherwise: the shortest of all paths over cells, pulled
+tight, over unknown ground only where there is no other path, with arcs around corners as chords, to 2e-4
+of its length; the straight line where there is no path. Paths over cells have 16 directions: another
+side of some obstacle may be shorter by 3.1 % of the way and about a cell at each corner, so
+`path_efficiency`, `spl` and `stl` are too high by so much at most. A passage less than a cell wider than
+the robot may count as closed.
 
-Obstacle points of O follow from the walls, obstacles and closed doors of a run. A recording of
-another program that carries points (`closest_obs` of hunav_msgs) is measured with those: people with the
-points of all people if any person has some, the robot if it has some; its clearance is then the smaller
-of the distances to the points and to the walls of the map. Without points, map and obstacles O is
-undefined, in `hunav2` 0. The factor of F on a person is that of the recording (`social_force_factor`),
-else `social_factor`.
+Obstacle points of O follow from the walls, obstacles and closed doors of a run. A recording of another
+program that contains points (`closest_obs` of hunav_msgs) is measured with them: people if any person
+has points, the robot if it has points; its clearance is then the smaller of the distances to the points
+and to the walls of the map. Without points, map and obstacles O is undefined, in `hunav2` 0. The factor
+of F on a person is that of the recording (`social_force_factor`), else `social_factor`.
 
 ## Groups and crowds
 
@@ -206,16 +208,16 @@ max(0, min over groups of |p_i - centre| - r_r). The axes of its arrangement: m 
 atan2(2 Sxy, Sxx - Syy)/2 of the sums of products of q - m; the span along an axis n is max(n q + r_a) -
 min(n q - r_a).
 
-Looks at the crowd: the first sample, and each that is at least `crowd_interval` (less 1e-9 s) after the
-last look; a look at nobody is one too, and has no value. Who walks: |u| > 0.05 m/s. With `wrap_x` people
-have images beyond both ends, and walls too.
+Looks at the crowd are the first sample and each sample at least `crowd_interval` (less 1e-9 s) after
+the last look; a look without people counts too, and has no value. People walk if |u| > 0.05 m/s. With
+`wrap_x` people and walls have images beyond both ends.
 
 ## Sampling
 
 Column rate: largest change when a record of smooth motion is sampled twice as often, from 20 Hz on, as a
 share of the larger value, which counts as at least 0.1. The sums 25-34 grow with the recording rate; each
-is given a second time divided by N, with `_mean` at its key. What derivatives do when the sampling
-interval dt gets shorter:
+is also given divided by N, with `_mean` appended to its key. The behaviour of derivatives when the
+sampling interval dt gets shorter:
 
 | key | smooth motion | a step of the acceleration | a step of the speed (a contact) | noise of the record |
 |---|---|---|---|---|
@@ -229,14 +231,14 @@ interval dt gets shorter:
 | `motion_energy`, `failure_to_progress` | sums over samples: grow as 1/dt | same | same | grow |
 | `topological_complexity`, `responsibility`, `engagement` | converges as dt | converges | converges | the last two grow |
 
-The jerk at time t, J(t): the second derivative of the parabola that fits the speed, taken as linear
-between the samples, best within half a window H = `jerk_window`/2 to each side, J(t) = 15/(2 H^3) * integral
-over x from -H to H of s(t + x) (3 x^2/H^2 - 1)/2. J_i = J(t_i), 0 < i < N-1, exists where t_i - H >= t_0 and
-t_i + H <= t_(N-1); `max_jerk` also looks at J((t_(i-1) + t_i)/2) of these i, if that less H is not before t_0.
-Where a neighbour is farther away than H (dt > 0.375 s by default), the sampling itself limits the band: J_i
-is the second difference, (a_i - a_(i-1))/((t_(i+1) - t_(i-1))/2) with a_i = (s_(i+1) - s_i)/dt_i, if both dt > 0,
-and there is none in the middle before. Half the dt moves both keys by 5 % at most from 12.5 Hz on. In `steps.csv`
-J_i stands at sample i+1.
+The jerk at time t, J(t): the second derivative of the parabola that fits the speed, taken as linear between the
+samples, best within half a window H = `jerk_window`/2 to each side, J(t) = 15/(2 H^3) * integral over x from -H
+to H of s(t + x) (3 x^2/H^2 - 1)/2. J_i = J(t_i), 0 < i < N-1, exists where t_i - H >= t_0 and t_i + H <= t_(N-1);
+`max_jerk` also includes J((t_(i-1) + t_i)/2) of these i, if that less H is not before t_0. Where a neighbour is
+farther away than H (dt > 0.375 s by default), the sampling itself limits the band: J_i is the second difference,
+(a_i - a_(i-1))/((t_(i+1) - t_(i-1))/2) with a_i = (s_(i+1) - s_i)/dt_i, if both dt > 0, and there is no value at
+the middle before it. From 12.5 Hz on, halving dt changes both keys by 5 % at most. In `steps.csv` J_i is at
+sample i+1.
 )";
 
 std::string listOf(const std::vector<MetricInfo>& infos) {

@@ -35,7 +35,7 @@ ToolManager::ToolManager(ScenarioDocument& document, MapScene& scene, const Tool
   });
   connect(&document, &ScenarioDocument::aboutToBeReplaced, this, [this] {
     if (current_ != nullptr) {
-      current_->cancel();  // the ids that a gesture holds refer to other entities now
+      current_->cancel();  // the ids that a gesture holds will refer to other entities
     }
   });
   setCurrent(entries_.front());

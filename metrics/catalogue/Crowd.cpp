@@ -214,11 +214,11 @@ crowd_voronoi_density_max|Voronoi density, largest look|1/m²|[0, inf)|max over 
 crowd_specific_flow|Flow per metre of width|1/(m s)|[0, inf)|mean over looks with people of the mean over people of 1/area of their cell * |u|
   (fundamental diagram)
 = Social Behavior|neutral|people|Vicsek et al. 1995
-crowd_polarisation|Common direction of the crowd||[0, 1]|mean over looks at which somebody walks (|u| > 0.05 m/s) of |mean of u/|u|| of who walks
+crowd_polarisation|Common direction of the crowd||[0, 1]|mean over looks at which people walk (|u| > 0.05 m/s) of |mean of u/|u|| of those who walk
 = Social Behavior|neutral|people|Rex and Loewen 2007
-crowd_lane_order|Lanes of the crowd||[0, 1]|mean over looks at which somebody walks of the mean over who walks of ((same - opposite)/(same +
+crowd_lane_order|Lanes of the crowd||[0, 1]|mean over looks at which people walk of the mean over those who walk of ((same - opposite)/(same +
   opposite))^2, over those who walk with |n q_b - n q_a| <= lane_width, a included; main axis m = (cos z, sin z), z = atan2(2 sum u_x u_y, sum (u_x^2
-  - u_y^2))/2 over everybody at that look, n = m turned left; opposite: the sign of m u > 0 differs
+  - u_y^2))/2 over all people at that look, n = m turned left; opposite: the sign of m u > 0 differs
 )";
 
 }  // namespace
