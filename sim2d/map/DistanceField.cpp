@@ -165,8 +165,8 @@ bool DistanceField::isSolid(Cell cell) const {
   return isLarge_ ? distance_.at(grid_.indexOf(cell)) == 0.0F : asked_->isCovered(cell);
 }
 
-/// From a place outside of the grid no wall cell is the nearest that lies behind another one of its
-/// row or column: the first and the last of each are enough.
+/// From a place outside the grid, the nearest wall cell is never one behind another wall cell of
+/// its row or column: the first and the last of each row and column are enough.
 void DistanceField::findBorder() {
   std::vector<int> lowest(static_cast<std::size_t>(grid_.width()), -1);
   std::vector<int> highest = lowest;

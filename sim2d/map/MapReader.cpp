@@ -28,7 +28,8 @@ constexpr double kFinest = 0.001, kCoarsest = 10.0;  // [m/pixel]
 namespace fs = std::filesystem;
 using base::YamlNode;
 
-/// Words of programs for what is no finite number: nan, -.nan, -nan(ind), +inf, 1.#QNAN, 1e999.
+/// Spellings that programs use for numbers that are not finite: nan, -.nan, -nan(ind), +inf,
+/// 1.#QNAN, 1e999.
 bool isNotFinite(const std::string& text) {
   std::string word = base::lowered(text);
   word.erase(0, word.find_first_not_of("+-"));
@@ -131,7 +132,7 @@ class DescriptionReader {
     }
   }
 
-  /// `instead`: what to write in the place of a number that is not finite.
+  /// `instead`: what to write instead of a number that is not finite.
   std::optional<double> number(const YamlNode& node, const char* key, const char* instead) {
     const std::optional<double> value =
         node.isScalar() ? base::parseDouble(node.text) : std::nullopt;
@@ -249,7 +250,7 @@ bool isPgm(const fs::path& path) {
   return input && magic[0] == 'P' && (magic[1] == '2' || magic[1] == '5');
 }
 
-/// What begins like an image of another format is one, whatever it is called.
+/// A file that begins like an image of another format has that format, whatever its name is.
 bool isOtherImage(const fs::path& path) {
   static constexpr std::string_view kBegins[] = {
       {"\x89PNG", 4}, {"\xFF\xD8\xFF", 3}, {"GIF8", 4}, {"BM", 2}, {"RIFF", 4}, {"II*\0", 4},

@@ -37,7 +37,7 @@ Pose2 poseAfter(const ClearanceAlong::Way& way, double time) {
   return pose;
 }
 
-/// Poses to go on by until the gap can have become less than `wide`; 1 when it is no number.
+/// Number of poses to advance until the gap can be less than `wide`; 1 when the result is NaN.
 int posesToSkip(double gap, double wide, double perStep) {
   const double poses = (gap - wide) / perStep;
   return poses > 0.0 ? 1 + static_cast<int>(std::min(poses, 1e4)) : 1;

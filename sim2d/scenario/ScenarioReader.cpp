@@ -263,15 +263,15 @@ const YamlNode* findKey(const YamlNode& root, const std::string& dotted) {
   return node;
 }
 
-/// The places of keys of one file, read when one of them is first asked for.
+/// The places of keys of one file, read when one of them is first requested.
 class KeyPlaces {
  public:
   explicit KeyPlaces(const std::string& text) : text_(text) {}
 
-  /// Of a path below the parameters of either node; null: it is in neither.
+  /// The place of a path below the parameters of either node; null: it is in neither.
   const YamlNode* find(const std::string& dotted) {
     if (!isRead_) {
-      base::Diagnostics ignored;  // told by the reader of the scenario
+      base::Diagnostics ignored;  // reported by the reader of the scenario
       root_ = parseYaml(text_, {}, ignored);
       isRead_ = true;
     }
@@ -377,7 +377,7 @@ void addPlaceOfKey(base::Diagnostics& diagnostics, const std::string& path,
     return;
   }
   const base::Result<std::string> text = base::readTextFile(path);
-  base::Diagnostics ignored;  // told by the reader of the scenario
+  base::Diagnostics ignored;  // reported by the reader of the scenario
   const YamlNode root = text ? parseYaml(*text, path, ignored) : YamlNode();
   const YamlNode* found = nullptr;
   for (const std::string& key : keys) {

@@ -4,8 +4,8 @@
 
 namespace sim2d {
 
-/// Text of the event `arrived` of a robot that reached a place to which it was ordered from
-/// outside, instead of the goals of the scenario.
+/// Text of the event `arrived` of a robot that reached a place to which it was sent from outside
+/// instead of a goal of the scenario.
 constexpr char kAtOrder[] = "order";
 
 /// The robot has reached the last of its own goals.

@@ -219,7 +219,7 @@ void framesToSeconds(TrackFile& file, double framesPerSecond) {
 
 namespace {
 
-/// How rows read as observations of bodies move.
+/// Motion of the bodies when rows are read as observations.
 class StepLengths {
  public:
   void add(double body, double frame, const Vec2& place) {

@@ -50,7 +50,7 @@ class WordReader {
   const std::string& file() const { return file_; }
 
  private:
-  static constexpr std::size_t kMostProblems = 100000;  // 300 bytes each, also of a line of two
+  static constexpr std::size_t kMostProblems = 100000;  // 300 bytes each
 
   std::string file_;
   base::Diagnostics& problems_;
@@ -127,7 +127,7 @@ class FrameTracks {
   TrackPoint* add(WordReader& words, const Word& frame, const Word& id, const Word& x,
                   const Word& y);
   TrackFile finish(const std::string& path, double framesPerSecond);
-  /// False: the frames of bodies go back so often that the file is refused whatever follows.
+  /// False: the frames of bodies decrease so often that the file is refused.
   bool isUsable() const { return backwards_ < kMostBackwards; }
 
  private:

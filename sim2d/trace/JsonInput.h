@@ -9,7 +9,7 @@
 /// JSON of other programs; private to the folder.
 namespace sim2d {
 
-/// None: it is no JSON, which is noted with line and column.
+/// None: the text is not JSON, which is noted with line and column.
 std::optional<nlohmann::json> parseJsonInput(const ForeignInput& input);
 
 }  // namespace sim2d

@@ -68,7 +68,8 @@ class PlaceNotes : public nlohmann::json_sax<nlohmann::json> {
     std::string key;        // of an object
   };
 
-  /// Of paths as our files have them: deep or long ones would take memory by their square.
+  /// Limits of paths, enough for the files of hunavsim: deep or long paths would take quadratic
+  /// memory.
   void note() {
     constexpr std::size_t kMostLevels = 32;
     constexpr std::size_t kLongest = 256;  // [B] of all keys

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Ids of robots where all bodies are pedestrians: those after the people's, in order.
+/// Ids of robots where all bodies are pedestrians: they follow those of the people, in order.
 std::map<int, int> pedestrianIds(const TraceHeader& header) {
   int next = 0;
   for (const TraceHuman& human : header.humans) {
@@ -87,7 +87,7 @@ class SceneWriter {
   std::vector<std::pair<std::size_t, int>> scenes_;  // first sample, pedestrian
 };
 
-/// Closed edges of the obstacles that are drawn, of doors that begin closed.
+/// Edges of the drawn obstacles and of doors that are closed at first.
 Json wallsOf(const TraceHeader& header) {
   Json walls = Json::array();
   for (const TraceObstacle& obstacle : header.obstacles) {
@@ -126,7 +126,7 @@ Json gridOf(const OccupancyGrid& map) {
           {"data", std::move(rows)}};
 }
 
-/// The one that the robot heads for, else its last.
+/// The goal that the robot is heading for, else its last.
 Json goalOf(const TraceRobot& robot, int goal) {
   const auto found = std::find_if(robot.goals.begin(), robot.goals.end(),
                                   [goal](const TraceGoal& each) { return each.id == goal; });
@@ -161,7 +161,7 @@ Json personOf(int id, const BodySample& body, double radius) {
           {"shape", shapeOf(radius)}};
 }
 
-/// An instant of the run; null: the robot is not there.
+/// An instant of the run; null: the robot is absent.
 Json instantOf(const TraceHeader& header, const RecordSample& sample,
                const std::map<int, int>& ids) {
   const TraceRobot& robot = header.robots.front();

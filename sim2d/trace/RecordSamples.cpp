@@ -33,7 +33,7 @@ std::map<int, BodySample> bodiesOf(const BodyColumns& columns) {
   return bodies;
 }
 
-/// Of those that are in both.
+/// For the bodies that are in both states.
 std::map<int, BodySample> bodiesBetween(const BodyColumns& a, const BodyColumns& b, double share) {
   const std::map<int, BodySample> later = bodiesOf(b);
   std::map<int, BodySample> bodies;

@@ -22,8 +22,8 @@ struct RecordSample {
   std::map<int, BodySample> robots;  // by id, -1, -2 …
 };
 
-/// From the first state to the last, 1 / `rate` [s] apart; 0: the states themselves. Between two
-/// states bodies that are in both move evenly.
+/// From the first state to the last, 1 / `rate` [s] apart; 0: the states themselves. Bodies that
+/// are in both of two states are interpolated linearly between them.
 class RecordSamples {
  public:
   RecordSamples(const Trace& trace, double rate);

@@ -17,7 +17,7 @@ constexpr char kPointColumns[] = "step,id,kind,points";
 constexpr char kRobotKind[] = "robot";
 constexpr char kHumanKind[] = "human";
 
-/// "x y x y …"; none: some word is no finite number, or their count is odd.
+/// "x y x y …"; none: a word is not a finite number, or their count is odd.
 std::optional<std::vector<base::Vec2>> pointsOf(const std::string& text) {
   std::vector<double> numbers;
   for (const std::string& word : base::split(text, ' ')) {
@@ -110,7 +110,7 @@ base::Result<RecordedPoints> parseRecordedPoints(const std::string& text, const 
 
 base::Result<RecordedPoints> readRecordedPoints(const std::string& directory) {
   const std::string file = (std::filesystem::path(directory) / kPointsFile).string();
-  std::error_code none;  // records of ours have outlines instead
+  std::error_code none;  // records of hunavsim have outlines instead
   if (!std::filesystem::exists(file, none)) {
     return RecordedPoints();
   }

@@ -10,11 +10,12 @@
 
 namespace sim2d {
 
-/// Obstacle points near people and the robot as the source of a record gives them (`closest_obs` of
-/// hunav_msgs). Where a record has them, they take the place of those worked out from outlines.
+/// Obstacle points near people and the robot from the source of a record (`closest_obs` of
+/// hunav_msgs). Where a record has them, they replace those computed from outlines.
 class RecordedPoints {
  public:
-  /// Of a body at a step; no points: nothing is kept. In any order; `sort` before `of`.
+  /// Adds the points of a body at a step; without points nothing is stored. In any order; call
+  /// `sort` before `of`.
   void add(std::int64_t step, int id, bool isRobot, const std::vector<base::Vec2>& points);
   void sort();
 
@@ -27,7 +28,7 @@ class RecordedPoints {
   };
   Range of(std::int64_t step, int id, bool isRobot) const;
   bool isEmpty() const { return entries_.empty(); }
-  bool hasPeople() const { return hasPeople_; }  // some person has points at some step
+  bool hasPeople() const { return hasPeople_; }  // a person has points at a step
   bool hasRobot() const { return hasRobot_; }
 
   /// The text of obstacle_points.csv.

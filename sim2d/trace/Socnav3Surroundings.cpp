@@ -9,7 +9,7 @@
 namespace sim2d {
 namespace {
 
-constexpr double kWallThickness = 1e-5;  // [m] of what is a line in the file
+constexpr double kWallThickness = 1e-5;  // [m], of a line in the file
 
 std::optional<double> finiteNumber(const nlohmann::json& value) {
   constexpr double kLargest = 1e15;  // times; places have a closer limit
@@ -140,7 +140,7 @@ std::optional<OccupancyGrid> gridOf(const nlohmann::json& grid) {
                        cellsOf(*values));
 }
 
-/// Calls `take(element)` for those of a list; warns with the number of those it refuses.
+/// Calls `take(element)` for the elements of a list; warns with the number of refused ones.
 template <class Take>
 void takeEach(const nlohmann::json* list, const char* name, const ForeignInput& input, Take take) {
   if (list == nullptr || list->is_null()) {

@@ -19,8 +19,8 @@ std::optional<double> jsonNumber(const nlohmann::json& of,
 /// [m] of a body: its "radius", or half of the larger side of its "shape".
 std::optional<double> socnav3Radius(const nlohmann::json& body);
 
-/// Adds "walls", "objects" and "grid" of the first of the places that has them. What cannot be
-/// understood is left out, with a warning.
+/// Adds "walls", "objects" and "grid" of the first of the places that has them. Elements that
+/// cannot be parsed are left out, with a warning.
 void readSocnav3Surroundings(const std::vector<const nlohmann::json*>& places,
                              const ForeignInput& input, TrackFile& file);
 

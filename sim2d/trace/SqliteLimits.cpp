@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kStepsPerCall = 10000;
 
-/// Not 0: the query is interrupted.
+/// Progress handler of SQLite. Not 0: the query is interrupted.
 int takeFromBudget(void* budget) {
   auto& left = *static_cast<std::int64_t*>(budget);
   left -= kStepsPerCall;

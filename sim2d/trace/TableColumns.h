@@ -14,7 +14,7 @@ std::string_view withoutBlanks(std::string_view text);
 /// A unit in lower case, without blanks and the brackets around it: "[m]", "(s)".
 std::string unitWord(std::string_view text);
 
-/// Which column of a table holds what, and in which unit. Problems are noted in the input.
+/// The quantities and units of the columns of a table. Problems are noted in the input.
 class TableColumns {
  public:
   enum Column { Time, Frame, Id, X, Y, Heading, Vx, Vy, Omega, Group, Radius, Kind, Active, Count };
@@ -27,7 +27,7 @@ class TableColumns {
   bool has(Column column) const { return places_[column] != kNone; }
   std::size_t operator[](Column column) const { return places_[column]; }
   std::size_t width() const { return names_.size(); }
-  /// The line read is one of numbers, and the user gave the numbers of the columns, from 1.
+  /// The line consists of numbers, and the user gave the numbers of the columns, from 1.
   bool isHeaderless() const { return isHeaderless_; }
 
   /// Words where the numbers of time and place are expected.

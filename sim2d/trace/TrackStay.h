@@ -14,7 +14,7 @@ struct TrackState {
   double heading = 0.0, omega = 0.0;
 };
 
-/// A part of a track without absence, at least one observation; estimates what is not told. The
+/// A part of a track without absence, at least one observation; estimates missing quantities. The
 /// observations must outlive it.
 class TrackStay {
  public:

@@ -84,7 +84,7 @@ class TableReader {
            base::parseDouble(wordOf(columns_[Columns::Active]).text) != 0.0;
   }
 
-  /// Beside semicolons a comma may stand for the decimal point.
+  /// Between semicolons, a comma may be the decimal point.
   std::optional<double> number(std::size_t column, const char* name) {
     const Word word = wordOf(column);
     const std::size_t comma = word.text.find(',');
@@ -99,7 +99,7 @@ class TableReader {
     return words_.finite(word, name);
   }
 
-  /// Of a column that may be missing or empty.
+  /// Reads a column that may be missing or empty.
   bool readOptional(Columns::Column column, const char* name, double unit,
                     std::optional<double>& value) {
     if (!columns_.has(column) || wordOf(columns_[column]).text.empty()) {
@@ -133,13 +133,13 @@ class TableReader {
     }
     Track& track = tracks_[place->second].second;
     body.points = std::move(track.points);
-    body.radius = body.radius ? body.radius : track.radius;  // empty fields take nothing back
+    body.radius = body.radius ? body.radius : track.radius;  // empty fields do not reset it
     body.group = body.group >= 0 ? body.group : track.group;
     track = std::move(body);
     track.points.push_back(point);
   }
 
-  /// A word instead of a number gets one in the end.
+  /// A word instead of a number gets a number at the end.
   bool readId(Track& body) {
     const Word word = wordOf(columns_[Columns::Id]);
     const bool isWord = !word.text.empty() && !base::parseDouble(word.text);
@@ -239,7 +239,7 @@ class TableReader {
   Columns columns_;
   double length_ = 1.0, time_ = 1.0, radius_ = 1.0;    // units of the columns: [m], [s], [m]
   double speed_ = 1.0, angle_ = 1.0, turning_ = 1.0;   // [m/s], [rad], [rad/s]
-  std::vector<std::pair<std::string, Track>> tracks_;  // with what stands there as id
+  std::vector<std::pair<std::string, Track>> tracks_;  // with the text of the id
   std::map<std::pair<bool, std::string>, std::size_t> numbers_;  // in tracks_, by kind and id
   bool hasWords_ = false;                                        // among the ids
 };

@@ -31,8 +31,8 @@ std::map<std::string, std::vector<std::string>> ownColumnNames();
 /// The first of comma, semicolon and tabulator that a line holds.
 char separatorIn(std::string_view line);
 
-/// Reads the rows. A second line of units below the names is read as such. What the user says of
-/// units counts instead.
+/// Reads the rows. A second line with units below the names is read as such. Units that the user
+/// gives take precedence.
 TrackFile readTrackTable(const ForeignInput& input, const TableLayout& layout);
 
 }  // namespace sim2d

@@ -21,7 +21,7 @@ constexpr double kFewInstants = 1e5;    // allowed however few observations ther
 constexpr double kFewStates = 2e6;      // idem
 constexpr double kPerPoint = 100.0;     // instants, and states of bodies, for one observation
 constexpr double kPerOwnStep = 1000.0;  // idem where the user chose the step
-constexpr double kMostSteps = 1e15;     // of the times told: whole numbers beyond are not exact
+constexpr double kMostSteps = 1e15;     // of the given times: larger whole numbers are not exact
 constexpr double kUsualRadius = 0.35;   // [m]
 constexpr double kGoalRadius = 0.2;     // [m] of a goal that the user gives
 constexpr int kRobotId = -1;
@@ -83,7 +83,8 @@ class TraceMaker {
     return false;
   }
 
-  /// A short file must not demand a long record: so many for its observations, or `few`.
+  /// A short file must not require a long record: the limit is proportional to its observations, at
+  /// least `few`.
   double mostFor(double few) const {
     const double perPoint = options_.step > 0.0 ? kPerOwnStep : kPerPoint;
     return std::max(few, perPoint * static_cast<double>(observations_));

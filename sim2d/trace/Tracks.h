@@ -47,14 +47,14 @@ struct TrackFile {
 
 struct TrackOptions {
   std::optional<int> robotId;     // this person becomes the robot
-  std::string robotName;          // the same by its Track::name; robotId counts where nobody has it
+  std::string robotName;          // the same by its Track::name; without a match robotId counts
   std::optional<Vec2> robotGoal;  // instead of the file's
   double step = 0.0;              // [s], 0 = the file's
 };
 
 constexpr char kRecordedMap[] = "map";  // name of the outlines that setMap() replaces
 
-/// Which observations a record was made of.
+/// The observations from which a record was made.
 struct TrackLinks {
   /// Of a body at an instant.
   struct Link {
@@ -84,8 +84,8 @@ double medianInterval(const std::vector<Track>& tracks);
 base::Result<Trace> traceOfTracks(const TrackFile& file, const TrackOptions& options,
                                   TrackLinks* links = nullptr);
 
-/// Adds the arrival of the robot at the goal: the first instant of a stay inside it, as the world
-/// has it, that lasts to the end. Nothing when the record ends outside.
+/// Adds the arrival of the robot at the goal: the first instant of a stay inside it, by the rule of
+/// the world, that lasts to the end. Nothing when the record ends outside.
 void noteArrival(Trace& trace, const TraceGoal& goal);
 
 /// Replaces the map of a record: cells and outlines.

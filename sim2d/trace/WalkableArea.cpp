@@ -17,7 +17,7 @@ class WktReader {
  public:
   explicit WktReader(std::string_view text) : text_(text) {}
 
-  /// None: it is no WKT.
+  /// None: the text is not WKT.
   std::optional<std::vector<Outline>> read() {
     while (at_ < text_.size()) {
       const char c = text_[at_];

@@ -14,11 +14,11 @@ struct TrackFile;
 
 /// Borders of the polygons in a text of WKT ("POLYGON ((0 0, 4 0, 4 3), (1 1, 2 1, 2 2))", also
 /// MULTIPOLYGON and collections), in which people walk: the outside and the holes are solid. Other
-/// shapes are left out. An error: it is no WKT, or has no polygon.
+/// shapes are left out. Errors: the text is not WKT, or has no polygon.
 base::Result<std::vector<Outline>> walkableOutlines(const std::string& wkt);
 
-/// Adds them, scaled by `unit` [m], as the walls of the file; a text that is not WKT is a warning,
-/// an empty one nothing.
+/// Adds the borders, scaled by `unit` [m], as the walls of the file. Text that is not WKT gives a
+/// warning; an empty text is ignored.
 void addWalkableArea(const std::string& wkt, double unit, const ForeignInput& input,
                      TrackFile& file);
 

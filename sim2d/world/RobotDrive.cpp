@@ -28,7 +28,7 @@ bool isFinite(const BodyTwist& twist) {
          std::isfinite(twist.lateral);
 }
 
-/// What planners need not look for: a step with a place that is no number is refused here.
+/// A step to a position that is not finite is refused here, so planners need not check it.
 bool isFinite(const Observation& observation) {
   const auto isFiniteBody = [](const TrackedBody& body) {
     return body.position.allFinite() && body.velocity.allFinite() && std::isfinite(body.heading);

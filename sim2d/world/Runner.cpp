@@ -71,7 +71,7 @@ class WayEnds {
     return results;
   }
 
-  /// Some robot stands where it was ordered to from outside: more orders may come.
+  /// Whether a robot has arrived where it was sent from outside: more orders may come.
   bool isAnyAtOrder() const { return !atOrder_.empty(); }
 
  private:
@@ -85,7 +85,7 @@ class WayEnds {
       }
     }
   }
-  /// Also before the run began, of a world that goes on from another one.
+  /// Includes arrivals before the run began, for a world that continues another one.
   std::optional<double> arrivalAtGoals(const RobotOnWay& robot) const {
     const auto found = atGoals_.find(robot.id);
     if (found != atGoals_.end()) {

@@ -97,7 +97,7 @@ class Starts {
       if (clearance < room) {
         return false;
       }
-      // Far from walls the next places have room too: no one of them is looked at.
+      // Far from walls the next places are free too and need not be checked.
       i -= 1 + static_cast<int>(std::clamp((clearance - room - kFarRoom) / kStride, 0.0, 1e6));
     }
     return true;

@@ -10,8 +10,8 @@
 /// form or writes a page goes over the rows.
 namespace sim2d::nav2 {
 
-/// A branch of Nav2, whose defaults, formulas and names count; in the order of their release, so
-/// that `distro >= Distro::Lyrical` is Lyrical and main.
+/// A branch of Nav2, which determines defaults, formulas and names. In the order of their release,
+/// so that `distro >= Distro::Lyrical` is Lyrical and main.
 enum class Distro : std::uint8_t { Humble, Jazzy, Kilted, Lyrical, Main };
 constexpr Distro kEachDistro[] = {Distro::Humble, Distro::Jazzy, Distro::Kilted, Distro::Lyrical,
                                   Distro::Main};

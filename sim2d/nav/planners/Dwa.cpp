@@ -379,8 +379,8 @@ std::vector<Candidate> Dwa::candidates() const {
   return shown;
 }
 
-/// Poses that one decision looks at, at most: along each arc, and while it brakes from each of the
-/// moments at which it could begin to.
+/// Largest number of poses that one decision checks: along each arc, and during braking from each
+/// moment at which it could begin.
 double posesOf(const DwaParameters& parameters, double stopTime) {
   const double samples = parameters.linearSamples * parameters.angularSamples;
   const double along = std::max(parameters.horizon, stopTime) / parameters.step;

@@ -3,8 +3,8 @@
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/TrackTable.h"
 
-/// Tables with a header line; the user may say which column is what. Comments may come before it,
-/// and may state the rate of frames.
+/// Tables with a header line; the user may assign columns to quantities. Comments may precede it
+/// and may state the frame rate.
 namespace sim2d {
 
 namespace {

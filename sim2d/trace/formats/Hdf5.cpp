@@ -61,14 +61,14 @@ hsize_t rowsOfChunk(hid_t table) {
   return isChunked ? rows : 1;
 }
 
-/// Its rows are in this file, not in others that it names.
+/// Whether its rows are in this file and not in external ones.
 bool isInFile(hid_t table) {
   const Handle creation(H5Dget_create_plist(table), H5Pclose);
   return creation.isGood() && H5Pget_external_count(creation) == 0 &&
          H5Pget_layout(creation) != H5D_VIRTUAL;
 }
 
-/// A table may declare rows that are nowhere in the file.
+/// A table may declare rows that the file does not contain.
 void checkDeclaredSize(hid_t table, hid_t type, hsize_t count, const ForeignInput& input) {
   const auto most = static_cast<hsize_t>(mostUnpacked(input.text.size()));
   const hsize_t mostRows = most / std::max<hsize_t>(H5Tget_size(type), 1);
@@ -78,7 +78,7 @@ void checkDeclaredSize(hid_t table, hid_t type, hsize_t count, const ForeignInpu
   }
 }
 
-/// The member of that name, in any case; empty: there is none.
+/// The member of that name, ignoring case; empty: there is none.
 std::string memberNamed(hid_t type, const std::string& name) {
   const int count = H5Tget_class(type) == H5T_COMPOUND ? H5Tget_nmembers(type) : 0;
   for (int k = 0; k < count; ++k) {
@@ -92,8 +92,8 @@ std::string memberNamed(hid_t type, const std::string& name) {
   return {};
 }
 
-/// Of the rows as they are wanted in memory: the library finds the members by name and converts
-/// their numbers. Not good: one is missing.
+/// The type of the rows in memory: the library finds the members by name and converts their
+/// numbers. Invalid: a member is missing.
 hid_t rowType(hid_t type) {
   const Handle wanted(H5Tcreate(H5T_COMPOUND, sizeof(Row)), H5Tclose);
   const std::pair<const char*, std::pair<std::size_t, hid_t>> members[] = {
@@ -110,7 +110,7 @@ hid_t rowType(hid_t type) {
   return H5Tcopy(wanted);
 }
 
-/// Text of an attribute; empty: it is absent or no text.
+/// Text of an attribute; empty: it is absent or not text.
 std::string attributeText(hid_t of, const char* name) {
   const Handle attribute(H5Aexists(of, name) > 0 ? H5Aopen(of, name, H5P_DEFAULT) : -1, H5Aclose);
   const Handle type(attribute.isGood() ? H5Aget_type(attribute) : -1, H5Tclose);
@@ -146,7 +146,8 @@ double attributeNumber(hid_t of, const char* name) {
   return H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0 ? value : 0.0;
 }
 
-/// Of the file or of its table; 0: neither states it. Two that differ need the user's.
+/// The frame rate of the file or of its table; 0: neither states it. If they differ, the user must
+/// give it.
 double statedRate(hid_t file, hid_t table, const ForeignInput& input) {
   double rate = 0.0;
   for (const hid_t of : {file, table}) {
@@ -161,7 +162,7 @@ double statedRate(hid_t file, hid_t table, const ForeignInput& input) {
   return rate;
 }
 
-/// [m] of places: metres unless an attribute of the column says otherwise.
+/// [m] of positions: metres unless an attribute of the column states another unit.
 double statedUnit(hid_t table) {
   for (const char* name : {"x", "y", "unit", "units"}) {
     const std::string text = base::lowered(attributeText(table, name));
@@ -177,7 +178,7 @@ class TableReader {
   TableReader(const ForeignInput& input, hid_t table, double unit)
       : input_(input), table_(table), unit_(unit) {}
 
-  /// Notes what is wrong with the columns and the number of rows.
+  /// Notes problems of the columns and of the number of rows.
   void check(hsize_t count) {
     const Handle type(H5Dget_type(table_), H5Tclose);
     const Handle row(rowType(type), H5Tclose);

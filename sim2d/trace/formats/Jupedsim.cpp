@@ -86,7 +86,7 @@ class JupedsimReader {
   bool checkTable() {
     const Statement any = prepared("SELECT count(*) FROM sqlite_master");
     if (!any || sqlite3_step(any.get()) != SQLITE_ROW) {
-      return fail();  // it is no database, or it is damaged
+      return fail();  // it is not a database, or it is damaged
     }
     for (const char* column : {"frame", "id", "pos_x", "pos_y"}) {
       if (!hasColumn("trajectory_data", column)) {
@@ -143,7 +143,7 @@ class JupedsimReader {
     return code == SQLITE_DONE || code == SQLITE_ROW ? !base::hasErrors(input_.problems) : fail();
   }
 
-  /// None: it is no finite number, which is noted.
+  /// None: it is not a finite number, which is noted.
   std::optional<double> number(sqlite3_stmt* rows, int column, long long row) {
     const int type = sqlite3_column_type(rows, column);
     const double value = sqlite3_column_double(rows, column);
@@ -188,7 +188,7 @@ class JupedsimReader {
     }
   }
 
-  /// That of the first frame.
+  /// Adds the geometry of the first frame.
   void addGeometry(TrackFile& file) {
     const std::string count = textOf("SELECT count(*) FROM geometry");
     if (base::parseInt(count).value_or(0) > 1) {

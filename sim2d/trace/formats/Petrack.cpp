@@ -26,7 +26,7 @@ std::vector<std::string> wordsOf(std::string line) {
   return words;
 }
 
-/// What a word in the comment of the columns stands for, as an index of kNames.
+/// The quantity that a word in the comment of the columns means, as an index of kNames.
 std::optional<std::size_t> quantityOf(const std::string& word) {
   static const std::vector<std::vector<std::string>> kWords = {
       {"id", "persid", "personid", "pedid", "agentid", "trackid", "number"},
@@ -63,7 +63,7 @@ std::optional<std::vector<std::size_t>> orderIn(const std::string& line) {
   return isWhole ? std::optional(order) : std::nullopt;
 }
 
-/// [m] as the last line that names the columns with a unit says, else a line "unit: cm" or "in cm".
+/// [m] of the unit in the last line that names the columns, else in a line "unit: cm" or "in cm".
 std::optional<double> statedUnit(const std::vector<std::string>& comments) {
   std::optional<double> ofColumns;
   std::optional<double> ofLine;

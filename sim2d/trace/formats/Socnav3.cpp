@@ -131,7 +131,8 @@ class Socnav3Reader {
     }
   }
 
-  /// A list has the last one at its end; without a place a person is followed.
+  /// The last goal of a list is at its end; a goal without a position means that a person is
+  /// followed.
   void takeGoal(const Json& goal) {
     if (goal.is_array() && !goal.empty() && goal.back().is_object()) {
       takeGoal(goal.back());
@@ -153,7 +154,7 @@ class Socnav3Reader {
     goal_ = TraceGoal{0, place, radius > 0.0 ? radius : kUsualRadius};
   }
 
-  /// Ids that are words, or no numbers of ours, get numbers.
+  /// Ids that are words, or numbers that are not valid ids, get numbers.
   TrackFile finish() {
     TrackFile file;
     const bool areNumbers = std::all_of(people_.begin(), people_.end(), [](const auto& person) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kTable = "$PEDESTRIAN:";
 
-/// Where the line of the attributes begins; npos: there is none.
+/// Position of the line of the attributes; npos: there is none.
 std::size_t tableIn(std::string_view text) {
   std::size_t at = text.find(kTable);
   while (at != std::string_view::npos && at > 0 && text[at - 1] != '\n') {

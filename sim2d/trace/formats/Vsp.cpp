@@ -13,7 +13,7 @@ constexpr double kHalfWidth = 360.0, kHalfHeight = 288.0;  // [pixel] of the fil
 
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 
-/// Of H.txt beside the file; without one pixels are as large as the user says.
+/// The homography in H.txt beside the file; without it, the user gives the size of a pixel.
 std::optional<Matrix3> readHomography(const ForeignInput& input, bool& isOfPixels) {
   const std::string path = besideFile(input.path, "H.txt");
   const base::Result<std::string> text = base::readTextFile(path, base::kMostRecord);

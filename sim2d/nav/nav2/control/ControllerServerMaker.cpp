@@ -115,7 +115,7 @@ void addSlotKeys(const PluginSlot& slot, const Nav2Block& given, Nav2Keys& keys,
   }
 }
 
-/// Without what plugins find wrong with a frequency that is itself wrong.
+/// Without the problems that plugins find with a frequency that is itself wrong.
 base::Diagnostics withoutRates(base::Diagnostics problems) {
   problems.erase(std::remove_if(problems.begin(), problems.end(),
                                 [](const base::Diagnostic& problem) {

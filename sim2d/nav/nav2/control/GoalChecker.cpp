@@ -87,9 +87,9 @@ struct CheckerSubstitute {
 };
 constexpr CheckerSubstitute kCheckerSubstitutes[] = {
     {"nav2_controller::AxisGoalChecker", "nav2_controller::PositionGoalChecker",
-     "along_path_tolerance", 0.25, "one tolerance counts in all directions"},
+     "along_path_tolerance", 0.25, "one tolerance applies in all directions"},
     {"nav2_controller::AdaptiveToleranceGoalChecker", "nav2_controller::SimpleGoalChecker",
-     "fine_xy_goal_tolerance", 0.10, "the fine tolerance always counts"}};
+     "fine_xy_goal_tolerance", 0.10, "the fine tolerance always applies"}};
 
 const CheckerSubstitute* substituteOfChecker(const std::string& plugin) {
   for (const CheckerSubstitute& each : kCheckerSubstitutes) {
@@ -108,9 +108,9 @@ const std::vector<GoalCheckerKey>& goalCheckerKeys() {
       {"xy_goal_tolerance", &P::xyTolerance, "m", "how far from the goal is there"},
       {"yaw_goal_tolerance", &P::yawTolerance, "rad", "how far from its heading is right"},
       {"stateful", &P::isStateful, "", "the place counts as reached until a new path"},
-      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "backwards is as good"},
+      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "facing backwards is accepted too"},
       {"path_length_tolerance", &P::pathLengthTolerance, "m",
-       "nothing is reached while more of the local path is left", kSinceLyrical},
+       "the goal is not reached while more of the local path is left", kSinceLyrical},
       {"rot_stopped_velocity", &P::rotStoppedVelocity, "rad/s",
        "slower counts as standing (StoppedGoalChecker)"},
       {"trans_stopped_velocity", &P::transStoppedVelocity, "m/s",

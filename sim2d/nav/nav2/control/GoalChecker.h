@@ -40,7 +40,7 @@ struct GoalCheckerParameters {
 };
 const std::vector<Nav2Key<GoalCheckerParameters>>& goalCheckerKeys();
 const std::vector<IdleKey>& goalCheckerIdleKeys();
-/// Those that the class of a plugin reads; of an unknown class all.
+/// The keys that the class of a plugin reads; all of them for an unknown class.
 Nav2Keys goalCheckerKeysOf(const std::string& plugin);
 
 /// By its plugin, "nav2_controller::SimpleGoalChecker" and so on; an error tells what comes

@@ -30,9 +30,8 @@ const std::vector<Nav2Key<GracefulParameters>>& gracefulKeys() {
       {"deceleration_max", &P::maxDeceleration, "m/s^2", "no faster than it can brake by",
        kSinceLyrical},
       {"max_robot_pose_search_dist", &P::searchDistance, "m",
-       "the robot is looked for on so much of the path; 0: half the costmap, negative: all",
-       kUntilKilted},
-      {"min_lookahead", &P::minLookahead, "m", "a target is no nearer", kJazzy | kKilted},
+       "length of path searched for the robot; 0: half the costmap, negative: all", kUntilKilted},
+      {"min_lookahead", &P::minLookahead, "m", "least distance of a target", kJazzy | kKilted},
       {"max_lookahead", &P::maxLookahead, "m", "a target is no farther", kSinceJazzy},
       {"motion_target_dist", &P::targetDistance, "m", "how far the target is", kHumble},
       {"initial_rotation", &P::rotatesFirst, "", "turns on the spot first on a new path"},
@@ -51,11 +50,11 @@ const std::vector<Nav2Key<GracefulParameters>>& gracefulKeys() {
       {"use_collision_detection", &P::detectsCollisions, "", "no command into an obstacle",
        kSinceKilted},
       {"footprint_scaling_linear_vel", &P::footprintScalingVelocity, "m/s",
-       "faster the footprint counts as larger", kSinceLyrical},
+       "the footprint is enlarged above this speed", kSinceLyrical},
       {"footprint_scaling_factor", &P::footprintScalingFactor, "",
-       "how much larger at greatest speed", kSinceLyrical},
+       "enlargement at the greatest speed", kSinceLyrical},
       {"footprint_scaling_step", &P::footprintScalingStep, "m/s",
-       "a colliding target is tried again so much slower", kSinceLyrical},
+       "reduction of the speed when a colliding target is tried again", kSinceLyrical},
   };
   return kKeys;
 }

@@ -210,19 +210,18 @@ const std::vector<Nav2Key<FeasiblePathHandlerParameters>>& feasiblePathHandlerKe
   using P = FeasiblePathHandlerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"max_robot_pose_search_dist", &P::searchDistance, "m",
-       "the robot is looked for on so much of the path; 0: half the costmap, negative: all",
-       kSinceLyrical},
-      {"prune_distance", &P::pruneDistance, "m", "so much of the path counts", kSinceLyrical},
+       "length of path searched for the robot; 0: half the costmap, negative: all", kSinceLyrical},
+      {"prune_distance", &P::pruneDistance, "m", "length of path that is used", kSinceLyrical},
       {"enforce_path_inversion", &P::enforcesInversion, "",
        "the path ends at its first cusp until the robot is there", kSinceLyrical},
       {"enforce_path_rotation", &P::enforcesRotation, "",
        "the path ends at its first turn on the spot until the robot has made it", kSinceLyrical},
-      {"minimum_rotation_angle", &P::minimumRotation, "rad", "less is no turn on the spot",
+      {"minimum_rotation_angle", &P::minimumRotation, "rad", "least angle of a turn on the spot",
        kSinceLyrical},
-      {"inversion_xy_tolerance", &P::inversionXyTolerance, "m", "so near is at the cusp",
+      {"inversion_xy_tolerance", &P::inversionXyTolerance, "m", "tolerance at the cusp",
        kSinceLyrical},
       {"inversion_yaw_tolerance", &P::inversionYawTolerance, "rad", "idem, heading", kSinceLyrical},
-      {"reject_unit_path", &P::rejectsUnitPath, "", "a path of one pose is none", kSinceLyrical},
+      {"reject_unit_path", &P::rejectsUnitPath, "", "refuse a path of one pose", kSinceLyrical},
   };
   return kKeys;
 }

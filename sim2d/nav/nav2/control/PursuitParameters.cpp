@@ -41,15 +41,14 @@ PursuitKeys otherKeysOfPursuit() {
   using P = PursuitParameters;
   return {
       {"max_robot_pose_search_dist", &P::searchDistance, "m",
-       "the robot is looked for on so much of the path; 0: half the costmap, negative: all",
-       kUntilKilted},
+       "length of path searched for the robot; 0: half the costmap, negative: all", kUntilKilted},
       {"use_collision_detection", &P::detectsCollisions, "", "no command into an obstacle"},
       {"max_allowed_time_to_collision_up_to_carrot", &P::maxTimeToCollision, "s",
        "so long the command is looked ahead"},
       {"min_distance_to_obstacle", &P::minDistanceToObstacle, "m",
-       "so far the command is looked ahead at least; not above 0: off", kSinceKilted},
+       "least distance that the command is simulated ahead; 0 or less: off", kSinceKilted},
       {"allow_obstacle_checking_beyond_goal", &P::checksBeyondGoal, "",
-       "that distance counts behind the end of the path too", kSinceLyrical},
+       "that distance applies beyond the end of the path too", kSinceLyrical},
       {"use_rotate_to_heading", &P::rotatesToHeading, "",
        "turns on the spot towards path and goal heading"},
       {"rotate_to_heading_min_angle", &P::rotateMinAngle, "rad", "larger angles are turned first"},

@@ -104,7 +104,7 @@ void checkPlugin(const CostmapPlugin& plugin, const CostmapSetup& setup,
   }
 }
 
-/// The side of a cell is only compared with a size that can be one.
+/// The side of a cell is only compared with a valid size.
 void checkSize(const CostmapParameters& parameters, base::Diagnostics& problems) {
   checkCostmapRange(parameters.width, kLengthRange, "width", problems);
   checkCostmapRange(parameters.height, kLengthRange, "height", problems);

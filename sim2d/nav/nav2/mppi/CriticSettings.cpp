@@ -93,7 +93,7 @@ const std::vector<Nav2Key<GoalAngleSettings>>& goalAngleKeys() {
   using P = GoalAngleSettings;
   static const auto kKeys = criticKeys<P>({
       {"threshold_to_consider", &P::threshold, "m", kOnceNear},
-      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "backwards is as good"},
+      {"symmetric_yaw_tolerance", &P::isSymmetric, "", "facing backwards is accepted too"},
   });
   return kKeys;
 }

@@ -60,7 +60,7 @@ class MppiValueCheck {
   void notNegative(const std::string& key, double value) {
     within(key, value, 0.0, 1e6, "0 or more");
   }
-  /// Only when each of the three counts can be one.
+  /// Checked only when each of the three counts is valid.
   void work(const MppiSettings& settings) {
     const double points =
         static_cast<double>(settings.batchSize) * settings.timeSteps * settings.iterationCount;
@@ -79,7 +79,7 @@ class MppiValueCheck {
   base::Diagnostics& problems_;
 };
 
-/// Values that the motion model reads; others do not matter, whatever they are.
+/// Values that the motion model reads; other values have no effect and are not checked.
 void checkMotion(const MppiConfiguration& mppi, MppiValueCheck& check) {
   const MppiSettings& settings = mppi.settings;
   if (mppi.motion == MppiMotion::Omni) {
@@ -227,24 +227,24 @@ const std::vector<Nav2Key<MppiSettings>>& mppiKeys() {
       {"open_loop", &P::isOpenLoop, "", "starts from the last command, not the measured speed",
        kJazzy | kSinceLyrical},
       {"reset_period", &P::resetPeriod, "s", "forgets all after so long without a call", kHumble},
-      {"model_delay_vx", &P::vxDelay, "s", "so long until a command counts", kSinceLyrical},
-      {"model_delay_vy", &P::vyDelay, "s", "so long until a command counts", kSinceLyrical},
-      {"model_delay_wz", &P::wzDelay, "s", "so long until a command counts", kSinceLyrical},
+      {"model_delay_vx", &P::vxDelay, "s", "delay until a command takes effect", kSinceLyrical},
+      {"model_delay_vy", &P::vyDelay, "s", "delay until a command takes effect", kSinceLyrical},
+      {"model_delay_wz", &P::wzDelay, "s", "delay until a command takes effect", kSinceLyrical},
       {"clamp_raw_controls", &P::clampsRawControls, "",
-       "averages what can be driven, not what was drawn", kSinceLyrical},
+       "averages the feasible controls, not the sampled ones", kSinceLyrical},
       {"sgf_order", &P::sgfOrder, "", "of the filter; 1: mean of nine, 2: quadratic",
        kSinceLyrical},
       {"critics", &P::critics, "", "who prices trajectories, in this order"},
       {"TrajectoryValidator.collision_lookahead_time", &P::collisionLookahead, "s",
-       "so long the optimal trajectory must not collide", kSinceLyrical},
+       "time for which the optimal trajectory must not collide", kSinceLyrical},
       {"TrajectoryValidator.consider_footprint", &P::validatesFootprint, "",
        "by the edges of the footprint, not by its centre", kSinceLyrical},
       {"max_robot_pose_search_dist", &P::searchDistance, "m",
-       "the robot is looked for on so much of the path; 0: half the costmap", kUntilKilted},
-      {"prune_distance", &P::pruneDistance, "m", "so much of the path counts", kUntilKilted},
+       "length of path searched for the robot; 0: half the costmap", kUntilKilted},
+      {"prune_distance", &P::pruneDistance, "m", "length of path that is used", kUntilKilted},
       {"enforce_path_inversion", &P::enforcesInversion, "",
        "the path ends at its first cusp until the robot is there", kUntilKilted},
-      {"inversion_xy_tolerance", &P::inversionXyTolerance, "m", "so near is at the cusp",
+      {"inversion_xy_tolerance", &P::inversionXyTolerance, "m", "tolerance at the cusp",
        kUntilKilted},
       {"inversion_yaw_tolerance", &P::inversionYawTolerance, "rad", "idem, heading", kUntilKilted},
   };

@@ -21,9 +21,9 @@ const std::vector<Nav2Key<BtNavigatorParameters>>& btNavigatorKeys() {
 const std::vector<IdleKey>& idleBtNavigatorKeys() {
   static const std::vector<IdleKey> kKeys = {
       {"bt_loop_duration", "the tree is ticked once per step"},
-      {"default_server_timeout", "servers answer at once here"},
-      {"default_cancel_timeout", "servers answer at once here", kSinceJazzy},
-      {"wait_for_service_timeout", "servers answer at once here"},
+      {"default_server_timeout", "servers answer immediately here"},
+      {"default_cancel_timeout", "servers answer immediately here", kSinceJazzy},
+      {"wait_for_service_timeout", "servers answer immediately here"},
       {"action_server_result_timeout", "results do not get lost here", kJazzy},
       {"filter_duration", "speeds are smoothed over 0.3 s", kSinceKilted},
       {"navigators", "the navigator to a pose drives", kSinceJazzy},

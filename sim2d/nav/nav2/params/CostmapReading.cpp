@@ -122,10 +122,10 @@ std::optional<double> numberAt(const NodeReader& node, const std::string& prefix
   return value != nullptr ? std::optional<double>(*value) : std::nullopt;
 }
 
-/// What a substitute needs that its table does not read.
+/// Settings that a substitute needs and that its table does not contain.
 void adapt(NodeReader& node, const std::string& prefix, LayerParameters& layer) {
   if (auto* const voxels = std::get_if<VoxelLayerParameters>(&layer)) {
-    voxels->markThreshold = 0;  // counts voxels that are not here
+    voxels->markThreshold = 0;  // counts voxels, which do not exist here
     for (ObservationSource& source : voxels->sources) {
       const auto range = numberAt(node, prefix + source.name + ".", "obstacle_range");
       source.obstacleMaxRange = range.value_or(source.obstacleMaxRange);

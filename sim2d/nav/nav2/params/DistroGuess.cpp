@@ -97,7 +97,7 @@ std::map<std::pair<int, std::string>, unsigned> readersOf(const ParameterFile& f
 }
 
 void addKeys(const ParameterFile& file, Scores& scores) {
-  std::set<std::pair<std::string, unsigned>> seen;  // a key of several plugins counts once
+  std::set<std::pair<std::string, unsigned>> seen;  // a key of several plugins counts only once
   for (const auto& [place, distros] : readersOf(file)) {
     const auto& [line, path] = place;
     const std::string key = path.substr(path.rfind('.') + 1);

@@ -10,7 +10,7 @@
 namespace sim2d::nav2 {
 
 const char* distroName(Distro distro);       // "humble", "jazzy", "kilted", "lyrical", "main"
-const char* distroTitle(Distro distro);      // "Humble", …, "main": as texts write it
+const char* distroTitle(Distro distro);      // "Humble", …, "main": for display
 std::string distroTitles(unsigned distros);  // "Kilted, Lyrical and main"
 std::optional<Distro> distroNamed(const std::string& word);
 
@@ -18,9 +18,9 @@ struct DistroGuess {
   Distro distro = Distro::Jazzy;
   std::vector<std::string> reasons;  // "line 12: plugin names with '/'"; empty: no evidence
 };
-/// The branch that a file was written for, by what not all of them read: keys, nodes, spellings of
-/// plugins. Without any evidence Jazzy; of branches with the same evidence the one that was
-/// released first, and never main.
+/// The branch that a file was written for, by differences between the branches: keys, nodes,
+/// spellings of plugins. Without evidence it is Jazzy; of branches with the same evidence it is the
+/// one that was released first, and never main.
 DistroGuess guessDistro(const ParameterFile& file);
 
 }  // namespace sim2d::nav2

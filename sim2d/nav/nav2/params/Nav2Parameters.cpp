@@ -73,7 +73,7 @@ class FileReader {
     node.finish();
   }
 
-  /// Without one Nav2 takes DWB, which has no critics then and does not start.
+  /// Without a class, Nav2 uses DWB, which then has no critics and does not start.
   static bool hasController(const NodeReader& node) {
     return node.has("controller_plugins") || node.has("FollowPath.plugin") ||
            node.has("FollowPath.critics");

@@ -43,7 +43,7 @@ struct Nav2Parameters {
   std::optional<CollisionMonitorParameters> collisionMonitor;  // none: not in the file
   BtNavigatorParameters btNavigator;
   std::string held;        // nodes of the file: "amcl, map_server"
-  bool isPartial = false;  // no controller in it: alone it drives nothing
+  bool isPartial = false;  // has no controller, so it cannot drive a robot by itself
 
   ReadingNotes notes;  // of every key of the file; its problems are those of the result
 };

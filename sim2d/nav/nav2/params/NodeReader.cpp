@@ -226,7 +226,7 @@ void NodeReader::noteUnknown() {
       }
     }
     note(given, KeyUse::Unknown, {});
-    if (given.isForAll) {  // what is for all nodes need not be for this one
+    if (given.isForAll) {  // keys for all nodes need not exist in this one
       continue;
     }
     const char* const distro = distroTitle(distro_);

@@ -115,8 +115,8 @@ class NodeReader {
   void tell(const std::string& name, base::Diagnostic problem);
   bool has(const std::string& name) const { return parameters_.find(name) != nullptr; }
 
-  /// Whatever has not been asked for is unknown, with the nearest name of the same block. A block
-  /// of which nothing is known is one problem, not one per key.
+  /// Keys that were not read are unknown; the problem has the nearest name of the same block. A
+  /// block without known keys is one problem, not one per key.
   void finish();
 
  private:
@@ -135,7 +135,7 @@ class NodeReader {
   void note(const GivenParameter& parameter, KeyUse use, std::string why);
   void noteUnlisted();
   void noteUnknown();
-  /// The outermost block round a key of which nothing is known, with a '.' at its end; or empty.
+  /// The outermost block around a key that has no known keys, with a '.' at its end; or empty.
   std::string unknownBlock(const std::string& name) const;
   std::vector<std::string> namesBeside(const std::string& name) const;
   std::vector<std::string> blocksBeside(const std::string& block) const;

@@ -24,18 +24,18 @@ void tellUnknownPlugin(NodeReader& node, const std::string& name, const std::str
 /// Problems of a server told at the places of the keys that they name, else at the plugin's class.
 void tellAt(NodeReader& node, const base::Diagnostics& problems);
 
-/// A class that is not re-implemented, with what is used instead of it, and why.
+/// A class that is not re-implemented, with its substitute and the reason.
 void tellSubstitute(NodeReader& node, const std::string& name, const std::string& found,
                     const std::string& substitute, const std::string& why);
-/// A class without which the rest works, and why it is not here.
+/// A class that can be left out, and why it is not re-implemented.
 void tellLeftOut(NodeReader& node, const std::string& name, const std::string& found,
                  const std::string& why);
 
-/// Whether the keys of a class that is not here are read by the one that is used instead.
+/// Whether the substitute of a class that is not re-implemented reads its keys.
 enum class SubstituteKeys { Read, Ignored };
 
 /// By the class `type`: `find(type)` gives something like PluginAnswer; its keys are read into it.
-/// A class of Nav2 that is not here is replaced by the nearest one, with a warning.
+/// A class of Nav2 that is not re-implemented is replaced by the nearest one, with a warning.
 template <class Find, class Variant>
 void readAnswered(NodeReader& node, const std::string& name, const std::string& type,
                   const Find& find, SubstituteKeys keys, const std::vector<std::string>& known,

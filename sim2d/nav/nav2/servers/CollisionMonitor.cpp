@@ -68,7 +68,7 @@ bool isInRange(const VelocitySubPolygon& part, const BodyTwist& command, bool is
   return isIn;
 }
 
-/// The number of steps is only checked when both times can be some.
+/// The number of steps is only checked when both times are valid.
 void checkApproach(const MonitorPolygon& shape, base::Diagnostics& problems) {
   constexpr double kShortestStep = 1e-3, kLongest = 1000.0, kMostSteps = 1000.0;
   const bool isStep =
@@ -143,7 +143,7 @@ const std::vector<Nav2Key<MonitorPolygon>>& monitorPolygonKeys() {
       {"radius", &P::radius, "m", "Radius of a circle."},
       {"action_type", &P::actionType, "", "stop, slowdown, limit or approach."},
       {"max_points", &P::maxPoints, "", "It acts above so many points.", kHumble},
-      {"min_points", &P::minPoints, "", "It acts from so many points on.", kSinceJazzy},
+      {"min_points", &P::minPoints, "", "Least number of points at which it acts.", kSinceJazzy},
       {"slowdown_ratio", &P::slowdownRatio, "", "Share of the command that is left."},
       {"linear_limit", &P::linearLimit, "m/s", "Greatest speed.", kSinceJazzy},
       {"angular_limit", &P::angularLimit, "rad/s", "Greatest turning speed.", kSinceJazzy},

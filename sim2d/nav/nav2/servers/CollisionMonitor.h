@@ -29,7 +29,7 @@ struct MonitorPolygon {
   double radius = 0.0;            // [m]
   std::string actionType;         // stop, slowdown, limit, approach
   int minPoints = 4;              // acts from so many points on
-  int maxPoints = 3;              // Humble: acts above so many
+  int maxPoints = 3;              // Humble: acts above this number
   double slowdownRatio = 0.5;
   double linearLimit = 0.5, angularLimit = 0.5;  // [m/s], [rad/s]
   double timeBeforeCollision = 2.0;              // [s]

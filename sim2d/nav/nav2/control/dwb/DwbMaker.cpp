@@ -66,14 +66,14 @@ void checkAmount(const DwbParameters& p, base::Diagnostics& problems) {
   }
 }
 
-/// A number that has to lie in a range by itself, whatever the others are.
+/// A number that must be in a range of its own, independent of the others.
 struct DwbLimit {
   const char* key;
   double value, low, high;
   const char* wanted;
 };
 
-/// Limits that are computed from several numbers are only checked when each of these is one.
+/// Limits that are computed from several numbers are only checked when each of them is valid.
 void checkDwbNumbers(const DwbParameters& p, base::Diagnostics& problems) {
   constexpr double kFine = 1e-4, kFast = 1000.0;
   const DwbLimit limits[] = {

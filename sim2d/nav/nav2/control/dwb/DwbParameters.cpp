@@ -48,8 +48,10 @@ const std::vector<Nav2Key<DwbParameters>>& dwbKeys() {
       {"xy_goal_tolerance", &P::xyGoalTolerance, "m",
        "so near the goal it brakes and turns (RotateToGoal)"},
       {"prune_plan", &P::prunesPlan, "", "passed poses are erased", kUntilKilted},
-      {"prune_distance", &P::pruneDistance, "m", "the path counts from so near on", kUntilKilted},
-      {"forward_prune_distance", &P::forwardPruneDistance, "m", "and so far ahead", kUntilKilted},
+      {"prune_distance", &P::pruneDistance, "m", "the path begins this near to the robot",
+       kUntilKilted},
+      {"forward_prune_distance", &P::forwardPruneDistance, "m", "and ends this far ahead of it",
+       kUntilKilted},
       {"shorten_transformed_plan", &P::shortensPlan, "", "it counts no farther than that",
        kUntilKilted},
   };
