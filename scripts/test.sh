@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks the format, builds (dev) and runs every test. Usage: scripts/test.sh [--all]
-# --all adds fuzzing, the sanitizers, a long play with the window, clang-tidy and the benchmarks.
-# --monkey MINUTES [SEED] is that play alone, for so long, with this seed and those that follow.
+# --all adds fuzzing, the sanitizers, a long monkey test of the window, clang-tidy and the benchmarks.
+# --monkey MINUTES [SEED] runs only the monkey test, for that time, from this seed on.
 set -euo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/common.sh"
@@ -109,24 +109,24 @@ without_randomisation() {
   fi
 }
 
-# The window of the asan build under a real X server: what is random in tst_Monkey, for long, one half
-# of the seeds beside the other: one by events of Qt, one by those of the X server. It has a home of
-# its own and gives up root, so the server asks nobody for a key (-ac). It does not load Mesa, which
-# leaks and is gone when leaks are told. Memory that is freed is overwritten: Qt, which is not under
-# asan, fails on it. Sizes of deletes are not looked at, as in the preset: Debian's Fast DDS
-# deletes a writer by its base, and clang 14 gives the deletes of our own code no size. The diaries
-# hold the last events.
+# Runs the random part of tst_Monkey on the window of the asan build under a real X server, with two
+# halves of the seeds in parallel: one with events of Qt, one with events of the X server. It has its
+# own home and drops root, so the server does not check keys (-ac). It does not load Mesa, which leaks
+# and is unloaded when leaks are reported. Freed memory is overwritten, so that Qt, which is not built
+# with asan, fails on it. Sizes of deletes are not checked, as in the preset: Debian's Fast DDS deletes
+# a writer by its base, and clang 14 passes no size in the deletes of our own code. The diaries contain
+# the last events.
 play_monkey() {
-  local play half=10 plays=() stands=yes
+  local play half=10 plays=() passed=yes
   say "pressing everything (asan)"
   logged "$logs/monkey-1.log" play_seeds 1 "$half" qt &
   plays+=($!)
   logged "$logs/monkey-$((1 + half)).log" play_seeds $((1 + half)) "$half" x11 &
   plays+=($!)
   for play in "${plays[@]}"; do
-    wait "$play" || stands=no
+    wait "$play" || passed=no
   done
-  [ "$stands" = yes ] || exit 1
+  [ "$passed" = yes ] || exit 1
 }
 
 # play_seeds FIRST COUNT HANDS
@@ -143,8 +143,8 @@ play_seeds() {
     "$build/asan/tests/tst_Monkey"
 }
 
-# play_some FIRST STEP END: seeds FIRST, FIRST + STEP, … until the clock says END [s], each in a
-# program of its own. Those that fail keep their logs, and the others go on.
+# play_some FIRST STEP END: seeds FIRST, FIRST + STEP, … until the time END [s], each in its own
+# process. Failed seeds keep their logs, and the others continue.
 play_some() {
   local seed=$1 hands failed=0
   while [ "$(date +%s)" -lt "$3" ]; do
@@ -161,9 +161,9 @@ play_some() {
   return "$failed"
 }
 
-# play_for MINUTES FIRST: as many at once as there are processors.
+# play_for MINUTES FIRST: as many in parallel as there are processors.
 play_for() {
-  local play plays=() stands=yes end
+  local play plays=() passed=yes end
   build_preset asan tst_Monkey hunavsim
   end=$(($(date +%s) + 60 * $1))
   say "pressing everything for $1 minutes (asan)"
@@ -172,9 +172,9 @@ play_for() {
     plays+=($!)
   done
   for play in "${plays[@]}"; do
-    wait "$play" || stands=no
+    wait "$play" || passed=no
   done
-  [ "$stands" = yes ] || fail "the monkey met faults"
+  [ "$passed" = yes ] || fail "the monkey test failed"
 }
 
 # What tidy.sh hands to clang-tidy.

@@ -482,7 +482,8 @@ void AgentManagerTest::variation_isDrawnAsInARun_data() {
   }
 }
 
-/// What `get_agents` answers, beside the world of a run with the same seed, which has a robot too.
+/// The answer of `get_agents`, compared with the world of a run with the same seed, which also has
+/// a robot.
 void AgentManagerTest::variation_isDrawnAsInARun() {
   QFETCH(const int, seed);
   sim2d::Scenario scenario;
@@ -527,7 +528,7 @@ void AgentManagerTest::variation_isDrawnAsInARun() {
     QVERIFY(speed != parameters.end());
     QCOMPARE(speed->value.doubleValue, person.desiredSpeed);
   }
-  QVERIFY(moved >= 4);  // of six, some of which may find no room
+  QVERIFY(moved >= 4);  // of six; for some of them there may be no room
 }
 
 // F = k_g v0 / (r tau) = 6 m/s² / r: v = 0.3 m/s / r after 0.05 s, r the factor of the person.
@@ -577,7 +578,7 @@ void AgentManagerTest::reset_goesOnAsAFreshManager_data() {
   }
 }
 
-/// Byte for byte, whatever the people did before; and a reset does not check the scenario again.
+/// Byte for byte, whatever the people did before; a reset does not check the scenario again.
 void AgentManagerTest::reset_goesOnAsAFreshManager() {
   QFETCH(const QString, scenario);
   QFETCH(const bool, otherGoals);
@@ -618,8 +619,8 @@ void AgentManagerTest::reset_goesOnAsAFreshManager() {
   QVERIFY(otherGoals || again.size() == first.size());
 }
 
-/// The quickest of many, beside the quickest of those that have to check the scenario: others are
-/// asked for.
+/// The fastest of many resets, compared with the fastest of those that must check the scenario
+/// because other people are requested.
 void AgentManagerTest::reset_ofTheSamePeople_checksNothingAgain() {
   app::RunOptions options;
   options.scenario = SOURCE_DIR "/maps/corner_cafe/corner_cafe_agents.yaml";

@@ -21,8 +21,8 @@ struct Ended {
   QString out, err;
 };
 
-/// The program in a child of this process, which costs a tenth of starting it. It gets so many GB
-/// and so many seconds, then a signal.
+/// Runs the program in a child of this process, which takes a tenth of the time of starting it. The
+/// memory [GB] and time [s] are limited; beyond them it receives a signal.
 inline Ended runForked(const QString& folder, const QStringList& words, unsigned seconds,
                        std::size_t gigabytes = 4) {
   const QByteArray outPath = QFile::encodeName(folder + text(".out"));

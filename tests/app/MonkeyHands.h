@@ -10,7 +10,7 @@
 #include <QPointer>
 #include <QtTest>
 
-/// What was done, to be read after a crash: HUNAV_MONKEY_DIARY names the file of the last seed.
+/// Log of the events, to be read after a crash: HUNAV_MONKEY_DIARY is the file of the last seed.
 class MonkeyDiary {
  public:
   MonkeyDiary() : file_(qEnvironmentVariable("HUNAV_MONKEY_DIARY")) {
@@ -60,7 +60,7 @@ class MonkeyHands {
   virtual ~MonkeyHands() = default;
   Q_DISABLE_COPY_MOVE(MonkeyHands)
 
-  /// Where something is clicked, and with which keys held.
+  /// Position of a click, and the modifier keys held.
   struct Touch {
     QPointer<QWidget> part;
     QPoint at;
@@ -124,7 +124,7 @@ class QtHands : public MonkeyHands {
 };
 
 /// Events of the X server, as a mouse and a keyboard make them: the topmost window receives them,
-/// popups grab them, and they pass through all of Qt. By libXtst, which xdotool needs as well.
+/// popups grab them, and they pass through all of Qt. Uses libXtst, which xdotool needs as well.
 class XHands : public MonkeyHands {
  public:
   XHands() : x11_(QStringLiteral("X11"), 6), test_(QStringLiteral("Xtst"), 6) {

@@ -13,14 +13,14 @@
 #include "sim2d/base/yaml/YamlTree.h"
 #include "sim2d/scenario/Fields.h"
 
-/// Every number that a scenario file can hold: found in the tables of keys, in those of planners,
-/// models and metrics, and in a file that has all structures.
+/// Every number that a scenario file can contain: from the tables of keys, of planners, models and
+/// metrics, and from a file that has all structures.
 namespace outside {
 
 using base::YamlNode;
 using YamlPath = std::vector<std::string>;  // "[2]": an item of a list
 
-/// A number of the file, and the values that are tried there.
+/// A number of the file, and the values that are tried for it.
 struct NumericField {
   std::string name;             // "ROBOT.max_acc"
   std::vector<YamlPath> paths;  // from the root; all get the value
@@ -32,7 +32,7 @@ constexpr const char* kLoader = "hunav_loader";
 constexpr const char* kBlock = "hunavsim_desktop";
 constexpr const char* kBelow = "ros__parameters";
 
-/// Zero, next to nothing, far too much, and no numbers, of both signs.
+/// Zero, tiny, huge and non-finite numbers of both signs.
 inline std::vector<std::string> extremeValues(bool isInteger) {
   std::vector<std::string> values = {"1.0e-300", "-1.0e-300", "1.0e-6",   "-1.0e-6",
                                      "1.0e+155", "-1.0e+155", "1.0e+300", "-1.0e+300",
@@ -68,7 +68,7 @@ inline std::vector<std::string> valuesOf(const base::ParameterSpec& spec) {
   return values;
 }
 
-/// A scalar of YAML that a number can stand for.
+/// A YAML scalar that a number can replace.
 inline bool isNumber(const YamlNode& node) {
   return node.isScalar() && !node.quoted && base::parseDouble(node.text).has_value();
 }
@@ -112,7 +112,7 @@ class NumericFields {
     return names;
   }
 
-  /// What stands in the file as a number, wherever it does.
+  /// All numbers in the file.
   void addWritten(const YamlNode& node, const YamlPath& path) {
     for (std::size_t k = 0; k < node.items.size(); ++k) {
       YamlPath inner = path;
@@ -155,7 +155,7 @@ class NumericFields {
            const YamlPath& inner) {
     for (const sim2d::Field<T>& field : sim2d::fieldsOf<T>()) {
       if (field.isStructure()) {
-        continue;  // its parts stand in the file
+        continue;  // its parts are in the file
       }
       std::vector<YamlPath> places;
       for (const std::string& owner : owners) {
@@ -225,7 +225,7 @@ class NumericFields {
   std::vector<std::string> unbounded_;
 };
 
-/// The file with the value in all places of the field, of a list at its beginning.
+/// The file with the value at all places of the field; in a list, as its first element.
 inline YamlNode withValue(YamlNode root, const NumericField& field, const std::string& value) {
   for (const YamlPath& path : field.paths) {
     YamlNode* at = &root;

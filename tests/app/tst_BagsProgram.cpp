@@ -114,7 +114,8 @@ class BagsProgramTest : public QObject {
     QVERIFY2(drawn.err.contains(text(".mcap, .db3")), qPrintable(drawn.err));
   }
 
-  /// Without metadata.yaml the files are read; one that it names and that is not there is an error.
+  /// Without metadata.yaml the files are read; a file that it names and that does not exist is an
+  /// error.
   void evaluate_folders_areReadAsFarAsTheyGo() {
     const QString bag = path("folder");
     QVERIFY(QDir().mkpath(bag));
@@ -134,7 +135,7 @@ class BagsProgramTest : public QObject {
     QVERIFY2(absent.err.contains(text("metadata.yaml:")), qPrintable(absent.err));
   }
 
-  /// What we write of it is what we read: the folder is measured again.
+  /// The written files can be read: the folder is measured again.
   void evaluate_badNumbers_areLeftOutAndTheResultIsRead() {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     QVERIFY(wrapper::writeWrapper(path("bad.mcap").toStdString(),
@@ -156,7 +157,7 @@ class BagsProgramTest : public QObject {
     QVERIFY2(std::fabs(force - 20 * 3.6787944117) < 1e-6, qPrintable(QString::number(force)));
   }
 
-  /// Each once, with the keys of the metrics that lack it.
+  /// Each missing input once, with the keys of the metrics that need it.
   void evaluate_missingInputs_areNamedOnce_data() {
     QTest::addColumn<bool>("hasMap");
     QTest::addColumn<QStringList>("named");
@@ -210,7 +211,7 @@ class BagsProgramTest : public QObject {
     }
   }
 
-  /// Whatever is read, and whatever it is called.
+  /// For every kind of input, under any name.
   void lfsPointer_anyReader_saysSo_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QStringList>("words");

@@ -152,9 +152,9 @@ class EvaluateRecordingsTest : public QObject {
     compare(placesOf(file), robot);
   }
 
-  /// Of the 13 entries of person 171's personal zone 7 are by people who were not there an
-  /// annotation before; of two of these the robot walks and they hardly come nearer. By a reading
-  /// of its own in another language: 4 and 9.
+  /// Of the 13 entries into person 171's personal zone, 7 are by people who were not present one
+  /// annotation before; in two of these the robot walks and they hardly come nearer. An independent
+  /// program in another language gives 4 and 9.
   void obsmat_zoneEntries_areOfWhoClosesIn() {
     const QString file = recording(text("eth/obsmat.txt"));
     if (!QFile::exists(file)) {

@@ -393,7 +393,7 @@ class FileWindowTest : public QObject, protected quiet::InFolder {
     window_ = quiet::shownWindow(setup);
   }
 
-  /// Of the one recent file; rows that are about to be deleted stand before it.
+  /// The row of the only recent file; rows that are about to be deleted precede it.
   app::RecentRow* recentRow() const {
     const QList<app::RecentRow*> rows = window_->findChildren<app::RecentRow*>();
     return rows.isEmpty() ? nullptr : rows.back();

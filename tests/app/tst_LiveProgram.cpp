@@ -108,7 +108,7 @@ void LiveProgramTest::run_watchedByNobody_isTold_data() {
                        << text("warning: no client has connected to ws://0.0.0.0:");
 }
 
-/// After five seconds, once for each port, with what keeps others away.
+/// After five seconds, once for each port, with what prevents other machines from connecting.
 void LiveProgramTest::run_watchedByNobody_isTold() {
   QFETCH(const QString, address);
   QFETCH(const QString, words);

@@ -15,7 +15,7 @@ const char* const kYaml =
     "image: map.png\nresolution: 0.05\norigin: [0.0, 0.0, 0.0]\nnegate: 0\n"
     "occupied_thresh: 0.65\nfree_thresh: 0.196\n";
 
-/// `ending`: of the file's name, where it is another than the format.
+/// `ending`: of the file's name, where it differs from the format.
 int valueOf(const QImage& image, const char* rule, const char* format = "png",
             const char* ending = nullptr) {
   QTemporaryDir folder;
@@ -76,7 +76,7 @@ class MapImagesTest : public QObject {
     QCOMPARE(valueOf(palette, "humble"), 100);
   }
 
-  /// Robots have them: the content decides, not the name.
+  /// Such files occur on robots: the content decides, not the name.
   void otherName_isReadByItsContent() {
     QImage grey(2, 2, QImage::Format_Grayscale8);
     grey.fill(0);

@@ -84,8 +84,9 @@ class Testers {
   std::map<QAbstractItemModel*, QPointer<QAbstractItemModelTester>> testers_;  // gone: theirs too
 };
 
-/// Random mouse, wheel and key events, in the window and in all that it opens. Behind open menus
-/// and dialogs runs begin and end, another person is selected, and the file changes on the disk.
+/// Random mouse, wheel and key events, in the window and in everything that it opens. Behind open
+/// menus and dialogs runs begin and end, another person is selected, and the file changes on the
+/// disk.
 class Monkey {
  public:
   Monkey(app::MainWindow& window, MonkeyHands& hands, Testers& testers, int seed, int events)
@@ -215,7 +216,8 @@ class Monkey {
     }
   }
 
-  /// Sometimes with a key in the middle: of another tool, or one that removes the dragged entity.
+  /// Sometimes with a key press in the middle: of another tool, or one that removes the dragged
+  /// entity.
   void drag() {
     MonkeyHands::Touch touch = this->touch();
     diary_.note(*touch.part, "drag", touch.at);

@@ -25,8 +25,8 @@ constexpr double kMostSeconds = kIsSanitized ? 200.0 : 10.0;  // of processors
 constexpr unsigned kWait = kIsSanitized ? 600 : 100;          // [s] by the clock, on a busy machine
 constexpr std::size_t kMostMemory = 2;                        // [GB]
 
-/// Everything that there is: each planner that needs no other program, each model and behaviour,
-/// each shape, in rooms with walls.
+/// A scenario with every planner that needs no other program, every model and behaviour and every
+/// shape, in rooms with walls.
 constexpr char kScenario[] = R"(hunav_loader:
   ros__parameters:
     yaml_base_name: fields
@@ -118,7 +118,8 @@ base::YamlNode yamlOf(const std::string& words) {
   return root;
 }
 
-/// Nothing: it ended by itself, in time, with one of these exit codes, and says why when not fine.
+/// Empty: it ended by itself, in time, with one of these exit codes, and reported the reason of a
+/// failure.
 QString faultOf(const Ended& ended, const std::vector<int>& codes) {
   if (const QString signal = outside::signalOf(ended); !signal.isEmpty()) {
     return signal + QLatin1Char('\n') + ended.err.left(2000);
@@ -139,9 +140,9 @@ QString faultOf(const Ended& ended, const std::vector<int>& codes) {
 
 }  // namespace
 
-/// Every number that people can write: next to nothing, far too much, no number at all. The program
-/// takes the value or refuses it in a line; it neither crashes nor hangs. Usually a sample of all,
-/// with HUNAV_ALL_TESTS each of them, which takes an hour of a processor.
+/// Every number that users can write: tiny, huge, not a number. The program accepts the value or
+/// refuses it with a message; it neither crashes nor hangs. Usually a sample is tested, with
+/// HUNAV_ALL_TESTS all of them, which takes an hour of processor time.
 class NumericFieldsTest : public QObject {
   Q_OBJECT
 
@@ -243,7 +244,7 @@ void NumericFieldsTest::scenario_anyNumber_isTakenOrRefused() {
   QVERIFY2(faults.isEmpty(), qPrintable(text("%1 faults").arg(faults.size())));
 }
 
-/// Each number of the file; of those that make a few runs alone a batch is made.
+/// Each number of the file; a batch is run only for values that give few runs.
 void NumericFieldsTest::experiment_anyNumber_isTakenOrRefused() {
   constexpr std::size_t kSampled = 17;
   constexpr std::size_t kMostRuns = 16;
@@ -288,7 +289,7 @@ void NumericFieldsTest::experiment_anyNumber_isTakenOrRefused() {
   }
 }
 
-/// Options that take a number, behind the words that such a command needs.
+/// Options that take a number, with the arguments that such a command needs.
 std::vector<std::pair<QStringList, QString>> NumericFieldsTest::numericOptions() {
   const std::map<std::string, QString> words = {
       {"run", text("run fields.yaml -q --duration 0.5")},

@@ -61,7 +61,7 @@ class RenderProgramTest : public QObject {
     }
   }
 
-  /// A file of somebody else stays, unless --force is given; one of ours is replaced.
+  /// A third-party file is kept, unless --force is given; a file of hunavsim is replaced.
   void file_ofOthers_isLeftAlone_data() {
     QTest::addColumn<QString>("name");
     for (const char* name : {"others/x.svg", "others/x.gif", "others/x.html", "others/x.mcap"}) {

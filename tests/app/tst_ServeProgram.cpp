@@ -79,8 +79,8 @@ void ServeProgramTest::run_optionsOfRos2WithoutIt_areAWrongCommandLine() {
   }
 }
 
-/// Without it a client on another interface or in another domain sees nothing, and nothing says
-/// why.
+/// Without it a client on another interface or in another domain receives nothing, without an
+/// explanation.
 void ServeProgramTest::help_ofRos2_saysWhoIsFound() {
   for (const char* command : {"run", "serve", "evaluate"}) {
     const QString help = runProgram({text(command), text("--help")}).out.simplified();

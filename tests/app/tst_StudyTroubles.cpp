@@ -123,7 +123,7 @@ class StudyTroublesTest : public QObject {
     QVERIFY2(found.err.contains(text("batch --resume repeats those")), qPrintable(found.err));
     Running again(
         StudyFolder::words(folder_.endless(1), out, {text("--jobs"), text("1"), text("--resume")}));
-    QTRY_VERIFY_WITH_TIMEOUT(again.workers().size() == 1, 20000);  // its run is made again
+    QTRY_VERIFY_WITH_TIMEOUT(again.workers().size() == 1, 20000);  // its run is repeated
     ::kill(again.pid(), SIGKILL);
     again.wait();
   }
@@ -149,7 +149,7 @@ class StudyTroublesTest : public QObject {
           runProgram(StudyFolder::words(folder_.endless(), out, more + QStringList{text("-q")}));
       [&] { QCOMPARE(found.exitCode, 1); }();
       [&] { QCOMPARE(found.out, QString()); }();
-      // Why the exit code is 1 is said without other output too.
+      // The reason for exit code 1 is also reported without other output.
       [&] {
         QVERIFY2(found.err.contains(text("2 of 2 finished runs failed, the first is run 0: not "
                                          "finished within")),

@@ -44,7 +44,7 @@ class TargetGoneTest : public QObject, protected quiet::InFolder {
     end();
   }
 
-  /// The new name makes the list of runs fill itself again while Qt still uses the row.
+  /// The new name makes the list of runs be refilled while Qt still uses the row.
   void runName_typedAndLeftByTheMenuBar_isTaken() {
     runner().stepOnce();
     QTRY_VERIFY_WITH_TIMEOUT(runner().newestFrame() != nullptr, 60000);
@@ -210,7 +210,7 @@ class TargetGoneTest : public QObject, protected quiet::InFolder {
     QCOMPARE(document().human(person)->initPose.position, from);
   }
 
-  /// Of every tool: the key of another one, or the beginning of a run, in the middle of a drag.
+  /// For every tool: the key of another tool, or the start of a run, in the middle of a drag.
   void drag_ofEachTool_anotherToolOrRun_leavesTheScenario() {
     const std::string before = sim2d::writeScenario(document().scenario());
     for (const Qt::Key other : {Qt::Key_Y, Qt::Key_W, Qt::Key_V, Qt::Key_Space}) {

@@ -57,8 +57,8 @@ inline bridge::hunav_msgs::Agent agentAt(int id, float radius) {
   return agent;
 }
 
-/// As a wrapper of HuNavSim publishes: three people and a robot that stand. `change`: what is
-/// otherwise in a sample.
+/// Messages as a wrapper of HuNavSim publishes them: three people and a robot that stand. `change`
+/// modifies a sample.
 using Change = std::function<void(int sample, bridge::hunav_msgs::Agents& people,
                                   bridge::hunav_msgs::Agent& robot)>;
 inline bool writeWrapper(const std::string& path, const Change& change = {}) {

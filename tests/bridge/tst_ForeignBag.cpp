@@ -216,7 +216,7 @@ class ForeignBagTest : public QObject {
     QCOMPARE(bag.value("completed"), 1.0);
   }
 
-  /// What cannot be a number is left out with the sample, with one warning per topic and field.
+  /// Samples with invalid numbers are left out, with one warning per topic and field.
   void read_badNumbers_areLeftOut() {
     QVERIFY(writeWrapper(path("bad.mcap"), [](int k, auto& people, auto& robot) {
       people.agents[0].position.position.x = k == 3 || k == 4 ? kNan : 2.0;
@@ -290,7 +290,7 @@ class ForeignBagTest : public QObject {
     }
   }
 
-  /// A part of the time is gone, and the metadata is still there: they do not fit.
+  /// A part of the time is missing, but the metadata still exists: they do not match.
   void evaluate_cutBagOfOurs_isReadByItsMessages() {
     base::Result<std::unique_ptr<Bag>> bag = openBag(path("run/bag/bag_0.mcap"));
     QVERIFY(static_cast<bool>(bag));
@@ -334,7 +334,7 @@ class ForeignBagTest : public QObject {
     QCOMPARE(chosen->frames.front().robots.x.front(), 4.0);
   }
 
-  /// What is written beside the record gives the same points again.
+  /// The file that is written beside the record gives the same points.
   void points_textOfThem_readsBack() {
     QVERIFY(writeWrapper(path("points.mcap")));
     const Measured bag = measured(path("points.mcap"));

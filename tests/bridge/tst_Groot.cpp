@@ -333,7 +333,8 @@ class GrootTest : public QObject {
              sim2d::hashOf(recordAlone.trace(alone.world().header())));
   }
 
-  /// Whatever others of this machine open and leave: requests are answered within a second.
+  /// Whatever connections other programs of this machine leave open, requests are answered within a
+  /// second.
   void request_besideManyHalfOpen_isAnsweredAtOnce_data() {
     QTest::addColumn<QByteArray>("said");
     QTest::newRow("nothing said") << QByteArray();
@@ -354,7 +355,8 @@ class GrootTest : public QObject {
     Client client((*server)->port());
     QCOMPARE(client.ask({headOf('S')}).size(), std::size_t{2});
     QVERIFY2(timer.elapsed() < 1000, QByteArray::number(timer.elapsed()));
-    // What has not said who it is is closed soon: it takes no file of the run.
+    // A connection without a handshake is closed soon, so that it uses no file descriptor of the
+    // run.
     QVERIFY(others.front()->awaitEnd());
     QVERIFY2(timer.elapsed() < 3000, QByteArray::number(timer.elapsed()));
   }

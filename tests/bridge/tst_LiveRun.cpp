@@ -175,8 +175,8 @@ void LiveRunTest::run_pausedThenJoined_showsTheLastState_data() {
   QTest::newRow("faster than screens") << 20.0;
 }
 
-/// One client pauses the run, another one comes then: it gets every topic of the state in which the
-/// run waits, at once and without a step.
+/// One client pauses the run, then another one connects: it receives every topic of the state in
+/// which the run waits, immediately and without a step.
 void LiveRunTest::run_pausedThenJoined_showsTheLastState() {
   QFETCH(const double, speed);
   Scene scene;

@@ -2,7 +2,7 @@
 
 #include "tests/bt/PageTree.h"
 
-/// The controls of PageTree.h, one after the other as the description has them.
+/// The controls of PageTree.h, in the order of the description.
 namespace page {
 
 inline Status Node::tickControl() {

@@ -2,7 +2,7 @@
 
 #include "tests/bt/PageTree.h"
 
-/// The decorators and leaves of PageTree.h, one after the other as the description has them.
+/// The decorators and leaves of PageTree.h, in the order of the description.
 namespace page {
 
 inline Status Node::tick() {
@@ -289,7 +289,7 @@ inline Status Node::tickLeaf() {
   return portLeaf();
 }
 
-/// What a halted node forgets beside its children.
+/// Resets what a halted node forgets besides its children.
 inline void Node::halt() {
   const std::string& id = spec_.id;
   if (id == "Act") {
@@ -315,8 +315,8 @@ inline void Node::halt() {
   }
 }
 
-/// Typed ports make the entry that they name, if it is not there; what the file then may not do
-/// (another type later) is left to the generator of trees.
+/// Typed ports create the entry that they name, if it does not exist; the generator of trees must
+/// avoid what the file then may not do (another type later).
 inline void declarePorts(const Spec& spec, Board& board) {
   static const std::map<std::pair<std::string, std::string>, std::string> kTypes = {
       {{"NeedInt", "in"}, "int"},          {{"NeedReal", "in"}, "double"},

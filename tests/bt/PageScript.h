@@ -18,7 +18,7 @@ namespace page {
 struct Fault {
   std::string what;
 };
-/// The description leaves open what happens here: nothing is compared from then on.
+/// The description does not define what happens here: nothing is compared from then on.
 struct Unsaid {
   std::string what;
 };
@@ -26,7 +26,7 @@ struct Unsaid {
 struct Value {
   enum Kind { None, Number, Text } kind = None;
   double number = 0.0;
-  bool whole = false;  // made by a whole number
+  bool whole = false;  // created by a whole number
   std::string text;
 
   static Value of(double number, bool whole = false) { return {Number, number, whole, {}}; }

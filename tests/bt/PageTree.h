@@ -22,7 +22,7 @@ inline bool isDone(Status status) {
   return status == Status::Success || status == Status::Failure;
 }
 
-/// A node as it stands in a file.
+/// A node as written in a file.
 struct Spec {
   std::string id;
   std::vector<std::pair<std::string, std::string>> attributes;
@@ -133,7 +133,7 @@ class BoardVariables : public Variables {
   Board& board_;
 };
 
-/// What the leaves answer and who was called, as text.
+/// The results of the leaves and the order of calls, as text.
 struct Stage {
   std::function<Status(const std::string& leaf)> answer;  // of the scripted leaves
   std::vector<std::string> calls;

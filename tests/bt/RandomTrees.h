@@ -8,7 +8,7 @@
 
 #include "tests/bt/PageTree.h"
 
-/// Trees drawn by a seed, for the comparison of two engines.
+/// Random trees from a seed, for the comparison of two engines.
 namespace page {
 
 /// Known: controls, decorators and leaves. Wide: with scripts, conditions, entries and SubTrees.
@@ -34,7 +34,7 @@ class Draw {
   std::uint64_t state_;
 };
 
-/// A drawn file and what its leaves answer.
+/// A random file and the results of its leaves.
 struct Drawn {
   Trees trees;
   std::map<std::string, std::string> answers;  // "RSF" of each leaf, the last one repeats
@@ -129,7 +129,7 @@ class TreeDrawer {
         return wholeTerm(depth - 1) + sign + wholeTerm(0);
     }
   }
-  /// Now and then one that cannot work.
+  /// Sometimes one that cannot work.
   std::string condition() {
     return draw_.chance(2) ? draw_.of({"unknown == 1", draw_.of(names_.text) + " - 1",
                                        draw_.of(names_.real) + " & 1", "'1' < 2", "-" + textTerm()})

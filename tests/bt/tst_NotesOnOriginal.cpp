@@ -1,6 +1,6 @@
 #include "tests/bt/TreeProbe.h"
 
-/// What `check` notes of a tree that BehaviorTree.CPP 4.10 runs otherwise: each row of the table in
+/// Notes of `check` on a tree that BehaviorTree.CPP 4.10 runs differently: each row of the table in
 /// bt/engine/README.md that a file can show.
 class NotesOnOriginalTest : public QObject {
   Q_OBJECT
@@ -82,7 +82,7 @@ void NotesOnOriginalTest::notes_tree_areThoseOfTheTable() {
   QCOMPARE(notesOn(xml.toStdString()), notes);
 }
 
-/// They are for those who export a tree, not for those who run it.
+/// They are for users who export a tree, not for users who run it.
 void NotesOnOriginalTest::notes_areNoPartOfOtherCompilations() {
   const auto program = probe::compiled("<IfThenElse><St/><S/></IfThenElse>");
   QVERIFY(program);

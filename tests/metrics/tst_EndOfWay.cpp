@@ -157,8 +157,7 @@ class EndOfWayTest : public QObject {
     run.events = {{7.0, arrived()}};
     QVERIFY(isNear(valueOf(run, "stl", parameters), 5.4 / 7.0));
   }
-  /// Whatever tells of an arrival tells of the same one: in the region it is at 5 s, at its goal at
-  /// 7 s.
+  /// All results use the same arrival: the robot is in the region at 5 s, at its goal at 7 s.
   void everyKey_hasTheArrivalOfTheEvent() {
     SampledRun run = runAlong({0, 1, 2, 3, 4, 5, 5.1, 5.3, 5.3, 5.3});
     run.eventsTellArrivals = true;
@@ -169,7 +168,7 @@ class EndOfWayTest : public QObject {
     QCOMPARE(valueOf(run, "completed"), 1.0);
     QCOMPARE(valueOf(run, "success"), 1.0);
     QCOMPARE(valueOf(run, "path_length"), 5.3);
-    MetricParameters original;  // knows no events: the whole record, and the wide region
+    MetricParameters original;  // ignores events: the whole record, and the wide region
     original.profile = Profile::Hunav2;
     QCOMPARE(valueOf(run, "time_to_reach_goal", original), 9.0);
     QVERIFY(isNear(valueOf(run, "stl", original), 5.4 / 9.0));
@@ -183,15 +182,15 @@ class EndOfWayTest : public QObject {
     }
     QVERIFY(std::isnan(valueOf(run, "time_to_reach_goal")));
     QCOMPARE(valueOf(run, "aggregated_time"), 25.0);  // until the end
-    QCOMPARE(valueOf(run, "stalled_time"), 20.0);     // it goes on
+    QCOMPARE(valueOf(run, "stalled_time"), 20.0);     // it continues
     MetricParameters original;
     original.profile = Profile::Hunav2;
     QCOMPARE(valueOf(run, "completed", original), 1.0);
-    run.eventsTellArrivals = false;  // a record that cannot tell
+    run.eventsTellArrivals = false;  // a record without events of arrivals
     QCOMPARE(valueOf(run, "aggregated_time"), valueOf(run, "time_to_reach_goal"));
     QCOMPARE(valueOf(run, "completed"), 1.0);
   }
-  /// It is sent elsewhere on its way, arrives there, and goes on.
+  /// It is sent elsewhere on its way, arrives there, and continues.
   void arrivalAtAnOrder_isNotTheEnd() {
     SampledRun run = runAlong({0, 1, 2, 3, 4, 5, 5, 5, 5.3, 5.3});
     run.eventsTellArrivals = true;

@@ -132,14 +132,15 @@ void HandCasesTest::zoneEntries_ofWhoWasNotThere_areOfOneTime() {
   SampledRun recording = recordingOfSamples(samples);
   QCOMPARE(valueOf(recording, "personal_zone_entries_by_robot"), 1.0);
   QCOMPARE(valueOf(recording, "personal_zone_entries_by_person"), 0.0);
-  // Who comes anew, elsewhere than before, was not there either.
+  // A person who enters again at another place was not present before either.
   recording.samples[0].people = {personAt(184, 9.0, 9.0, 5.0, 5.0)};
   sim2d::Event enter;
   enter.kind = sim2d::EventKind::Enter;
   enter.id = 184;
   recording.events = {{0.2, enter}};
   QCOMPARE(valueOf(recording, "personal_zone_entries_by_robot"), 1.0);
-  // Who was there: the velocities before count for both, as contact may have stopped them.
+  // For a person who was present, the earlier velocities count for both, as contact may have
+  // stopped them.
   recording.events.clear();
   recording.samples[0].people = {
       personAt(184, 3.0 * between.x(), 3.0 * between.y(), -between.x(), -between.y())};

@@ -115,7 +115,7 @@ class RobotWayTest : public QObject {
       QCOMPARE(valueOf(run, "spl"), 1.0);
       QCOMPARE(valueOf(run, "path_length"), 5.0);
       QCOMPARE(valueOf(run, "time_to_reach_goal"), 4.8);
-      QCOMPARE(valueOf(run, "stl"), 1.0);  // the event tells when, not the sample
+      QCOMPARE(valueOf(run, "stl"), 1.0);  // the event has the time, not the sample
     }
   }
   void arrival_betweenSamplesOfTheFrequency_endsWithTheSecond() {

@@ -64,7 +64,7 @@ void Nav2BranchesTest::guess_signs() {
   QCOMPARE(static_cast<int>(guessDistro(parsed(text.toStdString())).distro), distro);
 }
 
-/// Two signs of Jazzy and one of Humble: that one is no reason.
+/// Two signs of Jazzy and one of Humble, which is not reported as a reason.
 void Nav2BranchesTest::guess_reasons_speakForIt() {
   const DistroGuess guess =
       guessDistro(parsed("controller_server:\n  ros__parameters:\n    progress_checker_plugin: p\n"
@@ -121,7 +121,7 @@ void Nav2BranchesTest::read_keyOfAnotherDistro_isNotUsed() {
            KeyUse::Used);
 }
 
-/// A key of another plugin is no advice, however near its name is.
+/// A key of another plugin is not suggested, however similar its name is.
 void Nav2BranchesTest::read_unknownKey_isComparedWithItsOwnBlock() {
   const Nav2Reading reading = readOf(R"(local_costmap:
   local_costmap:

@@ -185,7 +185,7 @@ const std::map<std::string, Place>& placesOfComponents() {
   return kPlaces;
 }
 
-/// A file with one key of a component, and what became of it in a branch.
+/// A file with one key of a component, and how a branch treats it.
 Nav2Reading readingOf(const Place& place, const std::string& key, const std::string& value,
                       Distro distro) {
   std::string text = place.head;

@@ -11,7 +11,7 @@
 
 using namespace ros2test;
 
-/// Which participants and publishers of others are found.
+/// Discovery of participants and publishers of other programs.
 class DiscoveryTest : public QObject {
   Q_OBJECT
 
@@ -46,7 +46,7 @@ void DiscoveryTest::topic_anyPublisher_isHeardOnce_data() {
 }
 
 /// DDS matches no reliable reader with a publisher that is not, no latched one with one that is
-/// not: `Qos::anyPublisher` hears all of them, and of each every message once.
+/// not: `Qos::anyPublisher` receives from all of them, and every message once.
 void DiscoveryTest::topic_anyPublisher_isHeardOnce() {
   QFETCH(const bool, latched);
   const auto reader = participant(inDomain(kDomainOfPublishers)),
@@ -81,7 +81,7 @@ void DiscoveryTest::topic_anyPublisher_isHeardOnce() {
     reader->spin(Milliseconds(5));
   }
   QVERIFY(spinBoth(*reader, *writer, [&] { return heard.size() == 60; }));
-  while (reader->spin(Milliseconds(200))) {  // what would come twice
+  while (reader->spin(Milliseconds(200))) {  // samples that would arrive twice
   }
   QCOMPARE(heard.size(), std::size_t{60});
   for (const auto& [words, times] : heard) {

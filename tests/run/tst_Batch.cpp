@@ -143,7 +143,7 @@ class BatchTest : public QObject {
     QVERIFY(rows[3].failedBy == app::FailedBy::Run);
   }
 
-  /// Signals that the system, a queue or people send; a run brings about none of them.
+  /// Signals that the system, a queue or users send; a run causes none of them.
   void killed_always_isTheMachinesFailure_data() {
     QTest::addColumn<int>("signal");
     QTest::newRow("KILL") << SIGKILL;
@@ -233,7 +233,7 @@ class BatchTest : public QObject {
     QVERIFY(rows[0].ok && !rows[1].ok && rows[2].ok && rows[3].ok);
   }
 
-  /// A run that has said what it uses: the row tells, however it ends.
+  /// A run that has reported its files: the row lists them, however it ends.
   void filesOfRunsWithoutAnswer_areInTheirRows() {
     Rows rows;
     app::BatchJob job = jobOf(4, rows);

@@ -103,8 +103,8 @@ class BatchFolderTest : public QObject {
     QVERIFY(work(0, 3, Earlier::Replace));
   }
 
-  /// Of three failed runs the machine ended one: a resumed batch makes that one again, a retry
-  /// makes all of them again.
+  /// The machine ended one of three failed runs: a resumed batch repeats that one, a retry repeats
+  /// all of them.
   void resume_failedRuns_areMissing_data() {
     QTest::addColumn<int>("earlier");
     QTest::addColumn<QVector<int>>("missing");
@@ -170,7 +170,7 @@ class BatchFolderTest : public QObject {
     QVERIFY(resumed->missing() == std::vector<std::size_t>{2});
   }
 
-  /// Killed while failed runs are taken out: they are all there, or all of them are missing.
+  /// Killed while failed runs are removed: either all of them exist, or all are missing.
   void retry_killed_losesNothing() {
     QVERIFY(work(0, 3, Earlier::Refuse));
     int kills = 0;

@@ -281,7 +281,7 @@ void Nav2CheckTest::wrongValue_isToldAloneAtItsLine_data() {
       "controller_frequency 0 is not above 0");
 }
 
-/// No other value is measured by one that is itself wrong.
+/// No other value is checked against one that is itself wrong.
 void Nav2CheckTest::wrongValue_isToldAloneAtItsLine() {
   QFETCH(QString, from);
   QFETCH(QString, to);

@@ -455,7 +455,7 @@ void Nav2RunsTest::badInput_isToldNotRun() {
   QVERIFY2(text.find(part.toStdString()) != std::string::npos, text.c_str());
 }
 
-/// Its polygon holds the whole room; a node that is on would stop the robot at once.
+/// Its polygon holds the whole room; an enabled node would stop the robot immediately.
 void Nav2RunsTest::monitor_thatIsDisabled_changesNothing() {
   app::RunOptions options = optionsOf(boxScenario(0.0, false), "generic");
   options.nav2Params = SOURCE_DIR "/tests/data/nav2/nav2_monitor_disabled.yaml";

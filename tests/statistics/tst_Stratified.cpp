@@ -107,7 +107,7 @@ class StratifiedTest : public QObject {
     VERIFY_NEAR(test.p, listedP(strata), 1e-12);
   }
 
-  /// The scenario of the largest spread says nothing here and would hide the other two.
+  /// The scenario with the largest spread contributes nothing here and would hide the other two.
   void pooledRanks_wouldHideIt() {
     const Strata strata = threeScenarios();
     Numbers pooled;

@@ -98,8 +98,7 @@ class JupedsimTest : public QObject {
     QVERIFY(textOf(problems).find("row 3 of trajectory_data: pos_y") != std::string::npos);
     QVERIFY(tells(told("-"), "tracks.needs-file"));
   }
-  /// A query in the place of the table would never end; the value of a row would be larger than the
-  /// file.
+  /// A view instead of the table would never end; the value of a row would be larger than the file.
   void queriesInTheFile_areNotRun() {
     const std::string view = written(
         "v.sqlite",

@@ -84,7 +84,7 @@ class RunEndsTest : public QObject {
     QCOMPARE(timesOf(ran.trace, EventKind::Arrived), std::vector<double>{ran.robot().time});
   }
 
-  /// Sent to (0, 2) on its way to (9, 0), it arrives there, and the run goes on: more orders may
+  /// Sent to (0, 2) on its way to (9, 0), it arrives there, and the run continues: more orders may
   /// come. It has not arrived at its goal.
   void arrivedAtAnOrder_isNotTheEnd() {
     for (const bool hasGoal : {true, false}) {

@@ -100,8 +100,8 @@ void StartVariationTest::starts_manySeeds_areInFreePlacesOnTheirSideOfWalls() {
   }
 }
 
-/// A kilometre to either side of a room of 8 m: nobody gets through the walls, and it does not take
-/// longer than a run.
+/// A kilometre to either side of a room of 8 m: no person passes through the walls, and it does not
+/// take longer than a run.
 void StartVariationTest::starts_farWiderThanTheRoom_staysInIt() {
   QElapsedTimer clock;
   clock.start();
