@@ -21,7 +21,7 @@ std::unique_ptr<OutputFolder> openEvaluation(const EvaluateOptions& options,
 std::string manifestOf(const EvaluateOptions& options, const Invocation& given,
                        base::Diagnostics& warnings);
 
-/// What was measured.
+/// The record that was measured.
 struct Measured {
   const sim2d::Trace& trace;
   const sim2d::RecordedPoints& points;  // from the source of the record

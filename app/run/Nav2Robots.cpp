@@ -127,14 +127,15 @@ base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch) {
   const bt::Nav2Servers::Setup setup{reading.parameters, {},          {}, {}, 1, -1,
                                      masks.local,        masks.global};
   const bool canBeMade = !base::hasErrors(found) && !reading.parameters.isPartial;
-  const base::Diagnostics told = found;  // controllers are checked as the file is read
+  const base::Diagnostics reported = found;  // controllers are checked as the file is read
   for (const base::Diagnostic& problem : canBeMade ? bt::Nav2Servers::make(setup).diagnostics()
                                                    : bt::Nav2Servers::costmapProblems(setup)) {
-    const bool isTold = std::any_of(told.begin(), told.end(), [&](const base::Diagnostic& each) {
-      return each.code == problem.code && each.line == problem.line;
-    });
+    const bool isReported =
+        std::any_of(reported.begin(), reported.end(), [&](const base::Diagnostic& each) {
+          return each.code == problem.code && each.line == problem.line;
+        });
     const bool isElsewhere = reading.parameters.isPartial && problem.line == 0;  // in another file
-    if (!isTold && !isElsewhere && problem.code != "nav2.no-map") {  // scenarios name maps
+    if (!isReported && !isElsewhere && problem.code != "nav2.no-map") {  // scenarios name maps
       found.push_back(problem);
     }
   }

@@ -69,7 +69,7 @@ base::NodeStatus Ticker::whileDoElse(int node) {
 
 namespace {
 
-/// As text, else as numbers.
+/// Compares as text, else as numbers.
 bool sameCase(std::string_view a, std::string_view b) {
   if (a == b) {
     return true;

@@ -104,7 +104,8 @@ class Ticker {
   Status reactive(int node);
   Status parallel(int node);
   Status parallelAll(int node);
-  /// Of a Parallel, read when a tick begins. countsSkipped: as successes.
+  /// Counts of a Parallel, read when a tick begins. countsSkipped: skipped children count as
+  /// successes.
   struct Thresholds {
     int successes = 0;
     int failures = 0;

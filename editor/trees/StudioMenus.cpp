@@ -23,7 +23,7 @@ void TreeStudio::offerGiving() {
     action->setChecked(std::count(same.begin(), same.end(), id) > 0);
   }
   if (menu.isEmpty()) {
-    menu.addAction(tr("There is nobody else"))->setEnabled(false);
+    menu.addAction(tr("No other person"))->setEnabled(false);
   }
   menu.popup(give_->mapToGlobal(QPoint(0, give_->height())));
 }

@@ -170,7 +170,7 @@ topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum o
 replanning_count|New plans of the robot||0, 1, ...|number of events replan with the robot's id on its way
 = Navigation Performance|lower|nothing|Francis et al. 2025
 aggregated_time|Aggregated time to the goals|s|[0, inf)|sum over the people with goals (goals not empty and cyclic_goals false in trace.json) that
-  were there, whoever has an event arrived, and the robot if it has a goal, of the time of their first event arrived (robot: its arrival) from the
+  were there, everyone who has an event arrived, and the robot if it has a goal, of the time of their first event arrived (robot: its arrival) from the
   first sample of the record, T for who does not arrive; undefined if there is none of them
 = Navigation Performance|lower|robot, goal|SEAN 2.0
 mean_dist_to_target_not_moving|Mean distance to the goal while stopped|m|[0, inf)|mean over i of min over goals of |p_i - g|, over the i with t_i -

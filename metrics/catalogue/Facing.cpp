@@ -57,11 +57,11 @@ constexpr char kFacingMetrics[] = R"(
 time_facing_people|Time heading at people|s|[0, T]|time with |wrap(angle of C - psi)| <= facing_half_angle for the person for whom it is smallest
 = Social Behavior|neutral|robot, people|Arena|0.05
 time_seen_by_people|Time looked at|s|[0, T]|time with the angle between a person's heading and p - q (0 if d = 0) <= facing_half_angle for some
-  person; walls hide nobody
+  person; walls hide no person
 = Social Behavior|lower|robot, people|Arena, wider cone|0.05
 time_facing_people_60|Time heading towards people|s|[0, T]|as time_facing_people with 60 degrees (pi/3)
 = Social Behavior|neutral|robot, people|Arena, wider cone|0.05
-time_seen_by_people_60|Time in somebody's view|s|[0, T]|as time_seen_by_people with 60 degrees (pi/3)
+time_seen_by_people_60|Time in a person's view|s|[0, T]|as time_seen_by_people with 60 degrees (pi/3)
 )";
 
 }  // namespace

@@ -92,14 +92,14 @@ constexpr char kPersonalSpaceMetrics[] = R"(
 = Safety & Collisions|higher|robot, people|Francis et al. 2025; SocNavBench; SocNavGym
 min_time_to_collision|Smallest time to collision|s|[0, inf]|min over i, a of ttc, infinite if never on a collision course
 = Social Behavior|higher|robot, people|Francis et al. 2025; SocNavGym
-space_compliance|Personal space kept|%|[0, 100]|share of samples with c_i >= compliance_distance or nobody there
+space_compliance|Personal space kept|%|[0, 100]|share of samples with c_i >= compliance_distance or no person present
 = Social Behavior|lower|robot, people|CrowdNav
 discomfort_frequency|Uncomfortably close|%|[0, 100]|share of samples with c_i < discomfort_distance
 = Social Behavior|higher|robot, people|CrowdNav
 discomfort_distance_avg|Mean distance when uncomfortably close|m|[0, inf)|mean of c_i over the samples with c_i < discomfort_distance; undefined if
   there is none
 = Social Behavior|lower|robot, people|Arena
-time_in_personal_space|Time in somebody's personal space|s|[0, T]|time with d <= personal_radius for some person; centres
+time_in_personal_space|Time in a person's personal space|s|[0, T]|time with d <= personal_radius for some person; centres
 avg_speed_in_personal_space|Mean speed in personal space|m/s|[0, inf)|mean of s_i over the samples with d <= personal_radius for some person, 0 if
   there is none; centres
 max_speed_in_intimate_space|Largest speed in intimate space|m/s|[0, inf)|max of s_i over the samples with c_i < intimate_distance, 0 if there is none

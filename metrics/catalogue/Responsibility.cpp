@@ -89,7 +89,7 @@ responsibility|Responsibility of the robot|%|[0, 100]|100 W_r/(W_r + W_p). For e
   (miss(v', u') - miss(v, u')))/2 if g > 0.001 dt_(i-1), W_p by the same with the parts of robot and person exchanged; undefined if neither grows
 = Social Behavior|higher|robot, people|after Wenzel and Probst 2025
 engagement|Engagement of the robot|m/s|[0, inf)|W_r of responsibility / sum of dt_(i-1) of the i with a conflict (conflict_horizon, conflict_margin)
-  with somebody; undefined without conflict
+  with a person; undefined without conflict
 )";
 
 }  // namespace

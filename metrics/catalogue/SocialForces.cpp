@@ -115,7 +115,7 @@ constexpr char kSocialForcesMetrics[] = R"(
 = Social Forces|lower|robot, obstacles|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
 28 obstacle_force_on_robot|Obstacle force on the robot|m/s²|[0, inf)|sum over i of |O(robot)|
 = Social Forces|lower|people, obstacles|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
-29 obstacle_force_on_agents|Obstacle force on people|m/s²|[0, inf)|sum over i of the mean over a of |O(a)|, 0 where nobody is
+29 obstacle_force_on_agents|Obstacle force on people|m/s²|[0, inf)|sum over i of the mean over a of |O(a)|, 0 without people
 )";
 
 }  // namespace

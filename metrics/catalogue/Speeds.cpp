@@ -80,7 +80,7 @@ class Jerks : public Accumulator {
       return;
     }
     if (at.before == nullptr || at.earlier == nullptr) {
-      series_.add(at, 0.0);  // of none before the first, and of the first
+      series_.add(at, 0.0);  // the entry at the first sample, and the entry of it
     }
     jerk_.add(
         at.now.time, at.now.robot.speed, [&](double jerk) { take(at, jerk); },

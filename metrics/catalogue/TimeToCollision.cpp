@@ -87,7 +87,7 @@ MetricValue largestValue(const Figures& figures) {
 
 constexpr char kTimeToCollisionMetrics[] = R"(
 = Safety & Collisions|higher|robot, people|Francis et al. 2025; SocNavGym
-avg_time_to_collision|Mean time to collision|s|[0, inf)|mean over the samples at which somebody is on a collision course of min(min over a of ttc,
+avg_time_to_collision|Mean time to collision|s|[0, inf)|mean over the samples at which a person is on a collision course of min(min over a of ttc,
   collision_cap)
 = Safety & Collisions|lower|robot, people|Minderhoud and Bovy 2001
 time_exposed_to_collision|Time with a collision ahead|s|[0, T]|time with min over a of ttc < collision_horizon

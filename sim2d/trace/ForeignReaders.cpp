@@ -250,7 +250,7 @@ class StepLengths {
 
 bool beginWithIds(std::string_view text) {
   constexpr int kMostRows = 4000;
-  constexpr std::size_t kFewSteps = 3;  // of one body alone
+  constexpr std::size_t kFewSteps = 3;  // of a single body
   StepLengths idsFirst;
   StepLengths framesFirst;
   TextRows rows(text);

@@ -53,7 +53,7 @@ constexpr char kPointsFile[] = "obstacle_points.csv";
 
 /// `file` is named in the problems.
 base::Result<RecordedPoints> parseRecordedPoints(const std::string& text, const std::string& file);
-/// Those in the folder of a record; none where it has no such file.
+/// The points in the folder of a record; none where it has no such file.
 base::Result<RecordedPoints> readRecordedPoints(const std::string& directory);
 
 }  // namespace sim2d

@@ -179,7 +179,7 @@ void TableColumns::find(Column column) {
   }
 }
 
-/// As it is written there, with its unit or without, else in another case.
+/// The column with exactly this name, with or without its unit, else ignoring case.
 std::size_t TableColumns::columnNamed(const std::string& name) const {
   for (std::size_t k = 0; k < names_.size(); ++k) {
     if (names_[k] == name || (!isHeaderless_ && withoutBlanks(header_[k].text) == name)) {

@@ -56,7 +56,7 @@ constexpr char kRecordedMap[] = "map";  // name of the outlines that setMap() re
 
 /// The observations from which a record was made.
 struct TrackLinks {
-  /// Of a body at an instant.
+  /// The source of a body at an instant.
   struct Link {
     std::int64_t step = 0;
     int id = 0;

@@ -198,7 +198,7 @@ class NumericFields {
     }
   }
 
-  /// Of planners, models and metrics: tables of their own.
+  /// Parameters of planners, models and metrics, which have tables of their own.
   void addParameters(const std::vector<std::string>& robots) {
     const sim2d::Registries known = app::programRegistries();
     for (const std::string& robot : robots) {

@@ -299,8 +299,8 @@ class Monkey {
     hands_.type(*topmost(), key.key, key.modifiers);
   }
 
-  /// What happens without mouse and keys: guests control a run, a breakpoint selects a person,
-  /// another program changes the file.
+  /// Events without mouse and keys: observers control a run, a breakpoint selects a person, another
+  /// program changes the file.
   void changeBehind() {
     editor::SimulationRunner& runner = window_.workspace().runner();
     if (window_.isOnStartPage()) {
@@ -367,7 +367,7 @@ class Monkey {
   MonkeyDiary diary_;
 };
 
-/// By HUNAV_MONKEY_HANDS; null: not available here.
+/// As selected by HUNAV_MONKEY_HANDS; null: not available here.
 std::unique_ptr<MonkeyHands> handsToUse() {
   if (qEnvironmentVariable("HUNAV_MONKEY_HANDS") != QLatin1String("x11")) {
     return std::make_unique<QtHands>();

@@ -77,7 +77,7 @@ bool isClose(double a, double b) {
          std::fabs(a - b) <= 1e-6 * std::max(1.0, std::fabs(a));
 }
 
-/// All messages of a bag, but for its metadata and the topics that `isLeft` denies.
+/// All messages of a bag, except its metadata and the topics that `isLeft` rejects.
 bool copyMessages(const std::string& from, const std::string& to,
                   const std::function<bool(const std::string&)>& isLeft = {}) {
   base::Result<std::unique_ptr<Bag>> bag = openBag(from);

@@ -287,7 +287,7 @@ void FoxgloveServerTest::subscribe_latched_comesAtOnce() {
   QCOMPARE(client.awaitBinary(1), "\x01" + number(3, 4) + number(6, 8) + "the map");
 }
 
-/// Of a channel that is not latched: a subscription that has had a message gets no extra one.
+/// For a channel that is not latched: a subscription that has received a message gets no extra one.
 void FoxgloveServerTest::subscribe_messageMadeForIt_comesToNobodyElse() {
   Scene scene;
   std::atomic<int> calls{0};

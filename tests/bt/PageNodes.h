@@ -216,7 +216,7 @@ inline Status Node::setBlackboard() {
   return S::Success;
 }
 
-/// A leaf that does what the test says.
+/// A leaf whose results the test defines.
 inline Status Node::scripted(bool isStateful) {
   if (isStateful && isDone(status)) {
     return status;

@@ -33,7 +33,7 @@ struct Value {
   static Value of(std::string text) { return {Text, 0.0, false, std::move(text)}; }
 };
 
-/// Of a text that is used as a number.
+/// The number of a text that is used as a number.
 inline double numberIn(const std::string& text) {
   if (text == "true" || text == "false") {
     return text == "true" ? 1.0 : 0.0;
@@ -47,7 +47,7 @@ inline double numberIn(const std::string& text) {
   return value;
 }
 
-/// What a script reads and writes.
+/// The variables that a script reads and writes.
 class Variables {
  public:
   virtual ~Variables() = default;

@@ -39,7 +39,7 @@ double secondBessel(double x) {
 
 }  // namespace
 
-/// What the jerk is of; expected values by integrals done by hand.
+/// Jerks of known speeds; expected values by integrals done by hand.
 class JerkTest : public QObject {
   Q_OBJECT
 
@@ -67,7 +67,7 @@ class JerkTest : public QObject {
     wide.jerkWindow = 1.0;
     QVERIFY(std::fabs(valueOf(one, "max_jerk", wide) - 1.875) < 1e-9);
   }
-  /// Of a sine the amplitude times 15 j(ωH) / H², j being the second spherical Bessel function.
+  /// For a sine: the amplitude times 15 j(ωH) / H², j being the second spherical Bessel function.
   void sine_isDampedByTheWindow() {
     const double expected = 0.1 * 15.0 * secondBessel(6.0 * 0.375) / 0.140625;
     const double found = valueOf(driven(shaken, 0.002, 6.0), "max_jerk");

@@ -282,7 +282,7 @@ void RunNodeTest::run_noOtherParticipant_isToldOnce() {
   DomainSettings onNetwork = inDomain(62);
   const auto nobody = participant(onNetwork);
   onNetwork.localhostOnly = false;
-  NoPeerCheck withNetwork(onNetwork);  // of a participant on loopback: the words alone differ
+  NoPeerCheck withNetwork(onNetwork);  // of a participant on loopback: only the text differs
   const auto begin = std::chrono::steady_clock::now();
   while (std::chrono::steady_clock::now() - begin < Milliseconds(6500)) {
     QVERIFY(drive.step());

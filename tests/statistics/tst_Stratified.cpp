@@ -60,7 +60,7 @@ double listedP(const Strata& strata) {
 }
 
 /// Median of listed means of pairs within the strata, each as often as the smallest whole weights
-/// of strata of 3 and 5 say (1/4 and 1/6: 3 and 2).
+/// of strata of 3 and 5 require (1/4 and 1/6: 3 and 2).
 double listedShift(const Strata& strata, const std::vector<int>& weights) {
   Numbers means;
   for (std::size_t k = 0; k < strata.size(); ++k) {
@@ -160,7 +160,7 @@ class StratifiedTest : public QObject {
     QVERIFY(std::isnan(stratifiedShift({{}, {}})));
   }
 
-  /// What is in the interval is not rejected by the test, what is outside is.
+  /// Shifts within the interval are not rejected by the test, shifts outside are.
   void interval_isWhatTheTestAllows() {
     const Strata strata = threeScenarios();
     const Interval interval = stratifiedShiftInterval(strata);

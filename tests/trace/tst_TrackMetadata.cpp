@@ -46,7 +46,7 @@ class ArchiveFile {
     H5Aclose(attribute);
     H5Sclose(space);
   }
-  /// Of fixed length, or as h5py writes a str of Python.
+  /// A text attribute of fixed length, or as h5py writes a Python str.
   static void text(hid_t of, const char* name, const std::string& value, bool isVariable) {
     const hid_t type = H5Tcopy(H5T_C_S1);
     H5Tset_size(type, isVariable ? H5T_VARIABLE : value.size());
@@ -253,7 +253,7 @@ class TrackMetadataTest : public QObject {
     QVERIFY(isNear(secondTime(file), 0.5));
     QCOMPARE(file->tracks[0].points[1].position, base::Vec2(1.5, 2.0));
     QVERIFY(isNear(*file->tracks[0].points[0].heading, base::kPi / 2.0));
-    ForeignOptions options;  // what the user says counts
+    ForeignOptions options;  // options of the user take precedence
     options.lengthUnit = 1e-3;
     const base::Result<TrackFile> given =
         read(files_.add("units.csv", header.toStdString() + "0,1,100,200,90\n500,1,150,200,90\n"),

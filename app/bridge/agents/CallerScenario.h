@@ -10,8 +10,8 @@ namespace bridge {
 /// its first request counts, as in HuNavSim: desired velocity, radius, group, goals, force factors.
 /// What the agents do, their trees, is as the scenario has it, by id. Somebody whom the scenario
 /// does not know is added as the message describes them, with the tree of their behaviour, and
-/// told in `remarks`. Without robots; of the variation reaction times count, all else is the
-/// caller's.
+/// reported in `remarks`. Without robots; of the variation only reaction times apply, everything
+/// else is the caller's.
 sim2d::Scenario scenarioFor(const sim2d::Scenario& served, const hunav_msgs::Agents& agents,
                             base::Diagnostics& remarks);
 

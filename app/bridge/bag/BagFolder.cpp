@@ -56,7 +56,7 @@ std::string_view packingOf(const std::string& begin) {
   return found == std::end(kPackings) ? std::string_view() : found->name;
 }
 
-/// By the content; of files that are compressed or stored elsewhere, by the name alone.
+/// By the content; for files that are compressed or stored elsewhere, only by the name.
 Kind kindOfFile(const std::string& path) {
   const std::string begin = beginningOf(path);
   if (beginsWith(begin, kMcapMagic)) {

@@ -44,7 +44,7 @@ class ForeignTrace {
     }
     return trace;
   }
-  /// What was left out on the way.
+  /// Warnings about data that was left out.
   base::Diagnostics remarks() const {
     return left_ == 0 ? base::Diagnostics()
                       : base::Diagnostics{base::warning("bag.same-stamp", {left_}, file_.file)};

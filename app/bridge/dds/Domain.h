@@ -44,7 +44,7 @@ struct Qos {
   bool transientLocal = false;  // who comes later gets the last ones
   int depth = 10;               // of the history
   double lifespan = 0.0;        // [s]; 0: for ever
-  /// Of a subscription: publishers that offer less than it requests are received too, without
+  /// For a subscription: publishers that offer less than it requests are received too, without
   /// retransmission of lost samples. DDS alone does not match them.
   bool anyPublisher = false;
 

@@ -48,7 +48,7 @@ std::optional<std::vector<std::size_t>> orderIn(const std::string& line) {
   std::size_t position = 0;
   for (const std::string& word : wordsOf(line)) {
     if (word == "in" || lengthUnitOf(word)) {
-      continue;  // of the column before
+      continue;  // belongs to the previous column
     }
     if (const std::optional<std::size_t> quantity = quantityOf(word)) {
       if (isFound[*quantity]) {

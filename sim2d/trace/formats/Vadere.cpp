@@ -9,7 +9,7 @@
 
 /// Output of Vadere: positions by time step ("timeStep pedestrianId x y"), or footsteps
 /// ("pedestrianId simTime endTime startX startY endX endY"). Names may end with "-PID1". The length
-/// of a time step is in the scenario that Vadere puts beside its output.
+/// of a time step is in the scenario that Vadere writes beside its output.
 namespace sim2d {
 
 namespace {

@@ -177,7 +177,7 @@ const std::vector<Nav2Key<MonitorSource>>& monitorSourceKeys() {
   using P = MonitorSource;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"type", &P::type, "", "scan, pointcloud, range: here always the robot's lidar."},
-      {"enabled", &P::enabled, "", "Whether it is looked at."},
+      {"enabled", &P::enabled, "", "Whether it is used."},
       {"source_timeout", &P::sourceTimeout, "s", "As that of the node, which counts without it.",
        kSinceJazzy},
   };
