@@ -23,9 +23,9 @@ struct StratifiedSignedRank {
 
 /// Wilcoxon's signed-rank test (1945; zeros by Pratt's rule, 1959) within each stratum, the sums of
 /// ranks added with the weights 1 / (pairs + 1) of van Elteren (1960, Bull. Int. Statist. Inst. 37,
-/// 351-361). Exact for n <= 50: all changes of signs given the ranks, ties and zeros or not; else
-/// by the normal distribution with the variance of the same and a continuity correction of half the
-/// smallest weight. n = 0: p = 1.
+/// 351-361). Exact for n <= 50, with at most 10 000 pairs and small whole weights: all changes of
+/// signs given the ranks, ties and zeros or not; else by the normal distribution with the variance
+/// of the same and a continuity correction of half the smallest weight. n = 0: p = 1.
 StratifiedSignedRank stratifiedSignedRank(const Strata& differences);
 
 /// The typical difference of that test (Hodges & Lehmann 1963): median of the means of all pairs of

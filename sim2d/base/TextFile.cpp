@@ -69,7 +69,7 @@ Result<std::string> readAll(int descriptor, const std::string& path, std::size_t
   }
 }
 
-/// As it is, unless it stands for another file.
+/// The text unchanged, or an error if it is a Git LFS pointer.
 Result<std::string> withoutPointer(Result<std::string> text, const std::string& path) {
   return text && isLfsPointer(*text) ? error("file.lfs-pointer", {}, path) : std::move(text);
 }

@@ -119,7 +119,8 @@ std::vector<std::string> bagFilesIn(const std::string& folder) {
   return files;
 }
 
-/// A folder with the record of a run is a run, whatever other files it contains.
+/// A folder with the record of a run and without metadata.yaml is a run, even if it contains bag
+/// files.
 bool isRecord(const fs::path& folder) {
   std::error_code ignored;
   return fs::is_regular_file(folder / "trace.json", ignored);

@@ -35,7 +35,7 @@ const YamlNode& emptyMap() {
   return kEmpty;
 }
 
-/// No name, word or path has a line end, a zero byte or the like in it.
+/// Names, words and paths contain no line ends, zero bytes or other control characters.
 bool hasControlCharacter(const std::string& text) {
   return std::any_of(text.begin(), text.end(),
                      [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; });
