@@ -147,7 +147,9 @@ double statedRate(const std::vector<std::string>& comments) {
   constexpr const char* kNames[] = {"framerate", "frame rate",        "frame_rate",   "frame-rate",
                                     "fps",       "frames per second", "sampling rate"};
   for (const std::string& line : comments) {
-    const std::size_t begin = line.find_first_of("0123456789.");
+    const std::size_t separator = line.find_first_of(":=");  // "frame rate [1/s]: 25"
+    const std::size_t begin =
+        line.find_first_of("0123456789.", separator == std::string::npos ? 0 : separator);
     if (begin == std::string::npos) {
       continue;
     }

@@ -269,10 +269,12 @@ class TrackMetadataTest : public QObject {
         told.c_str());
   }
   void csv_rate_standsInAComment() {
-    const base::Result<TrackFile> file =
-        read(files_.add("c.csv", "# lab\n# fps: 20\nframe,id,x,y\n0,1,0,0\n1,1,0.1,0\n"));
-    QVERIFY2(file, textOf(file.diagnostics()).c_str());
-    QVERIFY(isNear(secondTime(file), 0.05));
+    for (const char* comment : {"fps: 20", "fps of camera 2: 20", "frame rate [1/s] = 20"}) {
+      const base::Result<TrackFile> file = read(files_.add(
+          "c.csv", QByteArray("# lab\n# ") + comment + "\nframe,id,x,y\n0,1,0,0\n1,1,0.1,0\n"));
+      QVERIFY2(file, textOf(file.diagnostics()).c_str());
+      QVERIFY2(isNear(secondTime(file), 0.05), comment);
+    }
     const base::Result<TrackFile> named =
         read(files_.add("n.csv", "#frame,id,x,y\n0,1,0,0\n1,1,0.1,0\n"));
     QVERIFY(textOf(named.diagnostics()).find("--fps F") != std::string::npos);

@@ -123,12 +123,13 @@ class JupedsimReader {
     if (!rows) {
       return fail();
     }
-    constexpr std::size_t kMostProblems = 1000;
+    constexpr std::size_t kMostProblems = 1000;  // of the rows
+    const std::size_t before = input_.problems.size();
     constexpr std::size_t kSmallestRow = 5;  // [B]: its place in the page, size, key, one column
     const auto mostRows = static_cast<long long>(databaseSize(input_.path) / kSmallestRow);
     long long row = 1;
     int code = sqlite3_step(rows.get());
-    for (; code == SQLITE_ROW && input_.problems.size() < kMostProblems; ++row) {
+    for (; code == SQLITE_ROW && input_.problems.size() - before < kMostProblems; ++row) {
       if (row > mostRows) {
         error("tracks.more-rows", {mostRows});
         return false;

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -146,9 +147,11 @@ std::optional<Distro> distroNamed(const std::string& word) {
 DistroGuess guessDistro(const ParameterFile& file) {
   Scores scores;
   bool isPluginTold = false;
+  std::set<std::string> seen;  // a node of two namespaces counts once
   for (const NodeParameters& node : file.nodes()) {
+    const bool isNew = seen.insert(node.node).second;
     for (const NodeSign& sign : kNodeSigns) {
-      if (sign.node == node.node) {
+      if (isNew && sign.node == node.node) {
         scores.add(sign.distros, 1, node.line, "node " + node.node);
       }
     }
