@@ -65,6 +65,16 @@ std::string unitWord(std::string_view text) {
   return base::lowered(text);
 }
 
+std::string withPoint(std::string_view word, char separator) {
+  const std::size_t comma = word.find(',');
+  std::string text(word);
+  if (separator == ';' && comma != std::string_view::npos &&
+      word.find('.') == std::string_view::npos) {
+    text[comma] = '.';
+  }
+  return base::parseDouble(text) ? text : std::string(word);
+}
+
 void TableColumns::read(const CsvRow& header) {
   header_ = header;
   isHeaderless_ = areNumbered();
@@ -110,7 +120,7 @@ bool TableColumns::isRowOfUnits(const CsvRow& row) const {
   bool isAnyUnit = false;
   for (const Column column : {has(Time) ? Time : Frame, X, Y}) {
     const std::string word = unitWord(row[places_[column]].text);
-    if (base::parseDouble(word)) {
+    if (base::parseDouble(withPoint(word, layout_.separator))) {
       return false;
     }
     isAnyUnit = isAnyUnit || !word.empty();

@@ -13,6 +13,8 @@ namespace sim2d {
 std::string_view withoutBlanks(std::string_view text);
 /// A unit in lower case, without blanks and the brackets around it: "[m]", "(s)".
 std::string unitWord(std::string_view text);
+/// A number with a decimal comma, which may stand beside semicolons, with a point; else as it is.
+std::string withPoint(std::string_view word, char separator);
 
 /// The quantities and units of the columns of a table. Problems are noted in the input.
 class TableColumns {

@@ -84,19 +84,13 @@ class TableReader {
            base::parseDouble(wordOf(columns_[Columns::Active]).text) != 0.0;
   }
 
-  /// Between semicolons, a comma may be the decimal point.
   std::optional<double> number(std::size_t column, const char* name) {
     const Word word = wordOf(column);
-    const std::size_t comma = word.text.find(',');
-    if (layout_.separator == ';' && comma != std::string_view::npos &&
-        word.text.find('.') == std::string_view::npos) {
-      std::string text(word.text);
-      text[comma] = '.';
-      if (base::parseDouble(text)) {
-        return words_.finite({text, word.line, word.column}, name);
-      }
+    if (layout_.separator != ';') {
+      return words_.finite(word, name);
     }
-    return words_.finite(word, name);
+    const std::string text = withPoint(word.text, layout_.separator);
+    return words_.finite({text, word.line, word.column}, name);
   }
 
   /// Reads a column that may be missing or empty.

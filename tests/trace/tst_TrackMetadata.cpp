@@ -287,6 +287,14 @@ class TrackMetadataTest : public QObject {
     QVERIFY(isNear(file->tracks[0].points[0].position.x(), 1.25));
   }
 
+  void csv_decimalCommasEverywhere_areNoUnits() {
+    const base::Result<TrackFile> file =
+        read(files_.add("commas.csv", "time;id;x;y\n0,5;1;1,25;2,5\n1,0;1;1,5;2,5\n"));
+    QVERIFY2(file, textOf(file.diagnostics()).c_str());
+    QCOMPARE(file->tracks[0].points.size(), std::size_t{2});
+    QVERIFY((file->tracks[0].points[0].position - base::Vec2(1.25, 2.5)).norm() < 1e-12);
+  }
+
   void vsp_withoutMatrix_takesTheSizeOfAPixel() {
     const std::string path = files_.add("film.vsp", "1\n2\n-60.0 88.0 0 90.0\n40.0 -12.0 20 0.0\n");
     const std::string told = textOf(read(path).diagnostics());
