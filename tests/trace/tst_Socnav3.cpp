@@ -108,6 +108,17 @@ class Socnav3Test : public QObject {
       QVERIFY(isNear((point - base::Vec2(4.0, 2.0)).norm(), 0.2));
     }
   }
+  void largeIds_leaveOneForTheRobot() {
+    const base::Result<TrackFile> file = read(files_.add("ids.json", R"({"sequence": [
+        {"timestamp": 0, "robot": {"x": 0, "y": 0},
+         "people": [{"id": 2147483646, "x": 1, "y": 1}, {"id": 5, "x": 2, "y": 1}]}]})"));
+    QVERIFY2(file, textOf(file.diagnostics()).c_str());
+    QCOMPARE(file->tracks.size(), std::size_t{3});
+    QCOMPARE(file->tracks[0].id, 1);  // numbered, as words are
+    QCOMPARE(file->tracks[1].id, 2);
+    QVERIFY(file->tracks[2].isRobot);
+    QCOMPARE(file->tracks[2].id, 3);
+  }
   void otherSpellings_areRead() {
     const base::Result<TrackFile> file = read(files_.add(
         "list.json",

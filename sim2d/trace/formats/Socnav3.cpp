@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/map/Outlines.h"
@@ -157,9 +156,10 @@ class Socnav3Reader {
   /// Ids that are words, or numbers that are not valid ids, get numbers.
   TrackFile finish() {
     TrackFile file;
+    constexpr long long kLargestId = 2000000000;  // the robot gets the next one
     const bool areNumbers = std::all_of(people_.begin(), people_.end(), [](const auto& person) {
       const std::optional<long long> id = base::parseInt(person.first);
-      return id && *id >= 0 && *id < std::numeric_limits<int>::max();
+      return id && *id >= 0 && *id <= kLargestId;
     });
     int next = 1;
     for (auto& [word, track] : people_) {
