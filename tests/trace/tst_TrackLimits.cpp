@@ -106,6 +106,19 @@ class TrackLimitsTest : public QObject {
     QCOMPARE(file->tracks.size(), std::size_t{200});
     QCOMPARE(file->tracks[199].points.size(), std::size_t{1000});
   }
+  /// One piece that is larger than what is read together otherwise.
+  void hdf5_largePiece_isRead() {
+    std::vector<Row> rows;
+    for (int k = 0; k < 150000; ++k) {
+      rows.push_back({k / 1000, k % 1000, 0.01 * (k % 1000), 1.0, 0.0});
+    }
+    const std::string path = files_.add("large.h5", "");
+    writeTable(path, rows.size(), 100000, rows);
+    const base::Result<TrackFile> file = read(path);
+    QVERIFY2(file, file ? "" : file.diagnostics().front().text().c_str());
+    QCOMPARE(file->tracks.size(), std::size_t{150});
+    QCOMPARE(file->tracks[149].points.size(), std::size_t{1000});
+  }
   /// The same frame of the same body again and again, as of rows that were never written.
   void hdf5_emptyRows_endTheReading() {
     const std::string path = files_.add("empty.h5", "");

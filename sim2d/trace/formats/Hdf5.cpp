@@ -41,7 +41,7 @@ struct Row {
   double x = 0.0, y = 0.0;
 };
 
-constexpr hsize_t kBlock = 65536;  // rows that are read together
+constexpr hsize_t kBlock = 65536;  // rows that are read together, if no piece is larger
 
 /// Nothing: it is no column of rows.
 std::optional<hsize_t> countRows(hid_t table) {
@@ -58,7 +58,7 @@ hsize_t rowsOfChunk(hid_t table) {
   hsize_t rows = 1;
   const bool isChunked = creation.isGood() && H5Pget_layout(creation) == H5D_CHUNKED &&
                          H5Pget_chunk(creation, 1, &rows) == 1;
-  return isChunked ? rows : 1;
+  return isChunked ? std::max<hsize_t>(rows, 1) : 1;
 }
 
 /// Whether its rows are in this file and not in external ones.
@@ -195,8 +195,10 @@ class TableReader {
     const Handle row(rowType(type), H5Tclose);
     const Handle space(H5Dget_space(table_), H5Sclose);
     std::vector<Row> rows;
-    for (hsize_t from = 0; from < count && tracks_.isUsable(); from += kBlock) {
-      const hsize_t block = std::min(kBlock, count - from);
+    const hsize_t piece = rowsOfChunk(table_);  // read in parts it would be unpacked for each
+    const hsize_t most = piece * std::max<hsize_t>(kBlock / piece, 1);
+    for (hsize_t from = 0; from < count && tracks_.isUsable(); from += most) {
+      const hsize_t block = std::min(most, count - from);
       rows.resize(block);
       const Handle memory(H5Screate_simple(1, &block, nullptr), H5Sclose);
       H5Sselect_hyperslab(space, H5S_SELECT_SET, &from, nullptr, &block, nullptr);
