@@ -195,10 +195,11 @@ side of some obstacle may be shorter by 3.1 % of the way and about a cell at eac
 the robot may count as closed.
 
 Obstacle points of O follow from the walls, obstacles and closed doors of a run. A recording of another
-program that contains points (`closest_obs` of hunav_msgs) is measured with them: people if any person
-has points, the robot if it has points; its clearance is then the smaller of the distances to the points
-and to the walls of the map. Without points, map and obstacles O is undefined, in `hunav2` 0. The factor
-of F on a person is that of the recording (`social_force_factor`), else `social_factor`.
+program that contains points (`closest_obs` of hunav_msgs; in the results of `evaluate` they are in
+`obstacle_points.csv`) is measured with them: people if any person has points, the robot if it has points;
+its clearance is then the smaller of the distances to the points and to the walls of the map. Without
+points, map and obstacles O is undefined, in `hunav2` 0. The factor of F on a person is that of the
+recording (`social_force_factor`), else `social_factor`.
 
 ## Groups and crowds
 
