@@ -63,7 +63,7 @@ class TableReader {
   void readUnits() {
     const double ofX = columns_.unitOf(Columns::X, 1.0);
     length_ = columns_.unitOf(Columns::Y, ofX);
-    if (length_ != ofX) {
+    if (length_ != ofX && !(input_.options.lengthUnit > 0.0)) {
       words_.error(wordOf(columns_[Columns::Y]), "tracks.two-units");
     }
     time_ = columns_.unitOf(Columns::Time, 1.0);

@@ -260,6 +260,17 @@ class TrackMetadataTest : public QObject {
              options);
     QVERIFY(isNear(given->tracks[0].points[1].position.x(), 0.15));
   }
+  void csv_differentUnits_needTheOption() {
+    const std::string path = files_.add("two.csv", "time,id,x [mm],y [cm]\n0,1,10,20\n1,1,20,20\n");
+    const std::string told = textOf(read(path).diagnostics());
+    QVERIFY2(told.find("x and y have different units (--unit METRES)") != std::string::npos,
+             told.c_str());
+    ForeignOptions options;
+    options.lengthUnit = 0.1;
+    const base::Result<TrackFile> file = read(path, options);
+    QVERIFY2(file, textOf(file.diagnostics()).c_str());
+    QVERIFY((file->tracks[0].points[0].position - base::Vec2(1.0, 2.0)).norm() < 1e-12);
+  }
   void csv_unknownUnit_namesTheOption() {
     const std::string told = textOf(
         read(files_.add("far.csv", "time,id,x [furlong],y [furlong]\n0,1,1,1\n")).diagnostics());
