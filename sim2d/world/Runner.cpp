@@ -155,7 +155,7 @@ class WayEnds {
     for (const RobotOnWay& robot : world_.robotsOnWay()) {
       if (robot.stuck) {
         names += (names.empty() ? "stuck: " : " and ") + robot.name;
-      } else if (robot.hasGoal && !robot.arrived) {
+      } else if ((robot.hasGoal && !robot.arrived) || atOrder_.count(robot.id) > 0) {
         return {};
       }
     }

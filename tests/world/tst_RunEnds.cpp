@@ -317,6 +317,33 @@ class RunEndsTest : public QObject {
     QVERIFY(ran.robot(0).time < ran.robot(1).time);
   }
 
+  /// The second robot stands where it was sent: more orders may come.
+  void stuck_besideOneAtAnOrder_isNotTheEnd() {
+    Scenario scenario = driveTo(8.0);
+    scenario.desktop.duration = 20.0;
+    scenario.desktop.stuckAfter = 3.0;
+    addRoom(scenario, Vec2(-2.0, -0.8), Vec2(12.0, 0.8));
+    addPerson(scenario, 1, Vec2(4.0, 0.0));
+    addRobot(scenario, Vec2(0.0, 5.0), Vec2(20.0, 5.0));
+    const std::unique_ptr<World> world = make(scenario, standStill);
+    Recording recording;
+    const RunResult result = run(*world, stopRuleOf(scenario), recording, {}, [&] {
+      StepInputs inputs;
+      if (world->stepIndex() == 4) {
+        Input& order = inputs.emplace_back();
+        order.kind = InputKind::Goal;
+        order.id = -2;
+        order.pose.position = Vec2(3.0, 5.0);
+      }
+      return inputs;
+    });
+    QCOMPARE(result.reason, std::string("duration"));
+    QVERIFY(result.robots[0].result == WayEnd::Stuck);
+    QVERIFY(result.robots[1].result == WayEnd::Timeout);
+    QCOMPARE(timesOf(recording.trace(world->header()), EventKind::Arrived, -2).size(),
+             std::size_t{1});
+  }
+
   /// A person in the way goes on after 9 s: the robot was stuck, frees itself and arrives.
   void stuck_thatFreesItself_arrives() {
     Scenario scenario = driveTo(8.0);
