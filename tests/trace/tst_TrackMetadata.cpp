@@ -127,6 +127,16 @@ class TrackMetadataTest : public QObject {
     QVERIFY2(file, textOf(file.diagnostics()).c_str());
     QVERIFY(isNear(secondTime(file), 0.04));
   }
+  void hdf5_rateInSinglePrecision_isTheSameRate() {
+    const std::string path = files_.add("single.h5", "");
+    {
+      const ArchiveFile file(path);
+      ArchiveFile::number(file.root(), "fps", static_cast<double>(29.97F));
+      ArchiveFile::number(file.table(), "fps", 29.97);
+    }
+    const base::Result<TrackFile> file = read(path);
+    QVERIFY2(file, textOf(file.diagnostics()).c_str());
+  }
   void hdf5_twoRates_needTheUsers() {
     const std::string path = files_.add("rates.h5", "");
     {

@@ -21,8 +21,10 @@ std::optional<int> tagOf(const people_msgs::Person& person, const char* name) {
   for (std::size_t k = 0; k < std::min(person.tagnames.size(), person.tags.size()); ++k) {
     if (person.tagnames[k] == name) {
       const std::optional<long long> value = base::parseInt(person.tags[k]);
-      return value && std::abs(*value) < 1000000000 ? std::optional(static_cast<int>(*value))
-                                                    : std::nullopt;
+      constexpr long long kLargest = 999999999;
+      return value && *value >= -kLargest && *value <= kLargest
+                 ? std::optional(static_cast<int>(*value))
+                 : std::nullopt;
     }
   }
   return std::nullopt;

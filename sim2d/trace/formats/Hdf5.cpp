@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <hdf5.h>
 #include <limits>
 
@@ -149,11 +150,13 @@ double attributeNumber(hid_t of, const char* name) {
 /// The frame rate of the file or of its table; 0: neither states it. If they differ, the user must
 /// give it.
 double statedRate(hid_t file, hid_t table, const ForeignInput& input) {
+  constexpr double kSameRate = 1e-4;  // relative: one of them may be written in single precision
   double rate = 0.0;
   for (const hid_t of : {file, table}) {
     for (const char* name : {"fps", "framerate", "frame_rate", "frameRate"}) {
       const double found = attributeNumber(of, name);
-      if (rate > 0.0 && found > 0.0 && found != rate && !(input.options.framesPerSecond > 0.0)) {
+      if (rate > 0.0 && found > 0.0 && std::abs(found - rate) > kSameRate * rate &&
+          !(input.options.framesPerSecond > 0.0)) {
         input.problems.push_back(base::error("tracks.two-rates", {rate, found}, input.path));
       }
       rate = rate > 0.0 ? rate : found;
