@@ -195,6 +195,31 @@ base::Result<std::unique_ptr<FolderLock>> waitForLock(const std::string& folder)
   return lock;
 }
 
+/// Stands for the hash while the file is being written.
+constexpr char kBeingWritten[] = "";
+
+base::Diagnostics listFile(const std::string& file, const std::string& hash, const char* kind) {
+  const std::string folder = folderOf(file);
+  const base::Result<std::unique_ptr<FolderLock>> lock = waitForLock(folder);
+  const base::Result<std::string> former = manifestText(folder, OutputFolder::kHiddenManifest);
+  const base::Result<FileHashes> listed = listedFiles(folder, OutputFolder::kHiddenManifest);
+  base::Diagnostics problems = lock.diagnostics();
+  base::append(problems, former.diagnostics());
+  base::append(problems, listed.diagnostics());
+  if (base::hasErrors(problems)) {
+    return problems;
+  }
+  FileHashes hashes = *listed;
+  hashes[fs::path(file).filename().string()] = hash;
+  Json json = Json::parse(*former);
+  if (json.empty()) {
+    json["kind"] = kind;
+  }
+  json["outputs"] = outputsOf(hashes);
+  return base::writeFileAtomically(inFolder(folder, OutputFolder::kHiddenManifest),
+                                   base::jsonText(json) + "\n");
+}
+
 }  // namespace
 
 OutputFolder::OutputFolder(std::string folder, bool force, bool isNew, const char* manifest)
@@ -359,35 +384,23 @@ base::Diagnostics otherFileInTheWay(const std::string& file, bool force) {
   if (!listed) {
     return listed.diagnostics();
   }
-  const bool isOurs = isAsListed(folder, *listed, fs::path(file).filename().string());
+  const std::string name = fs::path(file).filename().string();
+  const auto entry = listed->find(name);
+  const bool isBeingWritten = entry != listed->end() && entry->second == kBeingWritten;
+  const bool isOurs =
+      isAsListed(folder, *listed, name) || (isBeingWritten && fs::is_regular_file(status));
   return isOurs ? base::Diagnostics{}
                 : base::Diagnostics{base::error("file.is-in-the-way", {}, file)};
 }
 
+base::Diagnostics announceFile(const std::string& file, const char* kind) {
+  return listFile(file, kBeingWritten, kind);
+}
+
 base::Diagnostics noteFile(const std::string& file, const char* kind) {
-  const std::string folder = folderOf(file);
-  const base::Result<std::unique_ptr<FolderLock>> lock = waitForLock(folder);
-  const base::Result<std::string> former = manifestText(folder, OutputFolder::kHiddenManifest);
-  const base::Result<FileHashes> listed = listedFiles(folder, OutputFolder::kHiddenManifest);
   const std::optional<std::string> hash = sha256OfFile(file);
-  base::Diagnostics problems = lock.diagnostics();
-  base::append(problems, former.diagnostics());
-  base::append(problems, listed.diagnostics());
-  if (!hash) {
-    problems.push_back(base::error("file.cannot-read", {"it is gone or damaged"}, file));
-  }
-  if (base::hasErrors(problems)) {
-    return problems;
-  }
-  FileHashes hashes = *listed;
-  hashes[fs::path(file).filename().string()] = *hash;
-  Json json = Json::parse(*former);
-  if (json.empty()) {
-    json["kind"] = kind;
-  }
-  json["outputs"] = outputsOf(hashes);
-  return base::writeFileAtomically(inFolder(folder, OutputFolder::kHiddenManifest),
-                                   base::jsonText(json) + "\n");
+  return hash ? listFile(file, *hash, kind)
+              : base::Diagnostics{base::error("file.cannot-read", {"it is gone or damaged"}, file)};
 }
 
 bool isRestOfOutput(const std::string& name) {

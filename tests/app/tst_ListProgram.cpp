@@ -259,7 +259,7 @@ class ListProgramTest : public QObject {
     QCOMPARE(lanes[QStringLiteral("default")].toDouble(), 0.75);
     QCOMPARE(lanes[QStringLiteral("unit")].toString(), QStringLiteral("m"));
     QCOMPARE(lanes[QStringLiteral("minimum")].toDouble(-1.0), 0.0);
-    QVERIFY(lanes[QStringLiteral("maximum")].isNull());
+    QCOMPARE(lanes[QStringLiteral("maximum")].toDouble(), 1e6);
     QVERIFY(!lanes[QStringLiteral("description")].toString().isEmpty());
     // All of the table of parameters.
     const QByteArray table = committed.mid(committed.indexOf("## Parameters"));

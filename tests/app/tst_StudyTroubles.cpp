@@ -322,7 +322,8 @@ class StudyTroublesTest : public QObject {
       QVERIFY2(bash.exitCode() == 0, bash.readAllStandardError().constData());
       const Finished json =
           runProgram(StudyFolder::words(folder_.study(), folder_.path(text("it's")),
-                                        {text("--script"), text(kind), text("--json")}));
+                                        {text("--script"), text(kind), text("--json"),
+                                         text("--retry-failed"), text("--time-limit"), text("9")}));
       const QJsonObject told = QJsonDocument::fromJson(json.out.toUtf8()).object();
       QCOMPARE(told.value(text("script")).toString(), text(kind));
       QCOMPARE(told.value(text("text")).toString(), script.out);

@@ -337,6 +337,7 @@ int renderCommand(const RenderOptions& options, const Invocation& given) {
   }
   requireFine(wrongOptions(options, *kind), ExitWrongCommandLine);
   requireFine(otherFileInTheWay(options.output, options.force));
+  requireFine(announceFile(options.output, "render"));
   drawRun(options, *kind, given.quiet);
   requireFine(noteFile(options.output, "render"));
   if (given.json) {
