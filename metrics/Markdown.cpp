@@ -43,7 +43,10 @@ std::string categoryTable(const MetricRegistry& registry, Category category) {
 }
 
 std::string parameterTable() {
-  std::string text = "\n## Parameters\n\n" + row({"name", "default", "unit", "meaning"});
+  std::string text =
+      "\n## Parameters\n\nValues that a run has changed are in `metrics.parameters` of "
+      "`trace.json`.\n\n" +
+      row({"name", "default", "unit", "meaning"});
   text += "|---|---|---|---|\n";
   for (const ParameterInfo& info : parameterInfos()) {
     const base::ParameterSpec& spec = info.spec;
@@ -58,20 +61,24 @@ constexpr char kIntroduction[] = R"(# Metrics
 Written by `hunavsim list metrics --format markdown`; do not edit by hand.
 
 Every value can be recomputed from this page and three files of a run: `trajectory.csv`,
-`events.csv`, `trace.json`. Metrics with a number in the first column are those of HuNavSim's
+`events.csv`, `trace.json`; those along a shortest path also need `shortest_ways` of
+`metrics.json`. Metrics with a number in the first column are those of HuNavSim's
 evaluator; the others are defined by this program. SI units, radians, world frame. Profile
 `corrected` (default) uses the formulas below. Profile `hunav2` gives the same numbers as the public
 HuNavSim 2.0 evaluator, with its peculiarities. Names in `code` are keys, parameters (last section)
 or names in the files.
 
 A value that is undefined for a record is empty in CSV and `null` in JSON, with the reason; so is an
-infinite value, which is `inf` only in the evaluator's own files (`--layout`).
+infinite value, which is `inf` only in the evaluator's own files (`--layout`). Values that are 1 or 0
+for yes or no (`completed`, `success`, `timeout`) are `true` or `false` in JSON, `True` or `False` in
+CSV.
 
 ## Samples
 
 The rows of `trajectory.csv` with the same `step` are a sample i = 0 .. N-1 at the time t_i = `step`
-* `dt` of `trace.json`; if `metrics.frequency` there is not 0, only the first sample and those at or
-after the next multiple of its period are used. dt_i = t_(i+1) - t_i, T = t_(N-1) - t_0.
+* `dt` of `trace.json`. A step without rows, up to the event `stop`, is a sample without people. If
+`metrics.frequency` there is not 0, only the first sample (after `metrics.from`) and then each first one
+at or after the next multiple of the period, counted from that sample, are used. dt_i = t_(i+1) - t_i, T = t_(N-1) - t_0.
 
 - Robot (kind `robot`; the first has `id` -1): position p, heading psi, velocity v = (`vx`, `vy`) in
   the world, speed s = |v|, turning speed w = `omega`; from `trace.json` its radius r_r, v_max =
@@ -82,9 +89,9 @@ after the next multiple of its period are used. dt_i = t_(i+1) - t_i, T = t_(N-1
   R = r_r + r_a, C = q - p, closing velocity V = v - u.
 - wrap(x) is in (-pi, pi]; cross(a, b) = a_x b_y - a_y b_x.
 - Sums, means, minima and maxima "over i, a" run over all samples and the people in each.
-- A time, or a share of time, is the sum of the dt_i of the samples i at which its condition holds (the
-  state of a sample lasts until the next one; the last sample adds nothing); a share is this sum * 100
-  / T, 0 if T = 0. A share of samples is 100/N * their number. A time-weighted mean is sum f_i dt_i /
+- A time is the sum of the dt_i of the samples i at which its condition holds (the state of a sample
+  lasts until the next one; the last sample adds nothing); a share of time is this sum * 100 / T, 0 if
+  T = 0. A share of samples is 100/N * their number. A time-weighted mean is sum f_i dt_i /
   sum dt_i over the samples that have a value, except the last one.
 - People are identified by `id`. A person who is not in the previous sample, has an event `enter`
   since then, or crosses the seam of `wrap_x` (is nearer to the previous place when moved by its
@@ -94,9 +101,14 @@ after the next multiple of its period are used. dt_i = t_(i+1) - t_i, T = t_(N-1
 
 Metrics that need a robot use the samples of its way (`corrected`): N, T and t_0 are those of the
 way. It begins with the first sample at or after `start_time` and ends with its arrival; if that is
-between two samples, with the second. If one of `metrics.from` and `metrics.until` of `trace.json`
-differs from `begin` and `end`, both replace these limits. Metrics that need no robot use the whole
-record.
+between two samples, with the second. Metrics without `robot` in the column needs
+use the whole record.
+
+If `metrics.from` of `trace.json` is not `begin`, or `metrics.until` not `end`, these limits are replaced:
+all metrics, also those that need no robot, use only the samples with from <= t_i <= until, and arrivals
+later than that do not count. `goal` is `start_time`; `motion` the first sample with s >=
+`stop_linear_speed`; `time T` the time T; `event KIND` the first event of that kind; `arrival` that of the
+robot.
 
 All keys, tables and files use the same arrival:
 
@@ -113,7 +125,7 @@ All keys, tables and files use the same arrival:
   sample at which t_i - t_0 >= `time_limit`, or with the record. During a run this applies to the run
   so far.
 
-Of several robots each is measured for itself, as if the others were not there. The values of the
+With several robots each is measured by itself, as if the others were not there. The values of the
 first stand where those of a single one do; those of the others in `metrics.json` below `robots`, in
 `metrics_<robot>.csv` and `steps_<robot>.csv`, and in columns `<robot>.<key>` of a batch
 (`evaluate --robot` measures one alone). A `--reference` is beside the first; it is that part of its
@@ -157,7 +169,8 @@ Obstacle points of a body at x (`obstacle_points`: `boundary`): of each edge fro
 unit vector, the foot of the perpendicular from x if it lies between a and b (ends excluded) and cross(x
 - a, e) >= 0; of each corner k, with edges e- into and e+ out of it, the corner itself if (x - k) e+ <=
 0, (x - k) e- >= 0 and (cross(e+, x - k) <= 0 or cross(e-, x - k) <= 0); only those nearer than 5 m, and
-none whose place 1e-6 m outwards (to the right of the edge, of a corner of both) is inside an entry.
+none whose place 1e-6 m outwards (to the right of the edge; at a corner, along the sum of the right
+normals of its two edges) is inside an entry.
 Then, in the order of distance (if equal to 1e-9 m: of x, then y), those that are at least 0.3 m from
 all points taken before. For x inside an entry instead: only the nearest point of an edge that is not
 excluded in this way. With `rays`: where 90 rays, 4 degrees apart from +x on, first meet an edge within
@@ -172,13 +185,13 @@ e = (x_j - x_k)/D, I = `social_lambda` * (v_k - v_j) + e, L = |I|, h = I/L, B = 
 theta = wrap(angle of e - angle of h), 0 if |theta| < 1e-6:
 F = -f * (exp(-D/B - (`social_n_prime` B theta)^2) h + sign(theta) exp(-D/B - (`social_n` B theta)^2) h'),
 h' = h turned left by 90 degrees, sign(0) = 0; 0 if D or L < 1e-9. f = `social_factor` for the force on
-the robot; for that on a person their `social_force_factor` in `trace.json`, if they have one and
+the robot; for that on a person `parameters.social_force_factor` of the person in `trace.json`, if they have one and
 `person_force_parameters` is 1, else `social_factor` too.
 
 A person sees the robot if theta = angle between their heading and p - q (0 if d = 0) is <=
 `field_of_view`/2 and nothing blocks the view: the line between the centres meets no outline and no interior
 of an entry other than `map` (doors as above), and all cells of Bresenham's line from the cell of the person
-to that of the robot, both included, have values 0 to 50 (beyond the map: none). Cells are `map.cells`
+to that of the robot, both included, have values 0 to 50 (cells beyond the map hide nothing). Cells are `map.cells`
 (value, repeat, value, repeat ...; row by row from the lower left), a cell is floor of the place in the
 frame of `map.x`, `map.y`, `map.heading`, over `map.resolution`. The line: width w and height h in cells,
 error = w - h; at each step twice = 2 error; if twice > -h: error -= h, one column on; if twice < w: error

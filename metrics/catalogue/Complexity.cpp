@@ -165,13 +165,13 @@ class StoppedDistance : public Accumulator {
 constexpr char kComplexityMetrics[] = R"(
 = Social Behavior|neutral|robot, people|Mavrogiannis and Knepper 2019
 topological_complexity|Winding around people|turns|[0, inf)|sum over a of |sum over i of wrap(b_i - b_(i-1))| / 2 pi, b = bearing of a from the robot
-  = angle of C, over the i at which a is there and was at i-1 and has not jumped; of who comes again the sum goes on
+  = angle of C, over the i at which a is there and was at i-1 and has not jumped; for a person who comes back the sum continues
 = Navigation Performance|lower|robot|Arena; MRPB
 replanning_count|New plans of the robot||0, 1, ...|number of events replan with the robot's id on its way
 = Navigation Performance|lower|nothing|Francis et al. 2025
 aggregated_time|Aggregated time to the goals|s|[0, inf)|sum over the people with goals (goals not empty and cyclic_goals false in trace.json) that
   were there, everyone who has an event arrived, and the robot if it has a goal, of the time of their first event arrived (robot: its arrival) from the
-  first sample of the record, T for who does not arrive; undefined if there is none of them
+  first sample of the record, T for those who do not arrive by the last sample; undefined if there is none of them
 = Navigation Performance|lower|robot, goal|SEAN 2.0
 mean_dist_to_target_not_moving|Mean distance to the goal while stopped|m|[0, inf)|mean over i of min over goals of |p_i - g|, over the i with t_i -
   t_0 >= stopped_window and |p_i - p_j| < stopped_distance, j = last sample with t_j <= t_i - stopped_window (times to 1e-9 s); undefined if there is

@@ -277,7 +277,7 @@ double worst(const Instant& at) {
 constexpr char kIntrusionsMetrics[] = R"(
 = Social Behavior|lower|robot, people|SRPB (Kirby's model)
 personal_space_intrusion_gaussian|Intrusion into the Gaussian personal space|%|[0, 100]|time-weighted mean over the samples with people of the largest
-  over a of 100 exp(-(x^2/2Vx + y^2/2Vs)), 0 if there are none; x ahead and y to the left = p - q in the person's frame, Vf = max(2 |u|, 0.5), Vs =
+  over a of 100 exp(-(x^2/(2 Vx) + y^2/(2 Vs))), 0 if there are none; x ahead and y to the left = p - q in the person's frame, Vf = max(2 |u|, 0.5), Vs =
   2/3 Vf, Vx = Vf if x > 0, else Vf/2 (m^2, u in m/s)
 personal_space_intrusion_gaussian_min|Intrusion into the Gaussian personal space, smallest|%|[0, 100]|min over the samples with people of the same
 personal_space_intrusion_gaussian_max|Intrusion into the Gaussian personal space, largest|%|[0, 100]|max over the samples with people of the same
@@ -286,17 +286,17 @@ personal_space_intrusion_gaussian_above|Time inside the Gaussian personal space|
 = Social Behavior|lower|robot, people, groups|SRPB
 formation_space_intrusion|Intrusion into the space of groups|%|[0, 100]|time-weighted mean over the samples with groups of the largest over groups of
   100 exp(-(x^2/(2 X^2) + y^2/(2 Y^2))), 0 if there are none; x, y = p - m along and across the axis of the arrangement, X, Y = a quarter of the span
-  along these (METRICS.md, Groups and crowd)
+  along these (METRICS.md, Groups and crowds)
 formation_space_intrusion_max|Intrusion into the space of groups, largest|%|[0, 100]|max over the samples of the same, 0 without groups
 = Social Behavior|lower|robot, people, groups|Katyal et al. 2022; Okal and Arras 2016
-group_crossings|Groups crossed||0, 1, ...|number of i at which the robot crosses a group and did not at the last sample at which that group was there:
+group_crossings|Groups crossed||0, 1, ...|number of pairs of a sample i and a group that the robot crosses at i and did not at the last sample at which that group was there:
   it is inside the convex hull of its members (3 or more, the border included), or passed between two members a, b since i-1: 0 <= (b - a)(p - a) <=
   |b - a|^2 at i, cross(b - a, p - a) > 0 holds at one of i-1 and i only, both were there at i-1 and have not jumped
 = Social Behavior|lower|robot, people|SRPB
 heading_direction_disturbance|Disturbance by the robot's heading|%|[0, 100]|time-weighted mean over the samples with people of the largest over a of
   100 G(y + k m_y; disturbance_radius/2) * G(atan2(y, x); disturbance_field_of_view/4) * min(s/disturbance_speed, 1) * min((r_r +
   disturbance_radius)/d, 1); x ahead, y left = p - q and m = the robot's heading (unit vector), both in the person's frame, k = -x/m_x (where the line
-  of its heading meets the line across the person; 0 for the whole if k < 0 or not finite, or d = 0), G(z; g) = exp(-z^2/2g^2); 0 without people
+  of its heading meets the line across the person; 0 for the whole if k < 0 or not finite, or d = 0), G(z; g) = exp(-z^2/(2 g^2)); 0 without people
 heading_direction_disturbance_max|Disturbance by the robot's heading, largest|%|[0, 100]|max over the samples with people of the same
 )";
 

@@ -183,9 +183,9 @@ ade|Mean displacement from the reference|m|[0, inf)|mean over i of |p_i - b_i|, 
   of its way, linear between its samples, its ends beyond) at t_i - t_0, else the point v_max (t_i - t_0) metres along the shortest way from p_0 to
   the first goal, or its end
 fde|Final displacement from the reference|m|[0, inf)||p_(N-1) - b_(N-1)|, b as in ade
-dtw|Warped distance from the reference|m|[0, inf)|dynamic time warping of the positions p_i and those of the recorded reference, else N points evenly
-  along the shortest way of ade, ends included: D(0, 0) = 0, D(j, k) = distance + min(D(j-1, k), D(j, k-1), D(j-1, k-1)), last D / number of
-  positions; of more than 800 samples every 2nd (4th ... as many times as needed for 800) from the first on, and the last
+dtw|Warped distance from the reference|m|[0, inf)|dynamic time warping of the positions p_i (of more than 800 samples every 2nd, 4th ... as often as
+  needed for 800, from the first on, and the last) and those of the recorded reference, else as many points as these positions, evenly along the
+  shortest way of ade, ends included: D(0, 0) = 0, D(j, k) = distance + min(D(j-1, k), D(j, k-1), D(j-1, k-1)), last D / number of positions
 = Navigation Performance|lower|robot, goal|ours
 path_deviation|Mean distance from the way of the reference|m|[0, inf)|mean over i of the distance of p_i from the polyline of the reference (its
   positions, else the shortest way of ade)
