@@ -292,7 +292,7 @@ class TrackMetadataTest : public QObject {
   void csv_rate_standsInAComment() {
     for (const char* comment : {"fps: 20", "fps of camera 2: 20", "frame rate [1/s] = 20"}) {
       const base::Result<TrackFile> file = read(files_.add(
-          "c.csv", QByteArray("# lab\n# ") + comment + "\nframe,id,x,y\n0,1,0,0\n1,1,0.1,0\n"));
+          "c.csv", std::string("# lab\n# ") + comment + "\nframe,id,x,y\n0,1,0,0\n1,1,0.1,0\n"));
       QVERIFY2(file, textOf(file.diagnostics()).c_str());
       QVERIFY2(isNear(secondTime(file), 0.05), comment);
     }
