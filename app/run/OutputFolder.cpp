@@ -195,9 +195,6 @@ base::Result<std::unique_ptr<FolderLock>> waitForLock(const std::string& folder)
   return lock;
 }
 
-/// Stands for the hash while the file is being written.
-constexpr char kBeingWritten[] = "";
-
 base::Diagnostics listFile(const std::string& file, const std::string& hash, const char* kind) {
   const std::string folder = folderOf(file);
   const base::Result<std::unique_ptr<FolderLock>> lock = waitForLock(folder);
@@ -384,17 +381,15 @@ base::Diagnostics otherFileInTheWay(const std::string& file, bool force) {
   if (!listed) {
     return listed.diagnostics();
   }
-  const std::string name = fs::path(file).filename().string();
-  const auto entry = listed->find(name);
-  const bool isBeingWritten = entry != listed->end() && entry->second == kBeingWritten;
-  const bool isOurs =
-      isAsListed(folder, *listed, name) || (isBeingWritten && fs::is_regular_file(status));
+  const bool isOurs = isAsListed(folder, *listed, fs::path(file).filename().string());
   return isOurs ? base::Diagnostics{}
                 : base::Diagnostics{base::error("file.is-in-the-way", {}, file)};
 }
 
-base::Diagnostics announceFile(const std::string& file, const char* kind) {
-  return listFile(file, kBeingWritten, kind);
+base::Diagnostics writeFile(const std::string& file, const std::string& content, bool force) {
+  const bool isThere = sha256OfFile(file) == sha256Of(content);  // of a command that was ended
+  base::Diagnostics problems = isThere ? base::Diagnostics{} : otherFileInTheWay(file, force);
+  return base::hasErrors(problems) ? problems : base::writeFileAtomically(file, content);
 }
 
 base::Diagnostics noteFile(const std::string& file, const char* kind) {

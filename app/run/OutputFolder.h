@@ -85,9 +85,8 @@ base::Diagnostics writeIntoOthers(const std::string& folder,
 /// file that the folder's hidden manifest does not list with its present content is an error,
 /// unless `force` is given.
 base::Diagnostics otherFileInTheWay(const std::string& file, bool force);
-/// Marks the file in the hidden manifest as being written: if the program is ended before
-/// noteFile(), a later command may replace what it has left.
-base::Diagnostics announceFile(const std::string& file, const char* kind);
+/// Writes the file unless another is in the way; one with the same content is not.
+base::Diagnostics writeFile(const std::string& file, const std::string& content, bool force);
 /// Adds the file that was written to the hidden manifest. `kind`: of the command, used where there
 /// is no manifest yet. Waits for other processes that do the same.
 base::Diagnostics noteFile(const std::string& file, const char* kind);

@@ -293,7 +293,7 @@ void writeTracks(const RenderOptions& options, Kind kind, const sim2d::Trace& tr
       kind == Kind::Trajnet ? sim2d::trajnetText(trace, rate) : sim2d::socnav3Text(trace, rate);
   requireFine(text.diagnostics(), ExitBadInput,
               quiet ? base::Severity::Warning : base::Severity::Info);
-  requireFine(base::writeFileAtomically(options.output, *text));
+  requireFine(writeFile(options.output, *text, options.force));
 }
 
 std::string pageOf(const sim2d::Trace& trace) {
@@ -305,6 +305,7 @@ std::string pageOf(const sim2d::Trace& trace) {
 
 void drawRun(const RenderOptions& options, Kind kind, bool quiet) {
   if (kind == Kind::Bag) {
+    requireFine(otherFileInTheWay(options.output, options.force));
     requireFine(writeBag(options.output, options.run));
     return;
   }
@@ -315,14 +316,15 @@ void drawRun(const RenderOptions& options, Kind kind, bool quiet) {
     return;
   }
   if (kind == Kind::Page) {
-    requireFine(base::writeFileAtomically(options.output, pageOf(*trace)));
+    requireFine(writeFile(options.output, pageOf(*trace), options.force));
     return;
   }
   const PictureLayout layout = layoutOf(options, kind);
   if (kind != Kind::Film) {
-    requireFine(base::writeFileAtomically(options.output, bytesOf(options, *trace, layout)));
+    requireFine(writeFile(options.output, bytesOf(options, *trace, layout), options.force));
     return;
   }
+  requireFine(otherFileInTheWay(options.output, options.force));
   RunPicture picture(*trace, layout);
   if (!makeFilm(options, *trace, picture, quiet)) {
     requireFine({base::error("movie.interrupted", {}, options.output)}, ExitRunFailed);
@@ -336,8 +338,6 @@ int renderCommand(const RenderOptions& options, const Invocation& given) {
                 ExitWrongCommandLine);
   }
   requireFine(wrongOptions(options, *kind), ExitWrongCommandLine);
-  requireFine(otherFileInTheWay(options.output, options.force));
-  requireFine(announceFile(options.output, "render"));
   drawRun(options, *kind, given.quiet);
   requireFine(noteFile(options.output, "render"));
   if (given.json) {
