@@ -31,10 +31,13 @@ void listen(QtMsgType type, const QMessageLogContext& context, const QString& te
     std::fprintf(stderr, "%s\n", qPrintable(text));  // the program ends here
   }
   const bool isOfInterest = type == QtWarningMsg || type == QtCriticalMsg || type == QtFatalMsg;
-  const bool isOfPlatform = QByteArray(context.category).startsWith("qt.qpa") ||
-                            text.contains(QLatin1String("XDG_RUNTIME_DIR")) ||
-                            text.startsWith(QLatin1String("This plugin does not support")) ||
-                            text.startsWith(QLatin1String("inotify_add_watch"));  // others' folders
+  const bool isOfPlatform =
+      QByteArray(context.category).startsWith("qt.qpa") ||
+      text.contains(QLatin1String("XDG_RUNTIME_DIR")) ||
+      text.startsWith(QLatin1String("This plugin does not support")) ||
+      text.startsWith(QLatin1String("inotify_add_watch")) ||  // others' folders
+      // Qt looks for what is pasted into the name field of a file dialog.
+      text.endsWith(QLatin1String("(File name too long)"));
   if (heard != nullptr && isOfInterest && !isOfPlatform) {
     *heard << text;
   }

@@ -239,7 +239,7 @@ void Nav2CheckTest::fieldFile_isTakenAsRos2Takes_data() {
       << "nav2_only_amcl"
       << ":1: warning: this file holds only amcl: it configures no controller "
          "(controller_plugins of controller_server), so it cannot drive a "
-         "robot\n";
+         "robot by itself\n";
 }
 
 void Nav2CheckTest::fieldFile_isTakenAsRos2Takes() {
