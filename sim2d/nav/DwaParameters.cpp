@@ -37,7 +37,7 @@ base::ParameterTable<DwaParameters> dwaTable() {
       .add(&P::smoothnessWeight, "smoothness_weight", "", base::kWeight,
            "Weight of the difference to the last command.")
       .add(&P::slowDistance, "slow_distance", "m", base::kDistance,
-           "Gap to somebody ahead below which the robot is slower.")
+           "Gap to a person ahead below which the robot is slower.")
       .add(&P::slowShare, "slow_share", "", kShare,
            "Share of the full speed that is left close to somebody.")
       .add(&P::standingSpeed, "standing_speed", "m/s", base::kSpeed,

@@ -49,13 +49,13 @@ void addCosts(MppiTable& table) {
            "Cost of touching a wall, falling with the square to 0 at wall_range.")
       .add(&P::wallRange, "wall_range", "m", base::kLength, "Gap to walls that costs nothing.")
       .add(&P::person, "person_weight", "", base::kWeight,
-           "Cost of touching somebody, falling to 0 at person_range.")
+           "Cost of touching a person, falling to 0 at person_range.")
       .add(&P::personRange, "person_range", "m", base::kLength,
-           "Gap to somebody that costs nothing.")
+           "Gap to a person that costs nothing.")
       .add(&P::personMargin, "person_margin", "m", base::kDistance,
-           "A smaller gap to somebody counts as a contact.")
+           "A smaller gap to a person counts as a contact.")
       .add(&P::hit, "contact_weight", "", base::kWeightAboveZero,
-           "Cost of being in contact with somebody or something during all of a way.")
+           "Cost of being in contact with a person or an obstacle along the whole path.")
       .add(&P::smoothness, "smoothness_weight", "", base::kWeight,
            "Cost of changing the speed as fast as the drive can all the time.");
 }
@@ -68,7 +68,7 @@ void addNearness(base::ParameterTable<SocialMppiParameters>& table) {
            "model, which knows walls and the robot's plan.",
            "Helbing & Molnár 1995; Moussaïd et al. 2009")
       .add(&P::intimate, "intimate_weight", "", base::kWeight,
-           "Cost of touching somebody, falling linearly to 0 at a gap of 0.45 m.", "Hall 1966")
+           "Cost of touching a person, falling linearly to 0 at a gap of 0.45 m.", "Hall 1966")
       .add(&P::personal, "personal_weight", "", base::kWeight,
            "Idem, falling with the square to 0 at a gap of 1.2 m.", "Hall 1966")
       .add(&P::space, "space_weight", "", base::kWeight,

@@ -25,9 +25,9 @@ base::ParameterTable<PursuitParameters> pursuitTable() {
       .add(&PursuitParameters::lookahead, "lookahead", "m", base::kLength,
            "Distance along the path to the point that the robot steers to.", "Coulter 1992")
       .add(&PursuitParameters::slowDistance, "slow_distance", "m", base::kDistance,
-           "Gap to somebody ahead below which the robot slows down.")
+           "Gap to a person ahead below which the robot slows down.")
       .add(&PursuitParameters::stopDistance, "stop_distance", "m", base::kDistance,
-           "Gap to somebody ahead at which the robot stops.");
+           "Gap to a person ahead at which the robot stops.");
   return table;
 }
 

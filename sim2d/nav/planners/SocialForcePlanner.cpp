@@ -78,7 +78,7 @@ base::ParameterTable<SocialForcePlannerParameters> socialForcePlannerTable() {
            "its angular acceleration takes longer.",
            "Alonso-Mora et al. 2013")
       .add(&P::stopDistance, "stop_distance", "m", base::kDistance,
-           "Gap to somebody to whom the robot goes no nearer.")
+           "Gap to a person below which the robot does not approach.")
       .add(&P::slowTime, "slow_time", "s", base::kTimeSpan,
            "The robot approaches people so slowly that it needs so long for the gap beyond the "
            "stop distance.")
