@@ -5,7 +5,7 @@
 
 #include "sim2d/base/Result.h"
 
-/// Git LFS keeps a small text in the place of a large file until the file is fetched.
+/// Git LFS stores a short text file instead of a large one until the large one is fetched.
 namespace base {
 
 /// By its first bytes, whatever the file is called.
@@ -14,7 +14,7 @@ inline bool isLfsPointer(std::string_view begin) {
   return begin.substr(0, kBegin.size()) == kBegin;
 }
 
-/// For readers that do not read by readTextFile (Text.h), which looks itself. Empty: the file is no
+/// For readers that do not use readTextFile (Text.h), which checks this. Empty: the file is no
 /// pointer, or cannot be read.
 Diagnostics lfsPointerProblem(const std::string& path);
 

@@ -39,7 +39,7 @@ base::ParameterTable<DwaParameters> dwaTable() {
       .add(&P::slowDistance, "slow_distance", "m", base::kDistance,
            "Gap to a person ahead below which the robot is slower.")
       .add(&P::slowShare, "slow_share", "", kShare,
-           "Share of the full speed that is left close to somebody.")
+           "Share of the full speed that is left close to a person.")
       .add(&P::standingSpeed, "standing_speed", "m/s", base::kSpeed,
            "Who is slower is taken to stand: the way leads round them.")
       .add(&P::patience, "patience", "s", base::kTimeSpan,

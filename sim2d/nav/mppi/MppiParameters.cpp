@@ -83,13 +83,13 @@ void addMotion(base::ParameterTable<SocialMppiParameters>& table) {
   using P = SocialMppiParameters;
   table
       .add(&P::touchTime, "ttc_weight", "", base::kWeight,
-           "Cost of closing in on somebody near, with the square of ttc_limit / time - 1.",
+           "Cost of closing in on a person nearby, with the square of ttc_limit / time - 1.",
            "van der Horst & Hogema 1993")
       .add(&P::fromTouchTime, "ttc_limit", "s", base::kTimeSpan,
            "Time to touch at the present closing speed above which nobody minds.",
            "van der Horst & Hogema 1993")
       .add(&P::relativeSpeed, "relative_speed_weight", "s²/m²", base::kWeight,
-           "Cost of the squared relative speed beside somebody, falling to 0 at a gap of 1.2 m.",
+           "Cost of the squared relative speed beside a person, falling to 0 at a gap of 1.2 m.",
            "Butler & Agah 2001")
       .add(&P::strip, "front_weight", "", base::kWeight,
            "Cost of being where somebody is about to walk: makes the robot pass behind.",

@@ -17,7 +17,7 @@ namespace sim2d {
 namespace {
 
 constexpr double kPartingTime = 0.5;  // [s] in which bodies that touch part
-constexpr double kLeastError = 0.1;   // of epsilon that is left beside somebody or a wall
+constexpr double kLeastError = 0.1;   // of epsilon that is left beside a person or a wall
 constexpr double kEqualWorth = 1e-6;  // [m/s]
 constexpr double kStopMargin = 0.02;  // [m] that is left when the robot has to stop
 
