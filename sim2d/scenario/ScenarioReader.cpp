@@ -289,6 +289,19 @@ class KeyPlaces {
   YamlNode root_;
 };
 
+/// Of the entity that the problem belongs to, or of its key.
+void addPlaceOfEntity(base::Diagnostic& problem, const std::map<EntityId, int>& lines,
+                      KeyPlaces& keys) {
+  const auto found = lines.find(problem.entity);
+  if (problem.line != 0 || !problem.entity || found == lines.end()) {
+    return;
+  }
+  const std::string where = problem.value("where");  // "robot1.planner_parameters.horizon"
+  const YamlNode* const key = where.find('.') == std::string::npos ? nullptr : keys.find(where);
+  problem.line = key != nullptr ? key->line : found->second;
+  problem.column = key != nullptr ? key->column : problem.column;
+}
+
 }  // namespace
 
 TreeReading readTree(const YamlNode& root, const std::string& fileName, const FieldTables& tables) {
@@ -355,13 +368,7 @@ void addPlaces(base::Diagnostics& diagnostics, const std::map<EntityId, int>& li
     if (said.line > 0 && !said.file.empty() && said.file != path) {
       continue;  // a line of another file that the scenario names
     }
-    const auto found = lines.find(said.entity);
-    if (said.line == 0 && said.entity && found != lines.end()) {
-      const std::string where = said.value("where");  // "robot1.planner_parameters.horizon"
-      const YamlNode* const key = where.find('.') == std::string::npos ? nullptr : keys.find(where);
-      said.line = key != nullptr ? key->line : found->second;
-      said.column = key != nullptr ? key->column : said.column;
-    }
+    addPlaceOfEntity(said, lines, keys);
     said.file = said.line > 0 ? path : said.file;
     const auto line = static_cast<std::size_t>(said.line);
     if (text && said.column == 0 && said.line > 0 && line <= texts.size()) {

@@ -214,11 +214,11 @@ void readSocnav3Surroundings(const std::vector<const nlohmann::json*>& places,
   }
   takeEach(find({"objects"}), "objects", input,
            [&file](const nlohmann::json& each, std::size_t index) {
-             std::optional<Outline> outline = outlineOf(each);
+             const std::optional<Outline> outline = outlineOf(each);
              if (outline) {
                TraceObstacle object;
                object.name = "object" + std::to_string(index + 1);
-               object.outlines.push_back(*std::move(outline));
+               object.outlines.push_back(*outline);
                file.obstacles.push_back(std::move(object));
              }
              return outline.has_value();

@@ -114,6 +114,26 @@ class BagsProgramTest : public QObject {
     QVERIFY2(drawn.err.contains(text(".mcap, .db3")), qPrintable(drawn.err));
   }
 
+  /// As yaml-cpp finds it, which rosbag2 reads the file with.
+  void repeatedKey_isAWarningAndTheFirstCounts() {
+    const QString bag = path("repeated");
+    QVERIFY(QDir().mkpath(bag));
+    QVERIFY(QFile::copy(path("run/bag/bag_0.mcap"), bag + text("/bag_0.mcap")));
+    QFile source(path("run/bag/metadata.yaml"));
+    QVERIFY(source.open(QIODevice::ReadOnly));
+    const QByteArray names = "  relative_file_paths:\n    - absent.mcap\n";
+    QFile metadata(bag + text("/metadata.yaml"));
+    QVERIFY(metadata.open(QIODevice::WriteOnly));
+    QVERIFY(metadata.write(source.readAll() + names) > 0);
+    metadata.close();
+    const Finished read =
+        runProgram({text("evaluate"), bag, text("-o"), path("of_repeated"), text("-q")});
+    QVERIFY2(read.exitCode == 0, qPrintable(read.err));
+    QVERIFY2(read.err.contains(text("key 'relative_file_paths' is repeated")),
+             qPrintable(read.err));
+    QVERIFY(different(metricsOf(path("of_run")), metricsOf(path("of_repeated"))).isEmpty());
+  }
+
   /// Without metadata.yaml the files are read; a file that it names and that does not exist is an
   /// error.
   void evaluate_folders_areReadAsFarAsTheyGo() {

@@ -28,6 +28,7 @@ class AgentServerTest : public QObject {
   void request_ofTheOtherRmw_isTold();
   void request_ofVersionOne_isAnsweredAndTold();
   void request_truncated_isAnsweredAndTold();
+  void server_noOtherParticipant_warnsOnce();
 };
 
 namespace {
@@ -307,6 +308,24 @@ void AgentServerTest::request_truncated_isAnsweredAndTold() {
   QVERIFY(pair.ask(*client, huge));
   QVERIFY(hasRemark(pair.told, "ros2.other-version"));
   QVERIFY(pair.call<ComputeAgents>(*client, agentstest::requestOf({agentAt(1, 0.0, 0.0)}, 1.0)));
+}
+
+void AgentServerTest::server_noOtherParticipant_warnsOnce() {
+  constexpr int kEmptyDomain = 63;
+  base::Diagnostics reported;
+  ServeSettings settings;
+  settings.domain = inDomain(kEmptyDomain);
+  const auto server =
+      AgentServer::create(agentstest::bundleOf(agentstest::oneWalker(), "hunav2"), settings,
+                          [&](const base::Diagnostic& problem) { reported.push_back(problem); });
+  QVERIFY(server);
+  reported.clear();  // those of the scenario
+  const auto begin = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - begin < Milliseconds(6500)) {
+    (*server)->spin(Milliseconds(20));
+  }
+  QCOMPARE(reported.size(), std::size_t{1});
+  QCOMPARE(reported[0].code, std::string_view("ros2.no-peer-here"));
 }
 
 QTEST_GUILESS_MAIN(AgentServerTest)

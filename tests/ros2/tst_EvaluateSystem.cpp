@@ -14,6 +14,7 @@
 #include "app/bridge/messages/HunavMessages.h"
 #include "app/bridge/messages/HunavServices.h"
 #include "app/bridge/messages/NavigationMessages.h"
+#include "app/bridge/nodes/Recorder.h"
 #include "tests/ros2/Ros2Test.h"
 
 using namespace ros2test;
@@ -230,6 +231,23 @@ class EvaluateSystemTest : public QObject {
     QCOMPARE(evaluator.exitCode(), 2);
     QVERIFY2(evaluator.said().contains(text("recording is kept")), qPrintable(evaluator.said()));
     QVERIFY(bridge::isBag((out + text("/recording.mcap")).toStdString()));
+  }
+
+  void recorder_noOtherParticipant_warnsOnce() {
+    constexpr int kEmptyDomain = 64;
+    base::Diagnostics reported;
+    bridge::RecorderSettings settings;
+    settings.domain = inDomain(kEmptyDomain);
+    const auto recorder = bridge::Recorder::create(
+        settings, {[](const bridge::RecordingAsked&) { return true; }, [] {}},
+        [&](const base::Diagnostic& problem) { reported.push_back(problem); });
+    QVERIFY(recorder);
+    const auto begin = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - begin < Milliseconds(6500)) {
+      (*recorder)->spin(Milliseconds(20));
+    }
+    QCOMPARE(reported.size(), std::size_t{1});
+    QCOMPARE(reported[0].code, std::string_view("ros2.no-peer-here"));
   }
 
  private:

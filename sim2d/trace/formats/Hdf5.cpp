@@ -84,7 +84,7 @@ std::string memberNamed(hid_t type, const std::string& name) {
   const int count = H5Tget_class(type) == H5T_COMPOUND ? H5Tget_nmembers(type) : 0;
   for (int k = 0; k < count; ++k) {
     char* const text = H5Tget_member_name(type, static_cast<unsigned>(k));
-    const std::string found = text == nullptr ? std::string() : text;
+    std::string found = text == nullptr ? std::string() : text;
     H5free_memory(text);
     if (base::lowered(found) == name) {
       return found;
