@@ -7,22 +7,16 @@
 #include <sqlite3.h>
 
 #include "app/bridge/bag/Bag.h"
+#include "sim2d/trace/SqliteHandles.h"
 #include "sim2d/trace/SqliteLimits.h"
 
 namespace bridge {
 namespace {
 
-struct Close {
-  void operator()(sqlite3* database) const { sqlite3_close(database); }
-  void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-};
-using Connection = std::unique_ptr<sqlite3, Close>;
-using Statement = std::unique_ptr<sqlite3_stmt, Close>;
-
-Statement prepared(sqlite3* database, const char* sql) {
+sim2d::SqliteStatement prepared(sqlite3* database, const char* sql) {
   sqlite3_stmt* statement = nullptr;
   sqlite3_prepare_v2(database, sql, -1, &statement, nullptr);
-  return Statement(statement);
+  return sim2d::SqliteStatement(statement);
 }
 
 /// Bytes of a column; valid until the next step.
@@ -38,12 +32,12 @@ std::string_view bytesOf(sqlite3_stmt* statement, int column) {
 /// (topic_id, timestamp, data).
 class Database final : public Bag {
  public:
-  Database(std::string path, Connection connection)
+  Database(std::string path, sim2d::SqliteConnection connection)
       : path_(std::move(path)), connection_(std::move(connection)) {}
 
   base::Diagnostics readTopics() {
     sim2d::limitQueries(connection_.get(), sim2d::databaseSize(path_), budget_);
-    const Statement topics =
+    const sim2d::SqliteStatement topics =
         prepared(connection_.get(), "SELECT id, name, type, serialization_format FROM topics");
     if (!topics) {
       return problem();
@@ -62,7 +56,7 @@ class Database final : public Bag {
 
   /// The metadata of hunavsim is in a table of its own, which rosbag2 ignores.
   std::string metadata(const std::string& name, const std::string& key) override {
-    const Statement entry = prepared(
+    const sim2d::SqliteStatement entry = prepared(
         connection_.get(), "SELECT value FROM hunavsim_metadata WHERE name = ?1 AND key = ?2");
     if (!entry) {
       return {};
@@ -74,7 +68,7 @@ class Database final : public Bag {
   }
 
   base::Diagnostics read(const std::vector<bool>& channels, const Visit& visit) override {
-    const Statement messages = prepared(
+    const sim2d::SqliteStatement messages = prepared(
         connection_.get(), "SELECT topic_id, timestamp, data FROM messages ORDER BY timestamp, id");
     if (!messages) {
       return problem();
@@ -96,7 +90,7 @@ class Database final : public Bag {
 
   std::string path_;
   std::int64_t budget_ = 0;  // outlives the connection
-  Connection connection_;
+  sim2d::SqliteConnection connection_;
   std::vector<BagChannel> channels_;
   std::map<sqlite3_int64, std::size_t> places_;  // of topic ids in channels_
 };
@@ -107,7 +101,7 @@ base::Result<std::unique_ptr<Bag>> openDatabase(const std::string& path) {
   sqlite3* raw = nullptr;
   const int code =
       sqlite3_open_v2(path.c_str(), &raw, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX, nullptr);
-  Connection connection(raw);
+  sim2d::SqliteConnection connection(raw);
   if (code != SQLITE_OK) {
     return base::error("bag.bad-database", {sqlite3_errstr(code)}, path);
   }

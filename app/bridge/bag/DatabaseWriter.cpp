@@ -43,14 +43,6 @@ std::string qosOf(const WrittenChannel& channel) {
 
 }  // namespace
 
-void DatabaseWriter::Close::operator()(sqlite3* database) const {
-  sqlite3_close(database);
-}
-
-void DatabaseWriter::Close::operator()(sqlite3_stmt* statement) const {
-  sqlite3_finalize(statement);
-}
-
 DatabaseWriter::DatabaseWriter(std::string path) : path_(std::move(path)) {
   if (makeFile()) {
     open();
@@ -111,12 +103,12 @@ void DatabaseWriter::run(const char* sql) {
   }
 }
 
-DatabaseWriter::Statement DatabaseWriter::prepared(const char* sql) {
+sim2d::SqliteStatement DatabaseWriter::prepared(const char* sql) {
   sqlite3_stmt* statement = nullptr;
   if (!hasFailed()) {
     check(sqlite3_prepare_v2(database_.get(), sql, -1, &statement, nullptr), SQLITE_OK);
   }
-  return Statement(statement);
+  return sim2d::SqliteStatement(statement);
 }
 
 std::uint16_t DatabaseWriter::addChannel(WrittenChannel channel) {
@@ -140,7 +132,8 @@ void DatabaseWriter::write(std::uint16_t channel, std::int64_t time, std::string
 }
 
 void DatabaseWriter::addMetadata(const std::string& name, const Entries& entries) {
-  const Statement insert = prepared("INSERT INTO hunavsim_metadata VALUES(?1, ?2, ?3)");
+  const sim2d::SqliteStatement insert =
+      prepared("INSERT INTO hunavsim_metadata VALUES(?1, ?2, ?3)");
   for (const auto& [key, value] : entries) {
     if (!hasFailed()) {
       bindText(insert.get(), 1, name);
@@ -154,7 +147,8 @@ void DatabaseWriter::addMetadata(const std::string& name, const Entries& entries
 
 /// The topics with messages, and the description of the file that rosbag2 reads.
 void DatabaseWriter::writeTopics() {
-  const Statement insert = prepared("INSERT INTO topics VALUES(?1, ?2, ?3, 'cdr', ?4)");
+  const sim2d::SqliteStatement insert =
+      prepared("INSERT INTO topics VALUES(?1, ?2, ?3, 'cdr', ?4)");
   std::vector<BagTopic> topics;
   for (const auto& [channel, count] : totals_.perChannel) {
     const WrittenChannel& told = channels_[channel];
@@ -171,10 +165,10 @@ void DatabaseWriter::writeTopics() {
   const std::string metadata =
       bagMetadata(std::filesystem::path(path_).filename().string(), topics,
                   {totals_.begin, totals_.end, totals_.messages}, "sqlite3");
-  const Statement told = prepared("INSERT INTO metadata VALUES(1, 5, ?1)");
+  const sim2d::SqliteStatement row = prepared("INSERT INTO metadata VALUES(1, 5, ?1)");
   if (!hasFailed()) {
-    bindText(told.get(), 1, metadata);
-    check(sqlite3_step(told.get()), SQLITE_DONE);
+    bindText(row.get(), 1, metadata);
+    check(sqlite3_step(row.get()), SQLITE_DONE);
   }
 }
 

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "app/bridge/bag/BagWriter.h"
-
-struct sqlite3;
-struct sqlite3_stmt;
+#include "sim2d/trace/SqliteHandles.h"
 
 namespace bridge {
 
@@ -31,24 +28,18 @@ class DatabaseWriter final : public BagWriter {
   const Totals& totals() const override { return totals_; }
 
  private:
-  struct Close {
-    void operator()(sqlite3* database) const;
-    void operator()(sqlite3_stmt* statement) const;
-  };
-  using Statement = std::unique_ptr<sqlite3_stmt, Close>;
-
   bool makeFile();
   void open();
   void run(const char* sql);
-  Statement prepared(const char* sql);
+  sim2d::SqliteStatement prepared(const char* sql);
   void check(int code, int wanted);
   void fail(const std::string& reason);
   void writeTopics();
   void copyInPlace();
 
   std::string path_, made_;  // the final path, and the temporary one
-  std::unique_ptr<sqlite3, Close> database_;
-  Statement insert_;  // of a message
+  sim2d::SqliteConnection database_;
+  sim2d::SqliteStatement insert_;  // of a message
   std::vector<WrittenChannel> channels_;
   Totals totals_;
   base::Diagnostics problems_;

@@ -7,6 +7,7 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/trace/ForeignReaders.h"
+#include "sim2d/trace/SqliteHandles.h"
 #include "sim2d/trace/SqliteLimits.h"
 #include "sim2d/trace/WalkableArea.h"
 
@@ -16,13 +17,6 @@
 namespace sim2d {
 
 namespace {
-
-struct Close {
-  void operator()(sqlite3* database) const { sqlite3_close(database); }
-  void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-};
-using Connection = std::unique_ptr<sqlite3, Close>;
-using Statement = std::unique_ptr<sqlite3_stmt, Close>;
 
 class JupedsimReader {
  public:
@@ -72,10 +66,10 @@ class JupedsimReader {
     return true;
   }
 
-  Statement prepared(const char* sql) const {
+  SqliteStatement prepared(const char* sql) const {
     sqlite3_stmt* statement = nullptr;
     sqlite3_prepare_v2(connection_.get(), sql, -1, &statement, nullptr);
-    return Statement(statement);
+    return SqliteStatement(statement);
   }
 
   bool hasColumn(const char* table, const char* column) const {
@@ -84,7 +78,7 @@ class JupedsimReader {
   }
 
   bool checkTable() {
-    const Statement any = prepared("SELECT count(*) FROM sqlite_master");
+    const SqliteStatement any = prepared("SELECT count(*) FROM sqlite_master");
     if (!any || sqlite3_step(any.get()) != SQLITE_ROW) {
       return fail();  // it is not a database, or it is damaged
     }
@@ -99,7 +93,7 @@ class JupedsimReader {
 
   /// The first row's first value as text; empty: there is none.
   std::string textOf(const char* sql) const {
-    const Statement statement = prepared(sql);
+    const SqliteStatement statement = prepared(sql);
     if (!statement || sqlite3_step(statement.get()) != SQLITE_ROW) {
       return {};
     }
@@ -117,7 +111,7 @@ class JupedsimReader {
   bool readRows() {
     const bool hasHeadings =
         hasColumn("trajectory_data", "ori_x") && hasColumn("trajectory_data", "ori_y");
-    const Statement rows =
+    const SqliteStatement rows =
         prepared(hasHeadings ? "SELECT frame, id, pos_x, pos_y, ori_x, ori_y FROM trajectory_data"
                              : "SELECT frame, id, pos_x, pos_y FROM trajectory_data");
     if (!rows) {
@@ -206,7 +200,7 @@ class JupedsimReader {
 
   const ForeignInput& input_;
   std::int64_t budget_ = 0;  // outlives the connection
-  Connection connection_;
+  SqliteConnection connection_;
   std::map<int, Track> tracks_;
 };
 
