@@ -112,6 +112,7 @@ void collectCalls(const NodeSpec& node, std::set<std::string>& called) {
 std::string namesWithLines(const std::vector<const TreeTable::Entry*>& trees) {
   constexpr std::size_t kShown = 5;
   std::vector<std::string> names;
+  names.reserve(trees.size());
   for (const TreeTable::Entry* const entry : trees) {
     names.push_back("'" + entry->tree.id + "' (line " + std::to_string(entry->tree.line) + ")");
   }
