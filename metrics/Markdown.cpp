@@ -62,11 +62,11 @@ Written by `hunavsim list metrics --format markdown`; do not edit by hand.
 
 Every value can be recomputed from this page and three files of a run: `trajectory.csv`,
 `events.csv`, `trace.json`; those along a shortest path also need `shortest_ways` of
-`metrics.json`. Metrics with a number in the first column are those of HuNavSim's
-evaluator; the others are defined by this program. SI units, radians, world frame. Profile
-`corrected` (default) uses the formulas below. Profile `hunav2` gives the same numbers as the public
-HuNavSim 2.0 evaluator, with its peculiarities. Names in `code` are keys, parameters (last section)
-or names in the files.
+`metrics.json` (of the other robots: below `robots`). Metrics with a number in the first column are
+those of HuNavSim's evaluator; the others are defined by this program. SI units, radians, world frame.
+Profile `corrected` (default) uses the formulas below. Profile `hunav2` gives the same numbers as the
+public HuNavSim 2.0 evaluator, with its peculiarities (section Profile `hunav2`). Names in `code` are
+keys, parameters (last section) or names in the files.
 
 A value that is undefined for a record is empty in CSV and `null` in JSON, with the reason; so is an
 infinite value, which is `inf` only in the evaluator's own files (`--layout`). Values that are 1 or 0
@@ -76,9 +76,11 @@ CSV.
 ## Samples
 
 The rows of `trajectory.csv` with the same `step` are a sample i = 0 .. N-1 at the time t_i = `step`
-* `dt` of `trace.json`. A step without rows, up to the event `stop`, is a sample without people. If
-`metrics.frequency` there is not 0, only the first sample (after `metrics.from`) and then each first one
-at or after the next multiple of the period, counted from that sample, are used. dt_i = t_(i+1) - t_i, T = t_(N-1) - t_0.
+* `dt` of `trace.json`. Recorded steps are the multiples of its `record_every`; one of them without rows,
+up to the event `stop`, is a sample without people. If `metrics.frequency` there is not 0, only some
+samples are used: the first one (after `metrics.from`), at time t, and then each first one at or after (less
+1e-9 s) the next of the times t + k / `frequency` that follows the sample used last.
+dt_i = t_(i+1) - t_i, T = t_(N-1) - t_0.
 
 - Robot (kind `robot`; the first has `id` -1): position p, heading psi, velocity v = (`vx`, `vy`) in
   the world, speed s = |v|, turning speed w = `omega`; from `trace.json` its radius r_r, v_max =
@@ -94,8 +96,11 @@ at or after the next multiple of the period, counted from that sample, are used.
   T = 0. A share of samples is 100/N * their number. A time-weighted mean is sum f_i dt_i /
   sum dt_i over the samples that have a value, except the last one.
 - People are identified by `id`. A person who is not in the previous sample, has an event `enter`
-  since then, or crosses the seam of `wrap_x` (is nearer to the previous place when moved by its
-  length) has jumped.
+  since then, or crosses the seam of `wrap_x` (is nearer to the previous place when moved by the length
+  of the corridor, the second value of `wrap_x` less the first) has jumped.
+
+`behaviors` of `metrics.json` holds the same keys for each type of person (`behavior` of `humans`), as if
+the others were not there; the robot's way, its arrival and N do not change.
 
 ## The robot's way
 
@@ -104,11 +109,13 @@ way. It begins with the first sample at or after `start_time` and ends with its 
 between two samples, with the second. Metrics without `robot` in the column needs
 use the whole record.
 
-If `metrics.from` of `trace.json` is not `begin`, or `metrics.until` not `end`, these limits are replaced:
-all metrics, also those that need no robot, use only the samples with from <= t_i <= until, and arrivals
-later than that do not count. `goal` is `start_time`; `motion` the first sample with s >=
-`stop_linear_speed`; `time T` the time T; `event KIND` the first event of that kind; `arrival` that of the
-robot.
+If `metrics.from` of `trace.json` is not `begin`, or `metrics.until` not `end`, both limits are replaced:
+all metrics, also those that need no robot, use only the samples with from <= t_i <= until (to 1e-9 s), and
+arrivals later than that do not count. `begin` and `end` are those of the record; `goal` is `start_time`;
+`motion` the first sample with s > 0.01 m/s; `time T` the time T; `event KIND` the first event of that
+kind, for `until` the first one at or after `from`; `arrival` the event of the robot's arrival: if it is between two
+samples in use, the second of them is the last. If what `until` names does not happen, the record's end
+counts; if what `from` names does not happen, there is no sample.
 
 All keys, tables and files use the same arrival:
 
@@ -118,9 +125,9 @@ All keys, tables and files use the same arrival:
   `order` refers to a place to which the robot was sent from outside and is not an arrival.
 - A recorded robot also arrives by that event, if there is one. Otherwise it has arrived if its last
   sample is in the goal region, |p - g| - radius of g < `goal_tolerance` for some goal g, at the first
-  sample of its last stay there. Its way then ends where it stopped (s < `stop_linear_speed`, |w| <
-  `stop_angular_speed`) in the region after moving, if it stays stopped to the end, else with the
-  record.
+  sample of its last stay there. If the robot has moved, then stopped in the region (s <
+  `stop_linear_speed` and |w| < `stop_angular_speed`) and stands until the end of the record, its way ends
+  with the first sample of this stop; otherwise it ends with the record.
 - A robot with a goal that does not arrive has failed after `time_limit`: its way ends with the first
   sample at which t_i - t_0 >= `time_limit`, or with the record. During a run this applies to the run
   so far.
@@ -188,10 +195,11 @@ h' = h turned left by 90 degrees, sign(0) = 0; 0 if D or L < 1e-9. f = `social_f
 the robot; for that on a person `parameters.social_force_factor` of the person in `trace.json`, if they have one and
 `person_force_parameters` is 1, else `social_factor` too.
 
-A person sees the robot if theta = angle between their heading and p - q (0 if d = 0) is <=
-`field_of_view`/2 and nothing blocks the view: the line between the centres meets no outline and no interior
-of an entry other than `map` (doors as above), and all cells of Bresenham's line from the cell of the person
-to that of the robot, both included, have values 0 to 50 (cells beyond the map hide nothing). Cells are `map.cells`
+A person sees the robot if theta, the angle between their heading and p - q (0 if d = 0; the arc cosine
+of the scalar product of the unit vectors), is <= `field_of_view`/2 and nothing blocks the view: the line
+between the centres meets neither an outline nor the interior of any entry except `map` (doors as above),
+and all cells of Bresenham's line from the cell of the person to that of the robot, both included, have
+values 0 to 50 (-1, unknown, blocks; cells beyond the map hide nothing). Cells are `map.cells`
 (value, repeat, value, repeat ...; row by row from the lower left), a cell is floor of the place in the
 frame of `map.x`, `map.y`, `map.heading`, over `map.resolution`. The line: width w and height h in cells,
 error = w - h; at each step twice = 2 error; if twice > -h: error -= h, one column on; if twice < w: error
@@ -223,8 +231,9 @@ atan2(2 Sxy, Sxx - Syy)/2 of the sums of products of q - m; the span along an ax
 min(n q - r_a).
 
 Looks at the crowd are the first sample and each sample at least `crowd_interval` (less 1e-9 s) after
-the last look; a look without people counts too, and has no value. People walk if |u| > 0.05 m/s. With
-`wrap_x` people and walls have images beyond both ends.
+the last look; a look without people counts too, and has no value. People walk if |u| > 0.05 m/s. In
+looks, people and walls have images beyond both ends of `wrap_x`; distances, forces and times to collision
+use no images.
 
 ## Sampling
 
@@ -255,6 +264,40 @@ the middle before it. From 12.5 Hz on, halving dt changes both keys by 5 % at mo
 sample i+1.
 )";
 
+constexpr char kOriginal[] = R"(
+## Profile `hunav2`
+
+N, T and t_0 are those of the whole record for all keys, also those without a number; `metrics.from` and
+`metrics.until` apply as above. The robot has arrived if its last sample is in the goal region (`completed`).
+The metrics below differ from the formulas of the tables; all others are the same. Where the evaluator stops with
+an exception, the value is undefined and the exception is the reason. n_i = number of people at sample i.
+
+| # | key | in `hunav2` |
+|---|---|---|
+| 1 | `time_to_reach_goal` | T, whether or not the goal was reached |
+| 4 | `avg_distance_to_closest_person` | sum of c_i over the samples with people, divided by N |
+| 5, 6 | `minimum_`, `maximum_distance_to_people` | the maximum may be negative; undefined without people (ValueError) |
+| 10-12 | `group_..._space_intrusions` | groups are the ids other than -1 at the first sample, also those with one member; undefined if one of them has no member at a later sample (ZeroDivisionError; ValueError without people); 0 if there are none at the first |
+| 14, 15 | `..._distance_to_target` | infinite without goal |
+| 16, 17 | `robot_on_person_`, `person_on_robot_collision` | number of pairs of sample and person with gap < `contact_distance`: with (x, y) the robot's centre in the frame of the person, (x', y') the person's centre in the frame of the robot, alpha = abs(atan2(y, x)) and beta = abs(atan2(x', y')): 16 counts alpha < beta, 17 alpha > beta, both only if the speeds s and \|u\| differ; alpha = beta with equal speeds counts in both |
+| 18 | `time_not_moving` | T/N * number of samples with s < `stop_linear_speed` and w < `stop_angular_speed` (w with its sign) |
+| 21 | `avg_acceleration` | divided by N instead of the number of intervals |
+| 22 | `avg_overacceleration` | sum of abs((s_(i+1) - s_i)/dt_i^2) over the intervals with dt_i > 0, divided by N |
+| - | `max_jerk` | largest abs((a_i - a_(i-1))/((t_(i+1) - t_(i-1))/2)) |
+| 23 | `avg_pedestrian_velocity` | sum of \|u\| over i, a, divided by N n_0; undefined for n_0 = 0 (ZeroDivisionError) |
+| 24 | `avg_closest_pedestrian_velocity` | of the person with the smallest d; 0 at samples without people; divided by N |
+| 25-27 | `social_force_...`, `social_work` | F has the factor `social_factor` for everyone; undefined if L < 1e-9 for some pair |
+| 28 | `obstacle_force_on_robot` | 0 without map, obstacles and points |
+| 29 | `obstacle_force_on_agents` | undefined if a sample has no people (ZeroDivisionError) |
+| 30 | `danger_fear_cost` | sum over i, a with C V > 0 of \|V\|/d |
+| 31 | `danger_panic_cost` | sum over i, a with C V > 0 of \|V\|/((m - R) sigma), sigma = abs(cross(C, V))/(d \|V\|), m = d sigma, if m > R and sigma > 1e-6 |
+| 32 | `surprise_visibility_cost` | D = d; a person with theta = 0 does not see the robot; only cells of the map block the view, and their indices are truncated towards 0 |
+| 33, 34 | `surprise_shock_cost`, `surprise_react_cost` | 0; undefined for N = 1 (IndexError) |
+| 30-34 | | undefined if a sample has more people than the first one (IndexError); 32-34 also without map or if a place is outside the map |
+| - | `completed`, `success` | by the last sample: \|p - g\| - radius of g < `goal_tolerance` for some goal g |
+| - | `stl` | T instead of the time of arrival |
+)";
+
 std::string listOf(const std::vector<MetricInfo>& infos) {
   std::string text;
   for (const MetricInfo& info : infos) {
@@ -283,7 +326,7 @@ std::string metricsMarkdown(const MetricRegistry& registry) {
   for (int category = 0; category < kCategories; ++category) {
     text += categoryTable(registry, static_cast<Category>(category));
   }
-  return text + kEffects + listOf(effectInfos()) + kPlanning + listOf(planningInfos()) +
+  return text + kOriginal + kEffects + listOf(effectInfos()) + kPlanning + listOf(planningInfos()) +
          parameterTable();
 }
 

@@ -111,7 +111,7 @@ constexpr char kSocialForcesMetrics[] = R"(
 25 social_force_on_agents|Social force of the robot on people|m/s²|[0, inf)|sum over i, a of |F(robot -> a)|, with a's own factor
 26 social_force_on_robot|Social force of people on the robot|m/s²|[0, inf)|sum over i, a of |F(a -> robot)|
 = Social Forces|lower|robot, people, obstacles|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
-27 social_work|Social work|m/s²|[0, inf)|sum over i of |sum over a of F(a -> robot)| + |O(robot)| + sum over a of |F(robot -> a)|
+27 social_work|Social work|m/s²|[0, inf)|sum over i of (|sum over a of F(a -> robot)| + |O(robot)| + sum over a of |F(robot -> a)|)
 = Social Forces|lower|robot, obstacles|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
 28 obstacle_force_on_robot|Obstacle force on the robot|m/s²|[0, inf)|sum over i of |O(robot)|
 = Social Forces|lower|people, obstacles|Helbing and Molnar 1995; Moussaid et al. 2009; lightsfm
