@@ -52,8 +52,9 @@ Weights weightsOf(const Strata& strata) {
   }
   for (const Numbers& each : strata) {
     const auto size = static_cast<long long>(each.size()) + 1;
+    const long long whole = weights.areWhole ? common / size / shared : 0;  // without a remainder
     weights.each.push_back(weights.areWhole
-                               ? static_cast<double>(common / size / shared)
+                               ? static_cast<double>(whole)
                                : static_cast<double>(largest + 1) / static_cast<double>(size));
   }
   return weights;
