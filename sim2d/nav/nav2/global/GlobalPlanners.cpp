@@ -58,7 +58,7 @@ struct PlannerMaker {
     return std::make_unique<NavfnPlanner>(parameters, distro);
   }
   std::unique_ptr<GlobalPlanner> operator()(const ThetaStarParameters& parameters) const {
-    return std::make_unique<ThetaStarPlanner>(parameters);
+    return std::make_unique<ThetaStarPlanner>(parameters, distro);
   }
   std::unique_ptr<GlobalPlanner> operator()(const Smac2DParameters& parameters) const {
     return std::make_unique<Smac2DPlanner>(parameters, distro);
