@@ -16,7 +16,7 @@ constexpr std::size_t kShortestSmoothedPlan = 7;  // poses
 constexpr double kNoTolerance = 1e-3;             // [cells]
 
 constexpr Cell kSmacMoves[] = {{-1, 0},  {1, 0},  {0, -1}, {0, 1},
-                               {-1, -1}, {-1, 1}, {1, -1}, {1, 1}};
+                               {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
 
 }  // namespace
 
@@ -117,10 +117,11 @@ void Smac2DPlanner::expand(std::size_t index) {
     if (nodes_[at].isVisited) {
       continue;
     }
-    const float length = move.column != 0 && move.row != 0 ? kDiagonal : 1.0F;
+    // In Nav2's types, so that ways of equal cost are equal here too.
+    const double length = move.column != 0 && move.row != 0 ? kDiagonal : 1.0F;
     const auto share = static_cast<float>(costmap_.at(next) / kSmacMostCost);
-    const auto weight = static_cast<float>(1.0 + parameters_.costTravelMultiplier * share);
-    const float g = nodes_[index].g + length * weight;
+    const float price = static_cast<float>(parameters_.costTravelMultiplier) * share;
+    const float g = nodes_[index].g + static_cast<float>(length * (1.0 + price));
     if (g < nodes_[at].g) {
       nodes_[at].g = g;
       nodes_[at].parent = static_cast<std::int32_t>(index);
