@@ -214,10 +214,12 @@ class Reference {
       double low = set_.vxMin;
       double high = set_.vxMax;
       double speed = v[0];
-      if (mppi_.motion == MppiMotion::Omni && mppi_.distro < Distro::Lyrical) {
-        speed = std::copysign(std::hypot(v[0], v[2]), v[0]);
+      if (mppi_.distro < Distro::Lyrical) {
         low = -std::hypot(low, set_.vyMax);
         high = std::hypot(high, set_.vyMax);
+      }
+      if (mppi_.motion == MppiMotion::Omni && mppi_.distro < Distro::Lyrical) {
+        speed = (v[0] > 0.0 ? 1.0 : -1.0) * std::hypot(v[0], v[2]);
       }
       sum += std::max(0.0, speed - high) + std::max(0.0, low - speed);
       if (mppi_.motion == MppiMotion::Omni && mppi_.distro >= Distro::Lyrical) {
@@ -236,7 +238,11 @@ class Reference {
     const bool isNearGoal = isNear(c.nearGoalDistance);
     double sum = 0.0;
     double count = 0.0;
-    for (std::size_t i = 0; i < way.poses.size(); i += static_cast<std::size_t>(c.pointStep)) {
+    const auto stride = static_cast<std::size_t>(c.pointStep);
+    const std::size_t end =
+        way.poses.size() -
+        (mppi_.distro == Distro::Jazzy ? way.poses.size() % stride : std::size_t{0});
+    for (std::size_t i = 0; i < end; i += stride) {
       count += 1.0;
       const double value = cellCost(way.poses[i].position);
       const bool isUnknownFree = scene_->shape.tracksUnknown && value == 255.0;

@@ -18,6 +18,8 @@ class Nav2MppiCriticsTest : public QObject {
   void constraint_vectors52To54_areMet_data();
   void constraint_vectors52To54_areMet();
   void constraint_omniUntilJazzy_limitsThePlanarSpeed();
+  void constraint_diffDriveUntilKilted_countsVyMax();
+  void cost_stride_endsEarlierInJazzy();
   void goalAngle_vector55_countsNearTheGoalAlone();
   void goalAngle_vector56_takesEitherEnd();
   void goalAngle_release_saysWhoseGoal();
@@ -109,6 +111,33 @@ void Nav2MppiCriticsTest::constraint_omniUntilJazzy_limitsThePlanarSpeed() {
   compareTo(bench.each(), 12.0 * (1.0 - std::sqrt(0.5)));
   bench.setSpeeds(-0.6, 0.0, 0.8);
   compareTo(bench.each(), 12.0 * (1.0 - std::sqrt(0.35 * 0.35 + 0.25)));
+}
+
+/// Until Kilted the limits of every motion model contain vy_max: hypot(0.5, 0.3) = 0.5831.
+void Nav2MppiCriticsTest::constraint_diffDriveUntilKilted_countsVyMax() {
+  for (const Distro distro : kEachDistro) {
+    CriticBench bench("ConstraintCritic", distro);
+    bench.mppi.settings.vyMax = 0.3;
+    bench.setSpeeds(0.7);
+    const double most = distro < Distro::Lyrical ? std::sqrt(0.34) : 0.5;
+    compareTo(bench.each(), 12.0 * (0.7 - most));
+    bench.mppi.settings.vyMax = 0.0;  // as in Nav2's own tests
+    bench.setSpeeds(-0.45);
+    compareTo(bench.each(), 1.2);
+  }
+}
+
+/// 30 steps with a stride of 4 are poses 0 to 24 in Jazzy, with 28 elsewhere; step 28 costs 100.
+void Nav2MppiCriticsTest::cost_stride_endsEarlierInJazzy() {
+  for (const Distro distro : kEachDistro) {
+    CriticBench bench("CostCritic", distro, 1);
+    bench.mppi.critics.cost.pointStep = 4;
+    bench.mppi.critics.cost.weight = 254.0;
+    bench.setPoses(0.0, 0.0);
+    bench.setPose(0, 28, 1.0, 1.0);
+    bench.scene.costmap.set(*bench.scene.costmap.worldToCell({1.0, 1.0}), 100);
+    compareTo(bench.all().front(), distro == Distro::Jazzy ? 0.0 : 100.0 / 8.0);
+  }
 }
 
 void Nav2MppiCriticsTest::goalAngle_vector55_countsNearTheGoalAlone() {

@@ -76,7 +76,9 @@ bool MppiCritics::askCost(Round& round) {
   problem.nearCollisionCost = costFloat(settings.nearCollisionCost);
   problem.isNearGoal = isNear(round.scene, settings.nearGoalDistance);
   problem.pointStep = settings.pointStep;
-  problem.points = (round.batch.steps - 1) / settings.pointStep + 1;
+  // Jazzy leaves the last pose out if the steps are no multiple of the stride.
+  problem.points = distro_ == Distro::Jazzy ? std::max(1, round.batch.steps / settings.pointStep)
+                                            : (round.batch.steps - 1) / settings.pointStep + 1;
   ScoreSink sink = sinkOf(round, settings);
   sink.weight = costFloat(settings.weight / 254.0);
   kernel_.cost(problem, round.batch, sink);

@@ -34,7 +34,10 @@ bool MppiCritics::askConstraint(Round& round) {
     problem.model = Model::LinearAndLateral;
   } else if (motion_ == MppiMotion::Omni) {
     problem.model = Model::Planar;
-    problem.low = -std::sqrt(problem.low * problem.low + problem.lateral * problem.lateral);
+  }
+  if (distro_ < Distro::Lyrical) {  // vy_max counts for every motion model, also without a vy
+    const float back = std::sqrt(problem.low * problem.low + problem.lateral * problem.lateral);
+    problem.low = problem.low > 0.0F ? back : -back;
     problem.high = std::sqrt(problem.high * problem.high + problem.lateral * problem.lateral);
   }
   kernel_.constraint(problem, round.batch, sinkOf(round, settings));

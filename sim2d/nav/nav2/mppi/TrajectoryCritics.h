@@ -74,7 +74,7 @@ inline void scoreConstraint(const ConstraintProblem& problem, const TrajectoryBa
     Lanes speed = vx;
     if (problem.model == Model::Planar) {
       const Lanes size = magnitudeOf(vx, load(batch.speeds[2] + at));
-      speed = size | (vx & fill(-0.0F));
+      speed = select(fill(0.0F) < vx, size, fill(0.0F) - size);
     }
     Lanes excess = orZero(speed - fill(problem.high)) + orZero(fill(problem.low) - speed);
     if (problem.model == Model::LinearAndLateral) {
