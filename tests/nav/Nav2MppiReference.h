@@ -170,10 +170,68 @@ class Reference {
 
   void price() {
     for (const std::string& name : set_.critics) {
+      if (name == "ObstaclesCritic") {
+        priceObstacles();
+        continue;
+      }
       for (Trajectory& way : trajectories_) {
         way.cost += priceOf(name, way);
       }
     }
+  }
+
+  /// By the centre's cost, of every pose.
+  void priceObstacles() {
+    const ObstaclesSettings& c = mppi_.critics.obstacles;
+    const bool isHumble = mppi_.distro == Distro::Humble;
+    const double scaling = isHumble ? c.costScaling : scene_->shape.costScaling;
+    const double radius = isHumble ? c.inflationRadius : scene_->shape.inflationRadius;
+    std::vector<double> margins, repulsions;
+    for (Trajectory& way : trajectories_) {
+      double margin = 0.0, repulsion = 0.0;
+      for (const Pose2& pose : way.poses) {
+        const double cost = cellCost(pose.position);
+        if (cost < 1.0) {
+          continue;
+        }
+        way.hits =
+            cost == 253.0 || cost == 254.0 || (cost == 255.0 && !scene_->shape.tracksUnknown);
+        if (way.hits) {
+          break;
+        }
+        const double distance = -std::log(cost / 253.0) / scaling;
+        margin += std::max(0.0, c.marginDistance - distance);
+        const bool isRepelled = !isHumble || distance >= c.marginDistance;
+        repulsion += isRepelled && !isNear(c.nearGoalDistance) ? radius - distance : 0.0;
+      }
+      margins.push_back(way.hits ? c.collisionCost : margin);
+      repulsions.push_back(repulsion);
+    }
+    const double least = isHumble ? 0.0 : *std::min_element(repulsions.begin(), repulsions.end());
+    for (std::size_t i = 0; i < trajectories_.size(); ++i) {
+      trajectories_[i].cost +=
+          std::pow(c.criticalWeight * margins[i] + c.repulsionWeight * (repulsions[i] - least) /
+                                                       static_cast<double>(set_.timeSteps),
+                   c.power);
+    }
+  }
+
+  double twirling(const Trajectory& way) const {
+    double sum = 0.0;
+    for (const Speeds& v : way.speeds) {
+      sum += std::fabs(v[1]);
+    }
+    return sum / static_cast<double>(way.speeds.size());
+  }
+
+  double deadband(const Trajectory& way) const {
+    const std::vector<double>& bands = mppi_.critics.deadband.velocities;  // vx, vy, wz
+    double sum = 0.0;
+    for (const Speeds& v : way.speeds) {
+      sum += std::max(0.0, bands[0] - std::fabs(v[0])) + std::max(0.0, bands[2] - std::fabs(v[1]));
+      sum += axes() == 3 ? std::max(0.0, bands[1] - std::fabs(v[2])) : 0.0;
+    }
+    return sum * set_.modelDt;
   }
 
   double priceOf(const std::string& name, Trajectory& way) const {
@@ -186,6 +244,14 @@ class Reference {
     }
     if (name == "CostCritic") {
       return std::pow(c.cost.weight / 254.0 * cost(way), c.cost.power);
+    }
+    if (name == "TwirlingCritic") {
+      const Pose2& end = mppi_.distro == Distro::Humble ? scene_->path.back() : scene_->goal;
+      const bool isThere = gap(end.position, scene_->robot.position) < scene_->xyGoalTolerance;
+      return isThere ? 0.0 : powered(c.twirling, twirling(way));
+    }
+    if (name == "VelocityDeadbandCritic") {
+      return powered(c.deadband, deadband(way));
     }
     if (name == "GoalCritic" && isNear(c.goal.threshold)) {
       return powered(c.goal, goal(way));
@@ -304,7 +370,10 @@ class Reference {
         }
       }
       if (isValid(at)) {
-        sum += gap(path[at].position, way.poses[i].position);
+        const double turn = mppi_.critics.pathAlign.usesOrientations
+                                ? wrapped(path[at].heading - way.poses[i].heading)
+                                : 0.0;
+        sum += std::hypot(gap(path[at].position, way.poses[i].position), turn);
         count += 1.0;
       }
     }

@@ -7,6 +7,7 @@
 
 #include "sim2d/nav/nav2/control/dwb/DwbController.h"
 #include "tests/nav/ControlScene.h"
+#include "tests/nav/CostmapSketch.h"
 #include "tests/nav/PlainDwb.h"
 
 using namespace control_scene;
@@ -73,6 +74,7 @@ class DwbControllerTest : public QObject {
  private Q_SLOTS:
   void choice_equalsPlainCode_data();
   void choice_equalsPlainCode();
+  void choice_randomScenes_equalsPlainCode();
   void totals_equalPlainCode();
   void shortCircuit_changesNothing();
   void watched_scoresAddUp();
@@ -118,6 +120,38 @@ void DwbControllerTest::choice_equalsPlainCode() {
   QVERIFY(plain.total > 0.0F);
   QVERIFY(plain.illegal > 0);
   QCOMPARE(control.twist, plain.command);
+}
+
+void DwbControllerTest::choice_randomScenes_equalsPlainCode() {
+  costs::Numbers numbers(5);
+  int legal = 0, blocked = 0;
+  double largest = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    Scene scene(i % 2 == 0 ? Distro::Humble : Distro::Jazzy);
+    for (int pillar = 0; pillar < 5; ++pillar) {
+      addPillar(scene, numbers.between(-1.2, 1.2), numbers.between(-1.2, 1.2));
+    }
+    scene.robot = {Vec2(numbers.between(-0.3, 0.3), numbers.between(-0.3, 0.3)),
+                   numbers.between(-3.1, 3.1)};
+    scene.speed = {numbers.between(0.0, 0.26), numbers.between(-1.0, 1.0)};
+    const auto controller = scene.make(kDwb, bringup());
+    controller->setPlan(curve());
+    const Control control = scene.run(*controller);
+    const plain_dwb::Best plain =
+        plain_dwb::choose(parametersOf(bringup()), {}, scene.costmap, controller->view().localPlan,
+                          scene.robot, scene.speed);
+    QCOMPARE(static_cast<bool>(control), plain.total >= 0.0F);
+    if (!control) {
+      ++blocked;
+      continue;
+    }
+    ++legal;
+    largest = std::max({largest, std::abs(control.twist.linear - plain.command.linear),
+                        std::abs(control.twist.angular - plain.command.angular)});
+  }
+  QVERIFY(legal > 30 && blocked > 0);
+  QCOMPARE(largest, 0.0);
+  qInfo("%d choices and %d scenes without one, largest difference 0", legal, blocked);
 }
 
 /// Every trajectory's total of a cycle, without short circuit.
