@@ -40,7 +40,8 @@ std::optional<double> parseNotFinite(std::string_view token) {
   return std::nullopt;
 }
 
-/// Insertions, deletions, replacements and swaps of neighbours (optimal string alignment).
+}  // namespace
+
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before(b.size() + 1);
   std::vector<std::size_t> above(b.size() + 1);
@@ -60,8 +61,6 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
   }
   return above[b.size()];
 }
-
-}  // namespace
 
 std::optional<double> parseDouble(std::string_view token) {
   const auto value = parseWhole<double>(token);

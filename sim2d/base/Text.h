@@ -24,6 +24,10 @@ std::string formatDecimals(double value, int decimals);
 
 std::string pointText(const Vec2& point);  // "(1.5, -2)", to the millimetre
 
+/// Insertions, deletions, replacements and swaps of neighbours that turn one text into the other
+/// (optimal string alignment), in bytes.
+std::size_t editDistance(const std::string& a, const std::string& b);
+
 /// The candidate closest to `word` by edit distance (case ignored), if it is close enough to be
 /// meant: at most one edit in three letters.
 std::optional<std::string> nearestName(std::string_view word,

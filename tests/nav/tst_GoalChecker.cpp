@@ -22,6 +22,8 @@ GoalQuery query(double dx, double dyaw, const BodyTwist& speed = {}, double leng
 
 constexpr char kSimple[] = "nav2_controller::SimpleGoalChecker";
 constexpr char kStopped[] = "nav2_controller/StoppedGoalChecker";
+constexpr char kAxis[] = "nav2_controller::AxisGoalChecker";
+constexpr char kAdaptive[] = "nav2_controller::AdaptiveToleranceGoalChecker";
 constexpr char kPosition[] = "nav2_controller::PositionGoalChecker";
 
 }  // namespace
@@ -37,6 +39,9 @@ class GoalCheckerTest : public QObject {
   void simple_main_longPathIsNotReached();
   void stopped_wantsStandstill();
   void position_headingDoesNotMatter();
+  void axis_splitsTheOffset();
+  void axis_direction_isThatOfThePathsEnd();
+  void adaptive_standing_widensTheTolerance();
   void make_problems();
   void progress_simple_failsAfterAllowance();
   void progress_pose_turningCounts();
@@ -98,6 +103,59 @@ void GoalCheckerTest::position_headingDoesNotMatter() {
   QVERIFY(!checker->isGoalReached(query(0.26, 0.0)));
   QVERIFY(checker->isGoalReached(query(0.24, 3.0)));
   QVERIFY(checker->isGoalReached(query(0.9, 3.0)));  // stateful
+}
+
+/// A path along y to (1, 2): 0.2 m across and 0.3 m along it.
+void GoalCheckerTest::axis_splitsTheOffset() {
+  const Path path = {{Vec2(1.0, 0.0), 0.0}, {Vec2(1.0, 1.5), 0.0}, {Vec2(1.0, 2.0), 0.3}};
+  const auto reaches = [&](const Nav2Block& block, double across, double along, double length) {
+    const auto checker = checkerOf(kAxis, block, Distro::Main);
+    return checker->isGoalReached(
+        {{Vec2(1.0 + across, 2.0 + along), 2.0}, {Vec2(1.0, 2.0), 0.3}, {}, length, &path});
+  };
+  const Nav2Block narrow = {{"cross_track_tolerance", 0.1}, {"along_path_tolerance", 0.4}};
+  QVERIFY(reaches(narrow, 0.05, -0.35, 0.4));
+  QVERIFY(!reaches(narrow, 0.15, -0.35, 0.4));
+  QVERIFY(!reaches(narrow, -0.15, -0.35, 0.4));
+  QVERIFY(!reaches(narrow, 0.05, -0.45, 0.4));
+  QVERIFY(!reaches(narrow, 0.05, 0.45, 0.4));
+  QVERIFY(!reaches(narrow, 0.05, -0.35, 1.1));  // the path is longer than 1 m
+  Nav2Block beyond = narrow;
+  beyond["is_overshoot_valid"] = true;
+  QVERIFY(reaches(beyond, 0.05, 5.0, 0.4));
+  QVERIFY(!reaches(beyond, 0.05, -0.45, 0.4));
+  QVERIFY(!reaches(beyond, 0.15, 5.0, 0.4));
+}
+
+/// The last step of 5 cm turns aside. Main looks 0.15 m back, Lyrical at the last pose but one.
+void GoalCheckerTest::axis_direction_isThatOfThePathsEnd() {
+  const Path path = {{Vec2(0.0, 2.0), 0.0}, {Vec2(1.0, 1.95), 0.0}, {Vec2(1.0, 2.0), 0.0}};
+  const Nav2Block narrow = {{"cross_track_tolerance", 0.1}, {"along_path_tolerance", 0.4}};
+  const GoalQuery ahead{{Vec2(0.7, 2.0), 0.0}, {Vec2(1.0, 2.0), 0.0}, {}, 0.3, &path};
+  QVERIFY(checkerOf(kAxis, narrow, Distro::Main)->isGoalReached(ahead));
+  QVERIFY(!checkerOf(kAxis, narrow, Distro::Lyrical)->isGoalReached(ahead));
+  const GoalQuery bare{{Vec2(0.7, 2.0), 0.0}, {Vec2(1.0, 2.0), 0.0}, {}, 0.3, nullptr};
+  QVERIFY(checkerOf(kAxis, narrow, Distro::Lyrical)->isGoalReached(bare));  // by the heading
+}
+
+void GoalCheckerTest::adaptive_standing_widensTheTolerance() {
+  const Nav2Block block = {{"required_stagnation_cycles", 3}};
+  const auto checker = checkerOf(kAdaptive, block, Distro::Main);
+  QVERIFY(checker->isGoalReached(query(0.09, 0.0, {0.3, 0.0})));  // within the fine one
+  checker->reset();
+  const BodyTwist moving{0.11, 0.0}, standing{0.09, 0.09};
+  QVERIFY(!checker->isGoalReached(query(0.2, 0.0, standing)));
+  QVERIFY(!checker->isGoalReached(query(0.2, 0.0, standing)));
+  QVERIFY(!checker->isGoalReached(query(0.2, 0.0, moving)));  // begins anew
+  QVERIFY(!checker->isGoalReached(query(0.2, 0.0, standing)));
+  QVERIFY(!checker->isGoalReached(query(0.2, 0.0, standing)));
+  QVERIFY(!checker->isGoalReached(query(0.2, 0.5, standing)));  // the heading is wrong
+  QVERIFY(checker->isGoalReached(query(0.9, 0.0, moving)));     // the place is latched
+  checker->reset();
+  for (int i = 0; i < 10; ++i) {
+    QVERIFY(!checker->isGoalReached(query(0.26, 0.0, standing)));
+  }
+  QVERIFY(!checker->isGoalReached(query(0.05, 0.0, standing, 1.1)));
 }
 
 void GoalCheckerTest::make_problems() {

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "sim2d/base/Text.h"
 
 namespace sim2d::nav2 {
 
@@ -33,6 +36,19 @@ std::string pluginName(std::string_view spelling) {
     name.replace(slash, 1, "::");
   }
   return name;
+}
+
+bool isMisspelt(const std::string& found, const std::vector<std::string>& known) {
+  constexpr std::size_t kMostWrongLetters = 2;
+  const auto packageOf = [](const std::string& name) {
+    const std::size_t colons = name.find("::");
+    return colons == std::string::npos ? std::string() : name.substr(0, colons);
+  };
+  const std::string name = pluginName(found), package = packageOf(name);
+  return std::any_of(known.begin(), known.end(), [&](const std::string& each) {
+    return (!package.empty() && packageOf(each) == package) ||
+           base::editDistance(name, each) <= kMostWrongLetters;
+  });
 }
 
 base::Diagnostic wrongType(const std::string& key, const Nav2Value& wanted,

@@ -44,6 +44,11 @@ struct Nav2Keys {
 /// "plugin::Name" of either spelling: Humble's files also write "plugin/Name".
 std::string pluginName(std::string_view spelling);
 
+/// Whether a class that is none of `known` ("package::Class", or bare names) is one of them with a
+/// spelling mistake: its package is that of a known class, or at most two letters differ. Any other
+/// class belongs to a package that is not re-implemented.
+bool isMisspelt(const std::string& found, const std::vector<std::string>& known);
+
 /// A value of another type than the key's, as ROS 2 refuses it at start.
 base::Diagnostic wrongType(const std::string& key, const Nav2Value& wanted, const Nav2Value& found);
 

@@ -138,7 +138,7 @@ void ControllerServer::advance(const ControlCycle& cycle, FollowFeedback& feedba
     cut = &local.poses;
     length = pathLength(local.poses);
   }
-  if (distro_ != Distro::Humble && isGoalReached(cycle, speed, length)) {
+  if (distro_ != Distro::Humble && isGoalReached(cycle, speed, length, cut)) {
     end(FollowStatus::Succeeded, feedback);
     return;
   }
@@ -148,14 +148,14 @@ void ControllerServer::advance(const ControlCycle& cycle, FollowFeedback& feedba
   }
   command(cycle, speed, cut, feedback);
   if (distro_ == Distro::Humble && status_ == FollowStatus::Running &&
-      isGoalReached(cycle, speed, length)) {
+      isGoalReached(cycle, speed, length, cut)) {
     end(FollowStatus::Succeeded, feedback);
   }
 }
 
 bool ControllerServer::isGoalReached(const ControlCycle& cycle, const BodyTwist& speed,
-                                     double length) {
-  return goalChecker_->isGoalReached({cycle.robot, goal_, speed, length});
+                                     double length, const Path* local) {
+  return goalChecker_->isGoalReached({cycle.robot, goal_, speed, length, local});
 }
 
 void ControllerServer::command(const ControlCycle& cycle, const BodyTwist& speed, const Path* local,

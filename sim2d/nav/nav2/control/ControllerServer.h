@@ -96,7 +96,8 @@ class ControllerServer {
  private:
   bool accept(const FollowPathGoal& goal, bool isFirst, double time, FollowFeedback& feedback);
   bool waitsForCostmap(const ControlCycle& cycle, FollowFeedback& feedback);
-  bool isGoalReached(const ControlCycle& cycle, const BodyTwist& speed, double length);
+  bool isGoalReached(const ControlCycle& cycle, const BodyTwist& speed, double length,
+                     const Path* local);
   void command(const ControlCycle& cycle, const BodyTwist& speed, const Path* local,
                FollowFeedback& feedback);
   void bear(Control control, double time, FollowFeedback& feedback);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
+#include "sim2d/nav/nav2/control/PathGoalCheckers.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -77,27 +78,20 @@ constexpr GoalCheckerType kGoalCheckers[] = {
     {"dwb_plugins::StoppedGoalChecker", StockGoalChecker::Kind::Stopped},
 };
 
-/// A checker that is not re-implemented, and the one that is used instead.
-struct CheckerSubstitute {
-  const char* plugin;
-  const char* substitute;
-  const char* toleranceKey;
-  double tolerance;  // without the key [m]
-  const char* why;
-};
-constexpr CheckerSubstitute kCheckerSubstitutes[] = {
-    {"nav2_controller::AxisGoalChecker", "nav2_controller::PositionGoalChecker",
-     "along_path_tolerance", 0.25, "one tolerance applies in all directions"},
-    {"nav2_controller::AdaptiveToleranceGoalChecker", "nav2_controller::SimpleGoalChecker",
-     "fine_xy_goal_tolerance", 0.10, "the fine tolerance always applies"}};
+constexpr char kAxis[] = "nav2_controller::AxisGoalChecker";
+constexpr char kAdaptive[] = "nav2_controller::AdaptiveToleranceGoalChecker";
 
-const CheckerSubstitute* substituteOfChecker(const std::string& plugin) {
-  for (const CheckerSubstitute& each : kCheckerSubstitutes) {
-    if (pluginName(plugin) == each.plugin) {
-      return &each;
-    }
+/// A checker of the values of a block, or what is wrong with them.
+template <class Parameters, class Make>
+base::Result<std::unique_ptr<GoalChecker>> madeOf(const std::vector<Nav2Key<Parameters>>& table,
+                                                  const Nav2Block& block, Distro distro,
+                                                  Make make) {
+  base::Diagnostics problems;
+  const auto parameters = filled(Parameters(), table, block, distro, problems);
+  if (base::hasErrors(problems)) {
+    return problems;
   }
-  return nullptr;
+  return {make(parameters), std::move(problems)};
 }
 
 }  // namespace
@@ -132,17 +126,21 @@ Nav2Keys goalCheckerKeysOf(const std::string& plugin) {
       {"StoppedGoalChecker", {}},
       {"PositionGoalChecker",
        {"yaw_goal_tolerance", "symmetric_yaw_tolerance", "rot_stopped_velocity",
-        "trans_stopped_velocity"}},
-      {"AxisGoalChecker",
-       {"xy_goal_tolerance", "yaw_goal_tolerance", "stateful", "symmetric_yaw_tolerance",
-        "rot_stopped_velocity", "trans_stopped_velocity"}},
-      {"AdaptiveToleranceGoalChecker",
-       {"xy_goal_tolerance", "rot_stopped_velocity", "trans_stopped_velocity"}}};
+        "trans_stopped_velocity"}}};
   Nav2Keys keys;
   addRows(keys, goalCheckerKeys(), GoalCheckerParameters());
   addIdle(keys, goalCheckerIdleKeys());
   const std::string name = pluginName(plugin);
-  const CheckerSubstitute* const known = substituteOfChecker(plugin);
+  if (name == kAxis || name == kAdaptive) {
+    Nav2Keys own;
+    if (name == kAxis) {
+      addRows(own, axisGoalKeys(), AxisGoalParameters());
+    } else {
+      addRows(own, adaptiveGoalKeys(), AdaptiveGoalParameters());
+      addIdle(own, goalCheckerIdleKeys());
+    }
+    return own;
+  }
   for (const auto& [type, unread] : kUnread) {
     const std::string end = "::" + type;
     if (name.size() < end.size() || name.compare(name.size() - end.size(), end.size(), end) != 0) {
@@ -155,16 +153,6 @@ Nav2Keys goalCheckerKeysOf(const std::string& plugin) {
                                    }),
                     keys.rows.end());
   }
-  if (known != nullptr) {
-    keys.rows.push_back(
-        {known->toleranceKey, Nav2Value(known->tolerance), "m", known->why, kSinceLyrical});
-    for (const char* const key :
-         {"cross_track_tolerance", "is_overshoot_valid", "direction_estimation_distance",
-          "coarse_xy_goal_tolerance", "required_stagnation_cycles", "rot_stopped_velocity",
-          "trans_stopped_velocity"}) {
-      keys.idle.push_back({key, known->why, kSinceLyrical});
-    }
-  }
   return keys;
 }
 
@@ -173,22 +161,21 @@ std::vector<std::string> goalCheckerPlugins(Distro /*distro*/) {
   for (const GoalCheckerType& type : kGoalCheckers) {
     names.emplace_back(type.plugin);
   }
+  names.insert(names.end(), {kAxis, kAdaptive});
   return names;
 }
 
 base::Result<std::unique_ptr<GoalChecker>> makeGoalChecker(const std::string& plugin, Distro distro,
                                                            const Nav2Block& block) {
-  if (const CheckerSubstitute* const known = substituteOfChecker(plugin)) {
-    Nav2Block values = block;
-    const auto tolerance = block.find(known->toleranceKey);
-    values["xy_goal_tolerance"] =
-        tolerance != block.end() ? tolerance->second : Nav2Value(known->tolerance);
-    auto made = makeGoalChecker(known->substitute, distro, values);
-    base::Diagnostics problems = {
-        base::warning("nav2.treated-as", {"goal checker", plugin, known->substitute, known->why})};
-    base::append(problems, made.diagnostics());
-    return made ? base::Result<std::unique_ptr<GoalChecker>>(*std::move(made), std::move(problems))
-                : base::Result<std::unique_ptr<GoalChecker>>(std::move(problems));
+  if (pluginName(plugin) == kAxis) {
+    return madeOf(axisGoalKeys(), block, distro, [distro](const AxisGoalParameters& parameters) {
+      return makeAxisGoalChecker(parameters, distro);
+    });
+  }
+  if (pluginName(plugin) == kAdaptive) {
+    return madeOf(adaptiveGoalKeys(), block, distro, [](const AdaptiveGoalParameters& parameters) {
+      return makeAdaptiveGoalChecker(parameters);
+    });
   }
   for (const GoalCheckerType& type : kGoalCheckers) {
     if (pluginName(plugin) != type.plugin) {

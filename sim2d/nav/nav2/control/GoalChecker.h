@@ -13,8 +13,9 @@ namespace sim2d::nav2 {
 
 struct GoalQuery {
   Pose2 robot, goal;
-  BodyTwist speed;          // measured
-  double pathLength = 0.0;  // of the local path [m]; main only
+  BodyTwist speed;                  // measured
+  double pathLength = 0.0;          // of the local path [m]; main only
+  const Path* localPath = nullptr;  // null: before main, or not known
 };
 
 /// Whether the robot stands where and how it should (nav2_core::GoalChecker).

@@ -166,7 +166,8 @@ bool RegulatedPurePursuit::isGoalTurn(const ControlInput& input, const Path& pla
     return false;
   }
   if (distro_ >= Distro::Lyrical) {
-    return input.goalChecker.isXyReached({input.robot, goal_, input.speed, pathLength(plan)});
+    return input.goalChecker.isXyReached(
+        {input.robot, goal_, input.speed, pathLength(plan), input.localPlan});
   }
   const bool isNear = carrot.norm() < input.goalChecker.xyTolerance();
   if (isIn(kJazzy | kKilted, distro_) && parameters_.isStateful) {

@@ -199,7 +199,7 @@ std::optional<double> RotationShim::goalTurn(const ControlInput& input) const {
   bool isThere = (input.robot.position - goal.position).squaredNorm() <= tolerance * tolerance;
   if (distro_ >= Distro::Lyrical && input.localPlan != nullptr) {
     isThere = input.goalChecker.isXyReached(
-        {input.robot, goal, input.speed, pathLength(*input.localPlan)});
+        {input.robot, goal, input.speed, pathLength(*input.localPlan), input.localPlan});
   }
   return isThere ? std::optional(base::angleDiff(goal.heading, input.robot.heading)) : std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/control/ControllerRegistry.h"
 #include "sim2d/nav/nav2/control/dwb/DwbController.h"
 #include "sim2d/nav/nav2/control/dwb/VelocitySamples.h"
@@ -113,10 +114,29 @@ void mendDecelerations(DwbParameters& p, base::Diagnostics& problems) {
 
 GeneratorKind generatorKind(const std::string& name, base::Diagnostics& problems) {
   const std::string plugin = pluginName(name);
+  const std::vector<std::string> known = {kStandardGenerator, kLimitedGenerator};
   if (plugin != kStandardGenerator && plugin != kLimitedGenerator) {
-    problems.push_back(unknownPlugin(name, {kStandardGenerator, kLimitedGenerator}));
+    problems.push_back(isMisspelt(plugin, known)
+                           ? unknownPlugin(name, known)
+                           : base::warning("nav2.treated-as",
+                                           {"trajectory_generator_name", name, kStandardGenerator,
+                                            "its package is not re-implemented"}));
   }
   return plugin == kLimitedGenerator ? GeneratorKind::LimitedAccel : GeneratorKind::Standard;
+}
+
+/// The class that Nav2 would look for first: a bare name of no critic of Nav2 lies in the first
+/// other namespace, if there is one.
+std::string fullCriticName(const std::string& plugin, const DwbParameters& parameters) {
+  if (plugin.find(':') != std::string::npos || plugin.find('/') != std::string::npos) {
+    return plugin;
+  }
+  for (const std::string& space : namespacesOf(parameters)) {
+    if (space != "dwb_critics") {
+      return base::join({space, plugin}, "::");
+    }
+  }
+  return "dwb_critics::" + plugin;
 }
 
 DwbController::NamedCritic makeCritic(const std::string& name, const ControllerSetup& setup,
@@ -129,8 +149,11 @@ DwbController::NamedCritic makeCritic(const std::string& name, const ControllerS
     for (const DwbCriticType& each : dwbCriticTypes()) {
       known.emplace_back(each.plugin);
     }
-    const bool isBare = plugin.find(':') == std::string::npos;
-    problems.push_back(unknownPlugin(isBare ? "dwb_critics::" + plugin : plugin, known));
+    const std::string wanted = fullCriticName(plugin, parameters);
+    problems.push_back(
+        isMisspelt(wanted, known)
+            ? unknownPlugin(wanted, known)
+            : base::warning("nav2.left-out", {name, plugin, "its package is not re-implemented"}));
     return {name, nullptr};
   }
   const auto values =
@@ -165,7 +188,10 @@ base::Result<std::unique_ptr<Controller>> makeDwb(const ControllerSetup& setup) 
     problems.push_back(base::error("nav2.missing-key", {"critics"}));
   }
   for (const std::string& name : made.parameters.critics) {
-    made.critics.push_back(makeCritic(name, setup, made.parameters, problems));
+    DwbController::NamedCritic critic = makeCritic(name, setup, made.parameters, problems);
+    if (critic.critic != nullptr) {
+      made.critics.push_back(std::move(critic));
+    }
   }
   if (base::hasErrors(problems)) {
     return problems;
