@@ -135,6 +135,9 @@ class Contradictions {
       if (const auto* layer = std::get_if<InflationLayerParameters>(&plugin.parameters)) {
         return layer;
       }
+      if (const auto* legacy = std::get_if<LegacyInflationLayerParameters>(&plugin.parameters)) {
+        return legacy;
+      }
     }
     return nullptr;
   }

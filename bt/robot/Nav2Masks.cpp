@@ -10,6 +10,7 @@
 namespace bt {
 namespace {
 
+using sim2d::nav2::BinaryFilterParameters;
 using sim2d::nav2::CostmapPlugin;
 using sim2d::nav2::FilterMask;
 using sim2d::nav2::KeepoutFilterParameters;
@@ -19,6 +20,11 @@ using sim2d::nav2::SpeedFilterParameters;
 std::string maskOf(const CostmapPlugin& filter, FilterMask& mask) {
   if (const auto* const keepout = std::get_if<KeepoutFilterParameters>(&filter.parameters)) {
     return keepout->enabled ? keepout->maskFile : std::string();
+  }
+  if (const auto* const binary = std::get_if<BinaryFilterParameters>(&filter.parameters)) {
+    mask.base = binary->maskBase;
+    mask.multiplier = binary->maskMultiplier;
+    return binary->enabled ? binary->maskFile : std::string();
   }
   const auto* const speed = std::get_if<SpeedFilterParameters>(&filter.parameters);
   if (speed == nullptr || !speed->enabled) {

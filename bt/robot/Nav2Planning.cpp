@@ -90,6 +90,8 @@ void Nav2Servers::planNow(RobotAction action, Asked& asked) {
   hasReplanned_ = hasReplanned_ || hasPlanned_;
   counts_.replans += hasPlanned_ ? 1 : 0;
   hasPlanned_ = true;
+  local_->setPlan(path);
+  global_->setPlan(path);
   finish(action, 0, paths().add(std::move(path)));
 }
 

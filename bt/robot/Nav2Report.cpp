@@ -60,9 +60,39 @@ Json pluginsJson(const Nav2Parameters& parameters) {
   return plugins;
 }
 
-/// Layers that are not quite what they are called.
-Json replacedJson(const Nav2Parameters& parameters) {
+/// Path of the plugin that a problem is about: of the node and the blocks around it.
+std::string pluginOf(const base::Diagnostic& problem) {
+  std::string path;
+  for (const auto& [hole, value] : problem.values) {
+    path += hole == "where" ? value + "." : std::string();
+  }
+  return path + problem.value("name");
+}
+
+/// Plugins that are left out.
+Json leftOutJson(const base::Diagnostics& problems) {
+  Json plugins = Json::array();
+  for (const base::Diagnostic& problem : problems) {
+    if (problem.code == "nav2.left-out") {
+      plugins.push_back({{"plugin", pluginOf(problem)},
+                         {"class", problem.value("found")},
+                         {"why", problem.value("why")}});
+    }
+  }
+  return plugins;
+}
+
+/// Plugins that are replaced, and layers that are not quite what they are called.
+Json replacedJson(const Nav2Parameters& parameters, const base::Diagnostics& problems) {
   Json replaced = Json::array();
+  for (const base::Diagnostic& problem : problems) {
+    if (problem.code == "nav2.treated-as") {
+      replaced.push_back({{"plugin", pluginOf(problem)},
+                          {"class", problem.value("found")},
+                          {"is", problem.value("substitute")},
+                          {"why", problem.value("why")}});
+    }
+  }
   for (const auto& [node, costmap] : {std::pair("local_costmap", &parameters.localCostmap),
                                       std::pair("global_costmap", &parameters.globalCostmap)}) {
     for (const CostmapPlugin& plugin : costmap->plugins) {
@@ -100,7 +130,8 @@ std::string nav2Report(const Nav2Loaded& loaded, const Nav2Counts& counts,
   json["tree_nodes_with_one_answer"] = loaded.constants;
   json["tree_nodes_that_fail"] = loaded.unsupported;
   json["plugins"] = pluginsJson(parameters);
-  json["treated_as"] = replacedJson(parameters);
+  json["treated_as"] = replacedJson(parameters, loaded.problems);
+  json["left_out"] = leftOutJson(loaded.problems);
   json["collision_monitor"] = parameters.collisionMonitor.has_value();
   json["frequencies"] = ratesJson(parameters, setup.dt);
   json["latency_steps"] = {

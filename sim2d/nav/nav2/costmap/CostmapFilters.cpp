@@ -72,6 +72,30 @@ std::uint8_t KeepoutFilter::maskCost(const Vec2& place) const {
   return static_cast<std::uint8_t>(std::round(mask_.valueAt(cell) * kLethal / kMaskFull));
 }
 
+BinaryFilter::BinaryFilter(std::string name, const CostmapContext& context,
+                           const BinaryFilterParameters& parameters, const FilterMask& mask)
+    : CostmapLayer(std::move(name), context),
+      parameters_(parameters),
+      mask_(mask),
+      state_(parameters.defaultState) {}
+
+void BinaryFilter::updateBounds(const Observation& observation, const Costmap& /*master*/,
+                                CostmapBounds& /*bounds*/) {
+  if (!parameters_.enabled || mask_.grid.isEmpty()) {
+    return;
+  }
+  const Cell cell = mask_.grid.worldToCell(observation.pose.position);
+  const bool isOnMask = mask_.grid.contains(cell);
+  if (isOnMask && mask_.grid.isUnknown(cell)) {
+    return;
+  }
+  const bool isFlipped = isOnMask && mask_.base + mask_.multiplier * mask_.grid.valueAt(cell) >
+                                         parameters_.flipThreshold;
+  const bool state = isFlipped != parameters_.defaultState;
+  changes_ += state != state_ ? 1 : 0;
+  state_ = state;
+}
+
 SpeedFilter::SpeedFilter(std::string name, const CostmapContext& context,
                          const SpeedFilterParameters& parameters, const FilterMask& mask)
     : CostmapLayer(std::move(name), context), parameters_(parameters), mask_(mask) {}

@@ -29,6 +29,29 @@ class KeepoutFilter final : public CostmapLayer {
   bool isOverridden_ = false, wasOverridden_ = false;  // the robot is in a zone and may leave it
 };
 
+/// The mask under the robot is a switch (nav2_costmap_2d::BinaryFilter): the state is
+/// `default_state`, and the other one where base + multiplier * value is above `flip_threshold`. It
+/// returns to the default off the mask, and stays as it is over unknown cells. It changes no costs.
+class BinaryFilter final : public CostmapLayer {
+ public:
+  BinaryFilter(std::string name, const CostmapContext& context,
+               const BinaryFilterParameters& parameters, const FilterMask& mask);
+
+  void updateBounds(const Observation& observation, const Costmap& master,
+                    CostmapBounds& bounds) override;
+  void updateCosts(Costmap& /*master*/, const CellWindow& /*window*/) override {}
+  void reset(double /*time*/) override { state_ = parameters_.defaultState; }
+
+  bool state() const { return state_; }
+  int changes() const { return changes_; }  // of the state so far
+
+ private:
+  BinaryFilterParameters parameters_;
+  FilterMask mask_;
+  bool state_ = false;
+  int changes_ = 0;
+};
+
 /// The mask under the robot sets a limit of speed (nav2_costmap_2d::SpeedFilter): base + multiplier
 /// * value; 0 is no limit, unknown cells and places off the mask leave it as it is.
 class SpeedFilter final : public CostmapLayer {

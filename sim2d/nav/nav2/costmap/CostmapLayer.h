@@ -89,6 +89,8 @@ class CostmapLayer {
   virtual bool isClearable() const { return false; }
   /// Forgets the cells strictly between two corners, or with `isInverted` all others.
   virtual void clearArea(const Vec2& /*low*/, const Vec2& /*high*/, bool /*isInverted*/) {}
+  /// The path that the robot follows, whenever there is a new one.
+  virtual void setPlan(const Path& /*plan*/) {}
   /// Its own grid, for display; null: none.
   virtual const Costmap* grid() const { return nullptr; }
 

@@ -21,6 +21,13 @@ const std::vector<LayerType>& knownLayerTypes() {
       {"hunavsim::SocialLayer", SocialLayerParameters{}},
       {"nav2_costmap_2d::KeepoutFilter", KeepoutFilterParameters{}},
       {"nav2_costmap_2d::SpeedFilter", SpeedFilterParameters{}},
+      {"nav2_costmap_2d::LegacyInflationLayer", LegacyInflationLayerParameters{}},
+      {"nav2_costmap_2d::AsymmetricInflationLayer", AsymmetricInflationLayerParameters{}},
+      {"nav2_costmap_2d::DenoiseLayer", DenoiseLayerParameters{}},
+      {"nav2_costmap_2d::RangeSensorLayer", RangeSensorLayerParameters{}},
+      {"spatio_temporal_voxel_layer::SpatioTemporalVoxelLayer", DecayLayerParameters{}},
+      {"nav2_costmap_2d::PluginContainerLayer", ContainerLayerParameters{}},
+      {"nav2_costmap_2d::BinaryFilter", BinaryFilterParameters{}},
   };
   return kTypes;
 }
@@ -255,6 +262,8 @@ const std::vector<IdleKey>& idleLayerKeys() {
       {"max_decel", "not re-implemented: only the cell of the robot counts", kSinceLyrical},
       {"max_lookahead", "not re-implemented: only the cell of the robot counts", kSinceLyrical},
       {"min_lookahead", "not re-implemented: only the cell of the robot counts", kSinceLyrical},
+      {"binary_state_topic", "no topics here: the manifest has the state"},
+      {"plan_topic", "the path is handed over", kSinceLyrical},
       {"odom_topic", "no topics here", kSinceLyrical},
       {"path_topic", "no topics here", kSinceLyrical},
   };

@@ -69,6 +69,76 @@ struct InflationLayerParameters {
   double customInscribedRadius = -1.0;  // [m]; below 0: the footprint's; main only
 };
 
+/// The inflation layer that Nav2 had until Kilted, which Lyrical keeps under this name: cells are
+/// reached over their four neighbours, so the source of a cost is not always the nearest.
+struct LegacyInflationLayerParameters : InflationLayerParameters {};
+
+/// An inflation that falls off by another rate on each side of the robot's path.
+struct AsymmetricInflationLayerParameters {
+  bool enabled = true;
+  double inflationRadius = 2.0;         // [m]
+  double costScalingFactorLeft = 4.0;   // [1/m]
+  double costScalingFactorRight = 4.0;  // [1/m]
+  double goalDistanceThreshold = 1.5;   // [m]
+  bool inflateUnknown = false, inflateAroundUnknown = false;
+};
+
+/// Removes small groups of lethal cells.
+struct DenoiseLayerParameters {
+  bool enabled = true;
+  int minimalGroupSize = 2;       // [cells]; up to 1: nothing is removed
+  int groupConnectivityType = 8;  // 4 or 8 neighbours
+};
+
+/// Probabilities of cells from the readings of sonars and other range sensors.
+struct RangeSensorLayerParameters {
+  bool enabled = true;
+  double phi = 1.2;              // distance at which a reading counts half [m]
+  double inflateCone = 1.0;      // share of the cone's area beyond it; 1: the whole box round it
+  double noReadingsTimeout = 0;  // [s]; 0: never stale
+  double clearThreshold = 0.2, markThreshold = 0.8;  // probabilities
+  bool clearOnMaxReading = false;
+  std::string inputSensorType = "ALL";  // VARIABLE, FIXED or ALL
+  std::vector<std::string> topics;
+};
+
+/// Of a spatio-temporal voxel layer: one sensor as it takes it.
+struct DecaySource {
+  std::string name = "scan";  // no key: from observation_sources
+  std::string topic;          // empty: the name
+  bool enabled = true, marking = true, clearing = false, infIsValid = false;
+  double observationPersistence = 0.0, expectedUpdateRate = 0.0;  // [s]
+  double minObstacleHeight = 0.0, maxObstacleHeight = 3.0;        // [m]
+  double obstacleRange = 2.5;                                     // [m], marking
+  double minZ = 0.0, maxZ = 10.0;       // of the field of view, along the sensor's axis [m]
+  double horizontalFieldOfView = 1.04;  // [rad]
+  double decayAcceleration = 0.0;       // [1/s²]
+  int modelType = 0;                    // 0 depth camera, 1 lidar
+};
+
+/// A grid of voxels that forget what was marked after some time (spatio_temporal_voxel_layer by S.
+/// Macenski).
+struct DecayLayerParameters {
+  bool enabled = true;
+  double voxelDecay = -1.0;   // [s]
+  int decayModel = 0;         // 0 linear, 1 exponential, others: voxels do not decay
+  double voxelSize = 0.05;    // [m]
+  int combinationMethod = 1;  // 0 overwrite, others maximum
+  bool updateFootprintEnabled = true;
+  std::string observationSources;
+  std::vector<DecaySource> sources;  // no key: the blocks named by observation_sources
+};
+
+struct CostmapPlugin;
+
+/// A costmap of layers of its own, which is merged as one.
+struct ContainerLayerParameters {
+  bool enabled = true;
+  int combinationMethod = 1;  // 0 overwrite, 1 maximum, 2 maximum where known
+  std::vector<std::string> plugins;
+  std::vector<CostmapPlugin> layers;  // no key: those of `plugins`
+};
+
 /// Costs round people, ours: asymmetric Gaussians (Kirby 2010, Social Robot Navigation, PhD thesis,
 /// Carnegie Mellon University). Ahead sigma = max(sigmaPerSpeed * v, sigmaMin).
 struct SocialLayerParameters {
@@ -95,10 +165,21 @@ struct SpeedFilterParameters {
   bool maskIsPercentage = true;                 // ours: of the full speed, else [m/s]
 };
 
+struct BinaryFilterParameters {
+  bool enabled = true;
+  bool defaultState = false;
+  double flipThreshold = 50.0;                  // of base + multiplier * value
+  std::string maskFile;                         // ours, as above
+  double maskBase = 0.0, maskMultiplier = 1.0;  // ours, as above
+};
+
 using LayerParameters =
     std::variant<StaticLayerParameters, ObstacleLayerParameters, VoxelLayerParameters,
                  InflationLayerParameters, SocialLayerParameters, KeepoutFilterParameters,
-                 SpeedFilterParameters>;
+                 SpeedFilterParameters, LegacyInflationLayerParameters,
+                 AsymmetricInflationLayerParameters, DenoiseLayerParameters,
+                 RangeSensorLayerParameters, DecayLayerParameters, ContainerLayerParameters,
+                 BinaryFilterParameters>;
 
 /// One of `plugins` or `filters`.
 struct CostmapPlugin {
@@ -130,6 +211,16 @@ const std::vector<Nav2Key<InflationLayerParameters>>& inflationLayerKeys();
 const std::vector<Nav2Key<SocialLayerParameters>>& socialLayerKeys();
 const std::vector<Nav2Key<KeepoutFilterParameters>>& keepoutFilterKeys();
 const std::vector<Nav2Key<SpeedFilterParameters>>& speedFilterKeys();
+const std::vector<Nav2Key<LegacyInflationLayerParameters>>& legacyInflationLayerKeys();
+const std::vector<Nav2Key<AsymmetricInflationLayerParameters>>& asymmetricInflationLayerKeys();
+const std::vector<Nav2Key<DenoiseLayerParameters>>& denoiseLayerKeys();
+const std::vector<Nav2Key<RangeSensorLayerParameters>>& rangeSensorLayerKeys();
+const std::vector<Nav2Key<DecaySource>>& decaySourceKeys();
+const std::vector<Nav2Key<DecayLayerParameters>>& decayLayerKeys();
+const std::vector<Nav2Key<ContainerLayerParameters>>& containerLayerKeys();
+const std::vector<Nav2Key<BinaryFilterParameters>>& binaryFilterKeys();
+const std::vector<IdleKey>& idleDecayKeys();        // of a spatio-temporal voxel layer
+const std::vector<IdleKey>& idleDecaySourceKeys();  // of one of its sources
 const std::vector<IdleKey>& idleCostmapKeys();
 const std::vector<IdleKey>& idleLayerKeys();   // of any layer or filter
 const std::vector<IdleKey>& idleSourceKeys();  // of an observation source

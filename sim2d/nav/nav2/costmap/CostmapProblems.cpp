@@ -72,6 +72,65 @@ void checkInflation(const InflationLayerParameters& inflation, const std::string
   }
 }
 
+void checkDecaySource(const DecaySource& source, const std::string& layer,
+                      base::Diagnostics& problems) {
+  const std::string prefix = layer + "." + source.name + ".";
+  checkCostmapRange(source.observationPersistence, {0.0, kLongestPersistence},
+                    prefix + "observation_persistence", problems);
+  checkCostmapRange(source.decayAcceleration, {0.0, 1e6}, prefix + "decay_acceleration", problems);
+}
+
+/// Layers that few robots have.
+void checkRareLayer(const CostmapPlugin& plugin, double lidarHeight, base::Diagnostics& problems) {
+  const std::string prefix = plugin.name + ".";
+  if (const auto* const range = std::get_if<RangeSensorLayerParameters>(&plugin.parameters)) {
+    checkCostmapRange(range->phi, kReachRange, prefix + "phi", problems);
+    checkCostmapRange(range->inflateCone, {0.0, 1.0}, prefix + "inflate_cone", problems);
+    checkCostmapRange(range->clearThreshold, {0.0, 1.0}, prefix + "clear_threshold", problems);
+    checkCostmapRange(range->markThreshold, {0.0, 1.0}, prefix + "mark_threshold", problems);
+    if (range->enabled && range->topics.empty()) {
+      problems.push_back(base::warning("nav2.no-source", {plugin.name}));
+    }
+    if (range->enabled && range->inputSensorType == "FIXED") {
+      problems.push_back(base::warning("nav2.range-type", {plugin.name}));
+    }
+  }
+  if (const auto* const decay = std::get_if<DecayLayerParameters>(&plugin.parameters)) {
+    checkCostmapRange(decay->voxelSize, kSideRange, prefix + "voxel_size", problems);
+    if (decay->enabled && decay->sources.empty()) {
+      problems.push_back(base::warning("nav2.no-source", {plugin.name}));
+    }
+    for (const DecaySource& source : decay->sources) {
+      checkDecaySource(source, plugin.name, problems);
+      const bool isSeen =
+          lidarHeight >= source.minObstacleHeight && lidarHeight <= source.maxObstacleHeight;
+      if (decay->enabled && source.enabled && source.marking && !isSeen) {
+        problems.push_back(base::warning("nav2.lidar-not-taken",
+                                         {plugin.name, source.name, lidarHeight,
+                                          source.minObstacleHeight, source.maxObstacleHeight}));
+      }
+    }
+  }
+}
+
+/// The inflation of a layer that has one, of either kind.
+std::optional<InflationLayerParameters> inflationOf(const LayerParameters& parameters) {
+  if (const auto* const plain = std::get_if<InflationLayerParameters>(&parameters)) {
+    return *plain;
+  }
+  if (const auto* const legacy = std::get_if<LegacyInflationLayerParameters>(&parameters)) {
+    return *legacy;
+  }
+  if (const auto* const sided = std::get_if<AsymmetricInflationLayerParameters>(&parameters)) {
+    InflationLayerParameters plain;
+    plain.enabled = sided->enabled;
+    plain.inflationRadius = sided->inflationRadius;
+    plain.costScalingFactor = std::max(sided->costScalingFactorLeft, sided->costScalingFactorRight);
+    return plain;
+  }
+  return std::nullopt;
+}
+
 void checkPlugin(const CostmapPlugin& plugin, const CostmapSetup& setup,
                  std::optional<double> inscribed, base::Diagnostics& problems) {
   const ObstacleLayerParameters* obstacles =
@@ -87,8 +146,14 @@ void checkPlugin(const CostmapPlugin& plugin, const CostmapSetup& setup,
       checkSource(source, plugin.name, setup.lidarHeight, problems);
     }
   }
-  if (const auto* const inflation = std::get_if<InflationLayerParameters>(&plugin.parameters)) {
+  if (const auto inflation = inflationOf(plugin.parameters)) {
     checkInflation(*inflation, plugin.name, setup, inscribed, problems);
+  }
+  checkRareLayer(plugin, setup.lidarHeight, problems);
+  if (const auto* const container = std::get_if<ContainerLayerParameters>(&plugin.parameters)) {
+    for (const CostmapPlugin& inner : container->layers) {
+      checkPlugin(inner, setup, inscribed, problems);
+    }
   }
   if (std::holds_alternative<StaticLayerParameters>(plugin.parameters) && setup.map.isEmpty()) {
     problems.push_back(base::warning("nav2.no-map", {plugin.name}));

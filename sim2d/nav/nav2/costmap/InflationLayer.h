@@ -14,7 +14,7 @@ namespace sim2d::nav2 {
 /// Costs round lethal cells (nav2_costmap_2d::InflationLayer). Humble and Jazzy spread over the
 /// four neighbours in order of distance, so now and then a cell takes a source that is not quite
 /// the nearest; main has the exact distance, in steps of 1/100 cell.
-class InflationLayer final : public CostmapLayer {
+class InflationLayer : public CostmapLayer {
  public:
   InflationLayer(std::string name, const CostmapContext& context,
                  const InflationLayerParameters& parameters, double resolution);

@@ -5,11 +5,12 @@
 #include <variant>
 
 #include "sim2d/nav/SensedWorld.h"
+#include "sim2d/nav/nav2/costmap/AsymmetricInflationLayer.h"
+#include "sim2d/nav/nav2/costmap/ContainerLayer.h"
 #include "sim2d/nav/nav2/costmap/CostmapCells.h"
 #include "sim2d/nav/nav2/costmap/CostmapFilters.h"
 #include "sim2d/nav/nav2/costmap/InflationLayer.h"
-#include "sim2d/nav/nav2/costmap/ObstacleLayer.h"
-#include "sim2d/nav/nav2/costmap/SocialLayer.h"
+#include "sim2d/nav/nav2/costmap/LayerMaker.h"
 #include "sim2d/nav/nav2/costmap/StaticLayer.h"
 
 namespace sim2d::nav2 {
@@ -22,11 +23,12 @@ CostmapFootprint footprintOf(const CostmapParameters& parameters) {
                           parameters.footprintPadding);
 }
 
-bool hasStaticLayer(const CostmapSettings& settings) {
-  return std::any_of(settings.plugins.begin(), settings.plugins.end(),
-                     [](const CostmapPlugin& plugin) {
-                       return std::holds_alternative<StaticLayerParameters>(plugin.parameters);
-                     });
+bool hasStaticLayer(const std::vector<CostmapPlugin>& plugins) {
+  return std::any_of(plugins.begin(), plugins.end(), [](const CostmapPlugin& plugin) {
+    const auto* const container = std::get_if<ContainerLayerParameters>(&plugin.parameters);
+    return std::holds_alternative<StaticLayerParameters>(plugin.parameters) ||
+           (container != nullptr && hasStaticLayer(container->layers));
+  });
 }
 
 /// The cells of the costmap, fresh.
@@ -35,7 +37,7 @@ Costmap emptyCostmap(const CostmapSetup& setup) {
   Costmap costmap(static_cast<int>(parameters.width / parameters.resolution),
                   static_cast<int>(parameters.height / parameters.resolution),
                   parameters.resolution, {parameters.originX, parameters.originY});
-  if (!parameters.rollingWindow && !setup.map.isEmpty() && hasStaticLayer(setup.settings)) {
+  if (!parameters.rollingWindow && !setup.map.isEmpty() && hasStaticLayer(setup.settings.plugins)) {
     costmap = costmapOf(setup.map, parameters, setup.distro);
   }
   fillWindow(costmap, wholeWindow(costmap),
@@ -43,41 +45,28 @@ Costmap emptyCostmap(const CostmapSetup& setup) {
   return costmap;
 }
 
-/// Makes the layer of each kind of parameters.
-struct LayerMaker {
-  const CostmapSetup& setup;
-  const CostmapContext& context;
-  const Costmap& master;
-  const std::string& name;
-
-  using Layer = std::unique_ptr<CostmapLayer>;
-  Layer operator()(const StaticLayerParameters& parameters) const {
-    return std::make_unique<StaticLayer>(name, context, parameters, setup.settings.parameters,
-                                         setup.map);
+/// The inflation law of a layer with that name, or of any with an empty one; those within
+/// containers have the name of the container in front.
+std::optional<InflationLaw> lawIn(const std::vector<std::unique_ptr<CostmapLayer>>& layers,
+                                  const std::string& name) {
+  for (const auto& each : layers) {
+    if (const auto* const container = dynamic_cast<const ContainerLayer*>(each.get())) {
+      if (auto law = lawIn(container->layers(), name)) {
+        return law;
+      }
+    }
+    if (!name.empty() && each->name() != name) {
+      continue;
+    }
+    if (const auto* const inflation = dynamic_cast<const InflationLayer*>(each.get())) {
+      return inflation->law();
+    }
+    if (const auto* const sided = dynamic_cast<const AsymmetricInflationLayer*>(each.get())) {
+      return sided->law();
+    }
   }
-  Layer operator()(const ObstacleLayerParameters& parameters) const {
-    return std::make_unique<ObstacleLayer>(name, context, parameters, master);
-  }
-  Layer operator()(const VoxelLayerParameters& parameters) const {
-    return std::make_unique<ObstacleLayer>(name, context, parameters, master);
-  }
-  Layer operator()(const InflationLayerParameters& parameters) const {
-    return std::make_unique<InflationLayer>(name, context, parameters, master.resolution());
-  }
-  Layer operator()(const SocialLayerParameters& parameters) const {
-    return std::make_unique<SocialLayer>(name, context, parameters);
-  }
-  Layer operator()(const KeepoutFilterParameters& parameters) const {
-    return std::make_unique<KeepoutFilter>(name, context, parameters, mask().grid);
-  }
-  Layer operator()(const SpeedFilterParameters& parameters) const {
-    return std::make_unique<SpeedFilter>(name, context, parameters, mask());
-  }
-  FilterMask mask() const {
-    const auto found = setup.masks.find(name);
-    return found == setup.masks.end() ? FilterMask{} : found->second;
-  }
-};
+  return std::nullopt;
+}
 
 bool areCurrent(const std::vector<std::unique_ptr<CostmapLayer>>& layers) {
   return std::all_of(layers.begin(), layers.end(),
@@ -100,12 +89,10 @@ LayeredCostmap::LayeredCostmap(const CostmapSetup& setup)
   context_->tracksUnknown = parameters.trackUnknownSpace;
   context_->lidarHeight = setup.lidarHeight;
   for (const CostmapPlugin& plugin : setup.settings.plugins) {
-    plugins_.push_back(
-        std::visit(LayerMaker{setup, *context_, primary_, plugin.name}, plugin.parameters));
+    plugins_.push_back(makeLayer(plugin, setup, *context_, primary_));
   }
   for (const CostmapPlugin& filter : setup.settings.filters) {
-    filters_.push_back(
-        std::visit(LayerMaker{setup, *context_, primary_, filter.name}, filter.parameters));
+    filters_.push_back(makeLayer(filter, setup, *context_, primary_));
   }
 }
 
@@ -184,13 +171,23 @@ bool LayeredCostmap::isCurrent() const {
 }
 
 std::optional<InflationLaw> LayeredCostmap::inflation(const std::string& name) const {
-  for (const auto& plugin : plugins_) {
-    const auto* const layer = dynamic_cast<const InflationLayer*>(plugin.get());
-    if (layer != nullptr && (name.empty() || plugin->name() == name)) {
-      return layer->law();
+  return lawIn(plugins_, name);
+}
+
+void LayeredCostmap::setPlan(const Path& plan) {
+  for (const auto& layer : plugins_) {
+    layer->setPlan(plan);
+  }
+}
+
+std::map<std::string, BinaryState> LayeredCostmap::binaryStates() const {
+  std::map<std::string, BinaryState> states;
+  for (const auto& filter : filters_) {
+    if (const auto* const binary = dynamic_cast<const BinaryFilter*>(filter.get())) {
+      states[filter->name()] = {binary->state(), binary->changes()};
     }
   }
-  return std::nullopt;
+  return states;
 }
 
 const CostmapLayer* LayeredCostmap::layer(const std::string& name) const {

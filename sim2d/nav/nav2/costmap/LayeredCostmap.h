@@ -23,6 +23,12 @@ struct CostmapSetup {
   Distro distro = Distro::Humble;
 };
 
+/// What a binary filter publishes.
+struct BinaryState {
+  bool state = false;
+  int changes = 0;  // so far
+};
+
 /// What is wrong with it, and what deserves a warning: sizes, footprint, an inflation that is cut,
 /// a lidar whose height no source takes. Without errors it can be made.
 base::Diagnostics problemsOf(const CostmapSetup& setup);
@@ -61,6 +67,10 @@ class LayeredCostmap {
   std::optional<InflationLaw> inflation(const std::string& name = {}) const;
   /// Of the speed filters, the one that spoke last.
   const SpeedLimit& speedLimit() const { return speedLimit_; }
+  /// By the names of the binary filters.
+  std::map<std::string, BinaryState> binaryStates() const;
+  /// The path that the robot follows: layers that depend on it use it in the next update.
+  void setPlan(const Path& plan);
   const CostmapLayer* layer(const std::string& name) const;  // null: none has that name
 
   /// Service clear_entirely: all is as at the start, the costs at once. With `plugins` (main) those

@@ -1,0 +1,93 @@
+#include "sim2d/nav/nav2/costmap/ContainerLayer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+
+namespace sim2d::nav2 {
+
+ContainerLayer::ContainerLayer(std::string name, const CostmapContext& context,
+                               const ContainerLayerParameters& parameters, const Costmap& master,
+                               Layers layers)
+    : CostmapLayer(std::move(name), context),
+      parameters_(parameters),
+      layers_(std::move(layers)),
+      grid_(master) {
+  fillWindow(grid_, wholeWindow(grid_), context.freshCost());
+}
+
+void ContainerLayer::observe(const Observation& observation) {
+  for (const auto& layer : layers_) {
+    layer->observe(observation);
+  }
+}
+
+void ContainerLayer::updateBounds(const Observation& observation, const Costmap& master,
+                                  CostmapBounds& bounds) {
+  if (context().isRolling) {
+    moveOrigin(grid_, observation.pose.position - 0.5 * nav2SizeOf(master), context().freshCost());
+  }
+  if (!parameters_.enabled) {
+    return;
+  }
+  for (const auto& layer : layers_) {
+    layer->updateBounds(observation, grid_, bounds);
+  }
+}
+
+void ContainerLayer::updateCosts(Costmap& master, const CellWindow& window) {
+  if (!parameters_.enabled) {
+    return;
+  }
+  fillWindow(grid_, window, context().freshCost());
+  for (const auto& layer : layers_) {
+    layer->updateCosts(grid_, window);
+  }
+  switch (parameters_.combinationMethod) {
+    case 0:
+      mergeWindow(grid_, window, Merge::Overwrite, master);
+      break;
+    case 1:
+      mergeWindow(grid_, window, Merge::Maximum, master);
+      break;
+    case 2:
+      mergeWindow(grid_, window, Merge::MaximumOfKnown, master);
+      break;
+    default:  // nothing, as in Nav2
+      break;
+  }
+}
+
+void ContainerLayer::reset(double time) {
+  fillWindow(grid_, wholeWindow(grid_), context().freshCost());
+  for (const auto& layer : layers_) {
+    layer->reset(time);
+  }
+}
+
+bool ContainerLayer::isCurrent() const {
+  return !parameters_.enabled || std::all_of(layers_.begin(), layers_.end(),
+                                             [](const auto& layer) { return layer->isCurrent(); });
+}
+
+bool ContainerLayer::isClearable() const {
+  return std::any_of(layers_.begin(), layers_.end(),
+                     [](const auto& layer) { return layer->isClearable(); });
+}
+
+void ContainerLayer::clearArea(const Vec2& low, const Vec2& high, bool isInverted) {
+  for (const auto& layer : layers_) {
+    if (layer->isClearable()) {
+      layer->clearArea(low, high, isInverted);
+    }
+  }
+}
+
+void ContainerLayer::setPlan(const Path& plan) {
+  for (const auto& layer : layers_) {
+    layer->setPlan(plan);
+  }
+}
+
+}  // namespace sim2d::nav2

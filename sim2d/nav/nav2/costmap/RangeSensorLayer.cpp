@@ -1,0 +1,242 @@
+#include "sim2d/nav/nav2/costmap/RangeSensorLayer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <utility>
+
+#include "sim2d/base/Math.h"
+#include "sim2d/nav/nav2/costmap/CostmapCells.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr double kUndecided = 0.5;
+constexpr double kConeAngle = 0.5;                          // of the sensors here [rad]
+constexpr double kLeastRange = 0.02, kGreatestRange = 4.0;  // [m]
+constexpr std::uint8_t kTarget = 233;  // of the cell of a reading, before the model counts
+constexpr double kConeLength = 1.2;    // of the box round the cone, in ranges
+
+double probabilityOf(std::uint8_t cost) {
+  return static_cast<double>(cost) / kLethal;
+}
+std::uint8_t costOf(double probability) {
+  return static_cast<std::uint8_t>(probability * kLethal);
+}
+
+/// Twice the area of a triangle, positive when its corners run counter-clockwise [cells²].
+long long twiceArea(Cell a, Cell b, Cell c) {
+  return static_cast<long long>(b.column - a.column) * (c.row - a.row) -
+         static_cast<long long>(b.row - a.row) * (c.column - a.column);
+}
+
+Cell cellWithoutBounds(const Costmap& costmap, const Vec2& place) {
+  return {static_cast<int>((place.x() - costmap.origin().x()) / costmap.resolution()),
+          static_cast<int>((place.y() - costmap.origin().y()) / costmap.resolution())};
+}
+
+/// The least distance of the beams within a cone; the lidar's range when none is in it.
+double leastDistance(const LaserScan& scan, double heading) {
+  double least = scan.range;
+  for (std::size_t i = 0; i < scan.distances.size(); ++i) {
+    const double angle =
+        scan.sensor.heading + scan.angleMin + static_cast<double>(i) * scan.perBeam;
+    if (std::abs(base::angleDiff(angle, heading)) <= kConeAngle / 2.0) {
+      least = std::min(least, scan.distances[i]);
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+double directionOfSensor(const std::string& topic) {
+  const auto has = [&topic](const char* part) { return topic.find(part) != std::string::npos; };
+  const double side = has("left") ? 1.0 : has("right") ? -1.0 : 0.0;
+  const bool isBehind = has("rear") || has("back");
+  const bool isAhead = has("front");
+  if (side == 0.0) {
+    return isBehind ? base::kPi : 0.0;
+  }
+  return side * base::kPi * (isBehind ? 0.75 : isAhead ? 0.25 : 0.5);
+}
+
+RangeSensorLayer::RangeSensorLayer(std::string name, const CostmapContext& context,
+                                   const RangeSensorLayerParameters& parameters,
+                                   const Costmap& master)
+    : CostmapLayer(std::move(name), context), parameters_(parameters), grid_(master) {
+  fillWindow(grid_, wholeWindow(grid_), costOf(kUndecided));
+  for (const std::string& topic : parameters.topics) {
+    directions_.push_back(directionOfSensor(topic));
+  }
+}
+
+void RangeSensorLayer::observe(const Observation& observation) {
+  const LaserScan* const scan = observation.scan;
+  if (scan == nullptr || !(scan->time > lastScan_) || parameters_.inputSensorType == "FIXED") {
+    return;
+  }
+  lastScan_ = scan->time;
+  for (const double direction : directions_) {
+    RangeReading reading;
+    reading.origin = scan->sensor.position;
+    reading.heading = observation.pose.heading + direction;
+    reading.fieldOfView = kConeAngle;
+    reading.range = leastDistance(*scan, reading.heading);
+    const bool isFar = reading.range >= std::min(kGreatestRange, scan->range);
+    if (reading.range < kLeastRange || (isFar && !parameters_.clearOnMaxReading)) {
+      continue;
+    }
+    reading.range = std::min(reading.range, kGreatestRange);
+    reading.clears = isFar;
+    add(reading);
+  }
+}
+
+void RangeSensorLayer::updateBounds(const Observation& observation, const Costmap& master,
+                                    CostmapBounds& bounds) {
+  if (context().isRolling) {
+    moveOrigin(grid_, observation.pose.position - 0.5 * nav2SizeOf(master), costOf(kUndecided));
+  }
+  for (const RangeReading& reading : readings_) {
+    take(reading);
+    lastReading_ = observation.time;
+  }
+  const bool hasReadings = !readings_.empty();
+  readings_.clear();
+  bounds.touch(touched_);
+  touched_ = CostmapBounds();
+  if (!parameters_.enabled) {
+    isCurrent_ = true;
+  } else if (!hasReadings && parameters_.noReadingsTimeout > 0.0 &&
+             observation.time - lastReading_ > parameters_.noReadingsTimeout) {
+    isCurrent_ = false;
+  } else if (hasReadings && !wasReset_) {
+    isCurrent_ = true;
+  }
+}
+
+void RangeSensorLayer::updateCosts(Costmap& master, const CellWindow& window) {
+  if (!parameters_.enabled) {
+    return;
+  }
+  const std::uint8_t clear = costOf(parameters_.clearThreshold);
+  const std::uint8_t mark = costOf(parameters_.markThreshold);
+  for (int row = window.bottom; row < window.top; ++row) {
+    for (int column = window.left; column < window.right; ++column) {
+      const Cell cell{column, row};
+      const std::uint8_t probability = grid_.at(cell);
+      const bool isMarked = probability > mark, isClear = probability < clear;
+      if (probability == kNoInformation || (!isMarked && !isClear)) {
+        continue;
+      }
+      const std::uint8_t cost = isMarked ? kLethal : kFreeSpace, old = master.at(cell);
+      if (old == kNoInformation || old < cost) {
+        master.set(cell, cost);
+      }
+    }
+  }
+  if (wasReset_) {
+    wasReset_ = false;
+    isCurrent_ = true;
+  }
+}
+
+void RangeSensorLayer::reset(double time) {
+  fillWindow(grid_, wholeWindow(grid_), costOf(kUndecided));
+  readings_.clear();
+  lastReading_ = time;
+  isCurrent_ = false;
+  wasReset_ = true;
+}
+
+void RangeSensorLayer::clearArea(const Vec2& low, const Vec2& high, bool isInverted) {
+  const Cell from = nearestCell(grid_, low), to = nearestCell(grid_, high);
+  for (int row = 0; row < grid_.height(); ++row) {
+    const bool isInRows = row > from.row && row < to.row;
+    for (int column = 0; column < grid_.width(); ++column) {
+      if ((isInRows && column > from.column && column < to.column) != isInverted) {
+        grid_.set({column, row}, costOf(kUndecided));
+      }
+    }
+  }
+  touched_.touch(grid_.origin());
+  touched_.touch(grid_.origin() + nav2SizeOf(grid_));
+}
+
+double RangeSensorLayer::occupancy(double range, double distance, double angle, double halfAngle,
+                                   double phi, double resolution) {
+  const double ratio = angle / halfAngle;
+  const double inCone = std::abs(angle) > halfAngle ? 0.0 : 1.0 - ratio * ratio;
+  const double nearness = 1.0 - (1.0 + base::tanh(2.0 * (distance - phi))) / 2.0;
+  const double weight = nearness * inCone;
+  const double step = resolution * range;  // as Nav2 has it: a cell's side times the range
+  if (distance >= 0.0 && distance < range - 2.0 * step) {
+    return (1.0 - weight) * kUndecided;
+  }
+  if (distance < range - step) {
+    const double rise = (distance - (range - 2.0 * step)) / step;
+    return weight * 0.5 * rise * rise + (1.0 - weight) * kUndecided;
+  }
+  if (distance < range + step) {
+    const double fall = (range - distance) / step;
+    return weight * ((1.0 - 0.5 * fall * fall) - kUndecided) + kUndecided;
+  }
+  return kUndecided;
+}
+
+/// A reading counts in the box round its cone.
+void RangeSensorLayer::take(const RangeReading& reading) {
+  const double half = reading.fieldOfView / 2.0;
+  const Vec2 target = reading.origin + reading.range * base::directionOf(reading.heading);
+  const Vec2 left =
+      reading.origin + kConeLength * reading.range * base::directionOf(reading.heading - half);
+  const Vec2 right =
+      reading.origin + kConeLength * reading.range * base::directionOf(reading.heading + half);
+  touched_.touch(reading.origin);
+  if (const auto cell = grid_.worldToCell(target)) {
+    grid_.set(*cell, kTarget);
+    touched_.touch(target);
+  }
+  touched_.touch(left);
+  touched_.touch(right);
+  const Cell tip = cellWithoutBounds(grid_, reading.origin);
+  const Cell a = cellWithoutBounds(grid_, left), b = cellWithoutBounds(grid_, right);
+  const int firstColumn = std::max(0, std::min({tip.column, a.column, b.column}));
+  const int lastColumn = std::min(grid_.width() - 1, std::max({tip.column, a.column, b.column}));
+  const int firstRow = std::max(0, std::min({tip.row, a.row, b.row}));
+  const int lastRow = std::min(grid_.height() - 1, std::max({tip.row, a.row, b.row}));
+  for (int column = firstColumn; column <= lastColumn; ++column) {
+    for (int row = firstRow; row <= lastRow; ++row) {
+      if (parameters_.inflateCone >= 1.0 || isInCone(a, b, tip, {column, row})) {
+        updateCell(reading, {column, row});
+      }
+    }
+  }
+}
+
+/// Barycentric coordinates above a share of the area below zero, as Nav2 widens the cone.
+bool RangeSensorLayer::isInCone(Cell left, Cell right, Cell tip, Cell cell) const {
+  const double area = static_cast<double>(std::llabs(twiceArea(left, right, tip))) / 2.0;
+  const double least = -parameters_.inflateCone * area;
+  return static_cast<double>(twiceArea(left, right, cell)) >= least &&
+         static_cast<double>(twiceArea(right, tip, cell)) >= least &&
+         static_cast<double>(twiceArea(tip, left, cell)) >= least;
+}
+
+void RangeSensorLayer::updateCell(const RangeReading& reading, Cell cell) {
+  const Vec2 offset = grid_.cellToWorld(cell) - reading.origin;
+  const double angle = base::angleDiff(base::headingOf(offset), reading.heading);
+  const double occupied =
+      reading.clears ? 0.0
+                     : occupancy(reading.range, offset.norm(), angle, reading.fieldOfView / 2.0,
+                                 parameters_.phi, grid_.resolution());
+  const double prior = probabilityOf(grid_.at(cell));
+  const double yes = occupied * prior, no = (1.0 - occupied) * (1.0 - prior);
+  if (yes + no > 0.0) {  // else certainty against certainty: it stays
+    grid_.set(cell, costOf(yes / (yes + no)));
+  }
+}
+
+}  // namespace sim2d::nav2
