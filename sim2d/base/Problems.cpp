@@ -336,6 +336,9 @@ constexpr ProblemText kTexts[] = {
      "{high} "
      "m"},
     {"nav2.no-source", "{layer}: no observation source, it sees nothing"},
+    {"nav2.range-type",
+     "{layer}: sensors here measure distances, which input_sensor_type FIXED refuses: nothing is "
+     "marked"},
     {"nav2.no-map", "{layer}: there is no map, it says nothing"},
     {"nav2.no-mask", "{layer}: has no mask, it does nothing"},
     {"nav2.data-type", "{layer}.{source}: data_type '{found}' counts as LaserScan"},
@@ -370,6 +373,10 @@ constexpr ProblemText kTexts[] = {
     {"nav2.no-plugin", "{node}: '{name}' has no plugin: {name}.plugin must name its class"},
     {"nav2.treated-as", "{name}: '{found}' is treated as {substitute}: {why}"},
     {"nav2.left-out", "{name}: '{found}' is left out: {why}"},
+    {"nav2.older-branch",
+     "{node}: names of a branch before Humble ({keys}) are read as their newer names"},
+    {"nav2.placeholder", "{key} is '{found}', a word that launch files replace: {instead}"},
+    {"nav2.empty-list", "{key} is empty: {instead}"},
     {"nav2.bad-value", "{what}"},
     {"nav2.launch-word",
      "{name} is switched off: its 'enabled' is a word that Nav2's launch files replace"},

@@ -120,7 +120,9 @@ void addControllers(std::map<std::string, Place>& places) {
   for (const auto& [component, plugin] :
        {std::pair("simple_goal_checker", "SimpleGoalChecker"),
         std::pair("stopped_goal_checker", "StoppedGoalChecker"),
-        std::pair("position_goal_checker", "PositionGoalChecker")}) {
+        std::pair("position_goal_checker", "PositionGoalChecker"),
+        std::pair("axis_goal_checker", "AxisGoalChecker"),
+        std::pair("adaptive_tolerance_goal_checker", "AdaptiveToleranceGoalChecker")}) {
     places[component] = {pluginHead("controller_server", "goal_checker_plugins",
                                     std::string("nav2_controller::") + plugin),
                          "controller_server.It.", 6};
@@ -155,10 +157,16 @@ const std::map<std::string, Place>& placesOfComponents() {
     std::map<std::string, Place> places = nodePlaces();
     for (const auto& [component, plugin] :
          {std::pair("static_layer", "StaticLayer"), std::pair("obstacle_layer", "ObstacleLayer"),
-          std::pair("voxel_layer", "VoxelLayer"), std::pair("inflation_layer", "InflationLayer")}) {
+          std::pair("voxel_layer", "VoxelLayer"), std::pair("inflation_layer", "InflationLayer"),
+          std::pair("legacy_inflation_layer", "LegacyInflationLayer"),
+          std::pair("asymmetric_inflation_layer", "AsymmetricInflationLayer"),
+          std::pair("denoise_layer", "DenoiseLayer"),
+          std::pair("range_sensor_layer", "RangeSensorLayer"),
+          std::pair("plugin_container_layer", "PluginContainerLayer")}) {
       places[component] = layerPlace(plugin);
     }
     places["keepout_filter"] = layerPlace("KeepoutFilter", "filters");
+    places["binary_filter"] = layerPlace("BinaryFilter", "filters");
     places["speed_filter"] = layerPlace("SpeedFilter", "filters");
     places["observation_source"] = layerPlace("ObstacleLayer");
     places["observation_source"].head += "        observation_sources: scan\n        scan:\n";

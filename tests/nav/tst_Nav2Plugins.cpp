@@ -16,8 +16,8 @@ class Nav2PluginsTest : public QObject {
   void read_unknownPlugin_tellsTheNearest();
   void read_layerThatIsNotHere_refusesNoFile_data();
   void read_layerThatIsNotHere_refusesNoFile();
-  void read_layerThatIsReplaced_keepsItsNumbers();
-  void read_container_isItsPlugins();
+  void read_rareLayers_readTheirKeys();
+  void read_container_holdsItsPlugins();
   void read_plannerThatIsNotHere_isReplaced();
   void read_goalChecker_readsItsOwnKeys();
   void read_wordOfLaunchFiles_switchesAFilterOff();
@@ -44,18 +44,11 @@ void Nav2PluginsTest::read_layerThatIsNotHere_refusesNoFile_data() {
   QTest::addColumn<QString>("plugin");
   QTest::addColumn<QString>("code");
   QTest::addColumn<QString>("as");  // the class that is used; empty: none
-  QTest::newRow("voxels that decay") << "spatio_temporal_voxel_layer/SpatioTemporalVoxelLayer"
-                                     << "nav2.treated-as"
-                                     << "nav2_costmap_2d::VoxelLayer";
-  QTest::newRow("legacy") << "nav2_costmap_2d::LegacyInflationLayer"
-                          << "nav2.treated-as"
-                          << "nav2_costmap_2d::InflationLayer";
-  QTest::newRow("asymmetric") << "nav2_costmap_2d::AsymmetricInflationLayer"
-                              << "nav2.treated-as"
-                              << "nav2_costmap_2d::InflationLayer";
-  for (const char* const plugin :
-       {"nav2_costmap_2d::DenoiseLayer", "nav2_costmap_2d::RangeSensorLayer",
-        "nav2_costmap_2d::BinaryFilter", "my_robot::CarpetMemory"}) {
+  QTest::newRow("voxels without memory") << "nonpersistent_voxel_layer/NonPersistentVoxelLayer"
+                                         << "nav2.treated-as"
+                                         << "nav2_costmap_2d::ObstacleLayer";
+  for (const char* const plugin : {"nav2_costmap_2d::ZoneParameterFilter", "my_robot::CarpetMemory",
+                                   "social_costmap_plugins/ProxemicLayer"}) {
     QTest::newRow(plugin) << plugin << "nav2.left-out"
                           << "";
   }
@@ -89,58 +82,73 @@ void Nav2PluginsTest::read_layerThatIsNotHere_refusesNoFile() {
   }
 }
 
-/// Ranges of its sources have an older name; the factors of both sides are averaged.
-void Nav2PluginsTest::read_layerThatIsReplaced_keepsItsNumbers() {
+/// Each with a value that is not the default.
+void Nav2PluginsTest::read_rareLayers_readTheirKeys() {
   const Nav2Reading reading = readOf(kPursuit + R"(local_costmap:
   local_costmap:
     ros__parameters:
-      plugins: ["stvl", "sides"]
+      plugins: ["stvl", "sides", "old", "clean", "sonar"]
+      filters: ["lights"]
       stvl:
         plugin: "spatio_temporal_voxel_layer/SpatioTemporalVoxelLayer"
         voxel_decay: 15.0
         mark_threshold: 2
         observation_sources: scan
         scan: {topic: /scan, obstacle_range: 4.5, marking: true, clearing: true,
-               max_obstacle_height: 2.0}
+               max_obstacle_height: 2.0, decay_acceleration: 5.0, vertical_fov_angle: 0.8,
+               model_type: 1, filter: "passthrough"}
       sides:
         plugin: "nav2_costmap_2d::AsymmetricInflationLayer"
         cost_scaling_factor_left: 2.0
-        cost_scaling_factor_right: 3.0
         inflation_radius: 1.5
-)");
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+      old: {plugin: "nav2_costmap_2d::LegacyInflationLayer", cost_scaling_factor: 3.0}
+      clean: {plugin: "nav2_costmap_2d::DenoiseLayer", minimal_group_size: 5}
+      sonar: {plugin: "nav2_costmap_2d::RangeSensorLayer", topics: ["/sonar"], phi: 1.5}
+      lights: {plugin: "nav2_costmap_2d::BinaryFilter", flip_threshold: 20.0}
+)",
+                                     Distro::Main);
+  QVERIFY2(reading.problems.empty(), texts(reading.problems).c_str());
   const auto& plugins = reading.parameters.localCostmap.plugins;
-  QCOMPARE(plugins.size(), std::size_t{2});
-  const auto& voxels = std::get<VoxelLayerParameters>(plugins[0].parameters);
-  QCOMPARE(voxels.markThreshold, 0);
-  QCOMPARE(voxels.sources.front().obstacleMaxRange, 4.5);
-  QCOMPARE(voxels.sources.front().raytraceMaxRange, 4.5);
-  const auto& inflation = std::get<InflationLayerParameters>(plugins[1].parameters);
-  QCOMPARE(inflation.costScalingFactor, 2.5);
-  QCOMPARE(inflation.inflationRadius, 1.5);
+  QCOMPARE(plugins.size(), std::size_t{5});
+  const auto& decay = std::get<DecayLayerParameters>(plugins[0].parameters);
+  QCOMPARE(decay.voxelDecay, 15.0);
+  QCOMPARE(decay.sources.front().obstacleRange, 4.5);
+  QCOMPARE(decay.sources.front().decayAcceleration, 5.0);
+  QCOMPARE(decay.sources.front().modelType, 1);
+  const auto& sided = std::get<AsymmetricInflationLayerParameters>(plugins[1].parameters);
+  QCOMPARE(sided.costScalingFactorLeft, 2.0);
+  QCOMPARE(sided.inflationRadius, 1.5);
+  const auto& legacy = std::get<LegacyInflationLayerParameters>(plugins[2].parameters);
+  QCOMPARE(legacy.costScalingFactor, 3.0);
+  QCOMPARE(std::get<DenoiseLayerParameters>(plugins[3].parameters).minimalGroupSize, 5);
+  QCOMPARE(std::get<RangeSensorLayerParameters>(plugins[4].parameters).phi, 1.5);
+  const auto& filters = reading.parameters.localCostmap.filters;
+  QCOMPARE(std::get<BinaryFilterParameters>(filters[0].parameters).flipThreshold, 20.0);
 }
 
-void Nav2PluginsTest::read_container_isItsPlugins() {
+void Nav2PluginsTest::read_container_holdsItsPlugins() {
   const Nav2Reading reading = readOf(kPursuit + R"(local_costmap:
   local_costmap:
     ros__parameters:
       plugins: ["both", "inflation_layer"]
       both:
         plugin: "nav2_costmap_2d::PluginContainerLayer"
+        combination_method: 0
         plugins: ["one", "two"]
         one: {plugin: "nav2_costmap_2d::StaticLayer"}
         two: {plugin: "nav2_costmap_2d::ObstacleLayer", observation_sources: scan,
               scan: {topic: /scan}}
       inflation_layer: {plugin: "nav2_costmap_2d::InflationLayer"}
 )");
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  std::vector<std::string> names;
-  for (const CostmapPlugin& plugin : reading.parameters.localCostmap.plugins) {
-    names.push_back(plugin.name);
-  }
-  QCOMPARE(names, (std::vector<std::string>{"both.one", "both.two", "inflation_layer"}));
-  QVERIFY(problemOf(reading.problems, "nav2.treated-as"));
-  QVERIFY(!problemOf(reading.problems, "nav2.unknown-key"));
+  QVERIFY2(reading.problems.empty(), texts(reading.problems).c_str());
+  const auto& plugins = reading.parameters.localCostmap.plugins;
+  QCOMPARE(plugins.size(), std::size_t{2});
+  const auto& container = std::get<ContainerLayerParameters>(plugins[0].parameters);
+  QCOMPARE(container.combinationMethod, 0);
+  QCOMPARE(container.layers.size(), std::size_t{2});
+  QCOMPARE(container.layers[1].name, std::string("both.two"));
+  const auto& seen = std::get<ObstacleLayerParameters>(container.layers[1].parameters);
+  QCOMPARE(seen.sources.size(), std::size_t{1});
 }
 
 void Nav2PluginsTest::read_plannerThatIsNotHere_isReplaced() {

@@ -158,13 +158,20 @@ std::vector<std::string> knownCritics() {
   return names;
 }
 
-void checkCriticNames(const std::vector<std::string>& critics, base::Diagnostics& problems) {
+/// Critics that are misspelt are errors; those of other packages are left out of the list.
+void checkCriticNames(std::vector<std::string>& critics, base::Diagnostics& problems) {
   const std::vector<std::string> known = knownCritics();
-  for (const std::string& name : critics) {
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      problems.push_back(unknownPlugin(name, known));
+  const auto isOther = [&](const std::string& name) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) {
+      return false;
     }
-  }
+    const bool isWrong = isMisspelt(name, known);
+    problems.push_back(
+        isWrong ? unknownPlugin(name, known)
+                : base::warning("nav2.left-out", {name, name, "the critic is not re-implemented"}));
+    return !isWrong;
+  };
+  critics.erase(std::remove_if(critics.begin(), critics.end(), isOther), critics.end());
 }
 
 /// Sets the motion; main names a block with the plugin.
@@ -188,7 +195,11 @@ void readMotion(const Nav2Block& block, MppiConfiguration& mppi, base::Diagnosti
   }
   const auto found = std::find(known.begin(), known.end(), model);
   if (found == known.end()) {
-    problems.push_back(unknownPlugin(model, known));
+    problems.push_back(
+        isMisspelt(model, known) || model.find(':') == std::string::npos
+            ? unknownPlugin(model, known)
+            : base::warning("nav2.treated-as", {"motion_model", model, known.front(),
+                                                "its package is not re-implemented"}));
     return;
   }
   mppi.motion = static_cast<MppiMotion>(found - known.begin());

@@ -38,18 +38,58 @@ const std::vector<Nav2Key<SpeedFilterParameters>>& keysOf(const SpeedFilterParam
   return speedFilterKeys();
 }
 
-void readSources(NodeReader& node, const std::string& prefix, ObstacleLayerParameters& layer) {
-  std::istringstream words(layer.observationSources);
+const std::vector<Nav2Key<LegacyInflationLayerParameters>>& keysOf(
+    const LegacyInflationLayerParameters&) {
+  return legacyInflationLayerKeys();
+}
+const std::vector<Nav2Key<AsymmetricInflationLayerParameters>>& keysOf(
+    const AsymmetricInflationLayerParameters&) {
+  return asymmetricInflationLayerKeys();
+}
+const std::vector<Nav2Key<DenoiseLayerParameters>>& keysOf(const DenoiseLayerParameters&) {
+  return denoiseLayerKeys();
+}
+const std::vector<Nav2Key<RangeSensorLayerParameters>>& keysOf(const RangeSensorLayerParameters&) {
+  return rangeSensorLayerKeys();
+}
+const std::vector<Nav2Key<DecayLayerParameters>>& keysOf(const DecayLayerParameters&) {
+  return decayLayerKeys();
+}
+const std::vector<Nav2Key<ContainerLayerParameters>>& keysOf(const ContainerLayerParameters&) {
+  return containerLayerKeys();
+}
+const std::vector<Nav2Key<BinaryFilterParameters>>& keysOf(const BinaryFilterParameters&) {
+  return binaryFilterKeys();
+}
+
+/// Names in a text, with blanks between them, each once.
+std::vector<std::string> sourceNames(NodeReader& node, const std::string& prefix,
+                                     const std::string& text) {
+  std::istringstream words(text);
   std::vector<std::string> names;
   for (std::string name; words >> name;) {
     names.push_back(name);
   }
-  for (const std::string& name : pluginNames(node, prefix + "observation_sources", names)) {
+  return pluginNames(node, prefix + "observation_sources", names);
+}
+
+void readSources(NodeReader& node, const std::string& prefix, ObstacleLayerParameters& layer) {
+  for (const std::string& name : sourceNames(node, prefix, layer.observationSources)) {
     ObservationSource source;
     source.name = name;
     source.topic = name;
     layer.sources.push_back(
         node.read(prefix + name + ".", observationSourceKeys(), idleSourceKeys(), source));
+    layer.sources.back().name = name;
+  }
+}
+
+void readSources(NodeReader& node, const std::string& prefix, DecayLayerParameters& layer) {
+  for (const std::string& name : sourceNames(node, prefix, layer.observationSources)) {
+    DecaySource source;
+    source.topic = name;
+    layer.sources.push_back(
+        node.read(prefix + name + ".", decaySourceKeys(), idleDecaySourceKeys(), source));
     layer.sources.back().name = name;
   }
 }
@@ -92,18 +132,12 @@ struct LayerSubstitute {
   const char* substitute;
   const char* why;
 };
-constexpr const char* kVoxelLayer = "nav2_costmap_2d::VoxelLayer";
-constexpr const char* kInflationLayer = "nav2_costmap_2d::InflationLayer";
-constexpr const char* kContainer = "nav2_costmap_2d::PluginContainerLayer";
-constexpr std::array<LayerSubstitute, 7> kSubstitutes = {
-    {{"spatio_temporal_voxel_layer::SpatioTemporalVoxelLayer", kVoxelLayer,
-      "voxels are cleared by rays, they do not decay"},
-     {"nav2_costmap_2d::LegacyInflationLayer", kInflationLayer, "costs are the same"},
-     {"nav2_costmap_2d::AsymmetricInflationLayer", kInflationLayer,
-      "both sides of a path are inflated with the mean of the two factors"},
-     {"nav2_costmap_2d::DenoiseLayer", nullptr, "scans have no lone points to remove"},
-     {"nav2_costmap_2d::RangeSensorLayer", nullptr, "robots have no range sensors"},
-     {"nav2_costmap_2d::BinaryFilter", nullptr, "it publishes a state and no costs"},
+constexpr const char* kObstacleLayer = "nav2_costmap_2d::ObstacleLayer";
+constexpr std::array<LayerSubstitute, 3> kSubstitutes = {
+    {{"nonpersistent_voxel_layer::NonPersistentVoxelLayer", kObstacleLayer,
+      "its marks stay until a ray clears them"},
+     {"nav2_costmap_2d::NonPersistentVoxelLayer", kObstacleLayer,
+      "its marks stay until a ray clears them"},
      {"nav2_costmap_2d::ZoneParameterFilter", nullptr, "parameters of nodes do not change"}}};
 
 const LayerSubstitute* substituteOf(const std::string& type) {
@@ -113,48 +147,18 @@ const LayerSubstitute* substituteOf(const std::string& type) {
   return found == kSubstitutes.end() ? nullptr : found;
 }
 
-/// A number that is given below a layer.
-std::optional<double> numberAt(const NodeReader& node, const std::string& prefix,
-                               const std::string& key) {
-  const Nav2Block block = node.given(prefix);
-  const auto found = block.find(key);
-  const double* const value = found == block.end() ? nullptr : std::get_if<double>(&found->second);
-  return value != nullptr ? std::optional<double>(*value) : std::nullopt;
-}
-
-/// Settings that a substitute needs and that its table does not contain.
-void adapt(NodeReader& node, const std::string& prefix, LayerParameters& layer) {
-  if (auto* const voxels = std::get_if<VoxelLayerParameters>(&layer)) {
-    voxels->markThreshold = 0;  // counts voxels, which do not exist here
-    for (ObservationSource& source : voxels->sources) {
-      const auto range = numberAt(node, prefix + source.name + ".", "obstacle_range");
-      source.obstacleMaxRange = range.value_or(source.obstacleMaxRange);
-      source.raytraceMaxRange = range.value_or(source.raytraceMaxRange);
-    }
-  }
-  if (auto* const inflation = std::get_if<InflationLayerParameters>(&layer)) {
-    const auto left = numberAt(node, prefix, "cost_scaling_factor_left");
-    const auto right = numberAt(node, prefix, "cost_scaling_factor_right");
-    if (left || right) {
-      constexpr double kUsual = 4.0;  // of the asymmetric layer
-      inflation->costScalingFactor = 0.5 * (left.value_or(kUsual) + right.value_or(kUsual));
-    }
-  }
-}
-
 void readLayer(NodeReader& node, const std::string& name, std::vector<CostmapPlugin>& to);
 
-/// Its plugins are merged into the costmap one by one.
-void readContainer(NodeReader& node, const std::string& name, std::vector<CostmapPlugin>& to) {
-  const auto names = node.value<std::vector<std::string>>(name + ".plugins");
-  tellSubstitute(node, name, kContainer, "its plugins",
-                 "they are merged into the costmap one by one");
-  for (const std::string& inner :
-       pluginNames(node, name + ".plugins", names.value_or(std::vector<std::string>()))) {
-    readLayer(node, name + "." + inner, to);
+void readContained(NodeReader& node, const std::string& name, ContainerLayerParameters& container) {
+  for (const std::string& inner : pluginNames(node, name + ".plugins", container.plugins)) {
+    readLayer(node, name + "." + inner, container.layers);
   }
-  node.know(name + ".enabled", "it is switched on");
-  node.know(name + ".combination_method", "its plugins have their own");
+}
+
+/// Packages also hold layers of forks, so that the package alone is no evidence.
+bool isMisspeltLayer(const std::string& type) {
+  const std::vector<std::string> known = layerTypes();
+  return isMisspelt(type, known) && base::nearestName(type, known).has_value();
 }
 
 /// A class of another package has no effect, unless its name is misspelt.
@@ -162,7 +166,7 @@ void readMissing(NodeReader& node, const std::string& name, const std::string& t
   const LayerSubstitute* const known = substituteOf(pluginName(type));
   if (known != nullptr) {
     tellLeftOut(node, name, type, known->why);
-  } else if (base::nearestName(pluginName(type), layerTypes())) {
+  } else if (isMisspeltLayer(pluginName(type))) {
     tellUnknownPlugin(node, name, type, layerTypes());
   } else {
     tellLeftOut(node, name, type, "there is no class of this name here");
@@ -176,10 +180,6 @@ void readLayer(NodeReader& node, const std::string& name, std::vector<CostmapPlu
   const bool isReplaced = known != nullptr && known->substitute != nullptr;
   std::optional<LayerParameters> layer =
       layerOfType(isReplaced ? known->substitute : pluginName(type));
-  if (pluginName(type) == kContainer && !isOff) {
-    readContainer(node, name, to);
-    return;
-  }
   if (!layer || isPlaceholder(node, name)) {
     if (!isOff && !type.empty()) {
       readMissing(node, name, type);
@@ -191,14 +191,21 @@ void readLayer(NodeReader& node, const std::string& name, std::vector<CostmapPlu
   std::visit(
       [&](auto& held) {
         held = node.read(prefix, keysOf(held), idleLayerKeys(), held);
-        if constexpr (std::is_base_of_v<ObstacleLayerParameters, std::decay_t<decltype(held)>>) {
+        using Held = std::decay_t<decltype(held)>;
+        if constexpr (std::is_base_of_v<ObstacleLayerParameters, Held>) {
           readSources(node, prefix, held);
+        } else if constexpr (std::is_same_v<DecayLayerParameters, Held>) {
+          readSources(node, prefix, held);
+          for (const IdleKey& key : idleDecayKeys()) {
+            node.know(prefix + key.name, key.why);
+          }
+        } else if constexpr (std::is_same_v<ContainerLayerParameters, Held>) {
+          readContained(node, name, held);
         }
       },
       *layer);
   if (isReplaced) {
     tellSubstitute(node, name, type, known->substitute, known->why);
-    adapt(node, prefix, *layer);
     node.know(prefix, "a key of " + type);
   }
   to.push_back({name, *std::move(layer)});

@@ -81,7 +81,11 @@ void readBehavior(NodeReader& node, const std::string& name, BehaviorSettings& t
       for (const char* const behavior : kBehaviors) {
         known.push_back(std::string("nav2_behaviors::") + behavior);
       }
-      tellUnknownPlugin(node, name, plugin, known);
+      if (isMisspelt(plugin, known)) {
+        tellUnknownPlugin(node, name, plugin, known);
+      } else {
+        tellLeftOut(node, name, plugin, "its package is not re-implemented");
+      }
       node.know(name + ".", "its class is not here");
     }
   }

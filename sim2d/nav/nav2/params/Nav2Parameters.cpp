@@ -11,7 +11,9 @@
 #include "sim2d/nav/nav2/params/CostmapReading.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "sim2d/nav/nav2/params/MotionReading.h"
+#include "sim2d/nav/nav2/params/OldNames.h"
 #include "sim2d/nav/nav2/params/PluginBlocks.h"
+#include "sim2d/nav/nav2/params/PluginReplacement.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
 
 namespace sim2d::nav2 {
@@ -28,7 +30,7 @@ constexpr const char* kGlobalCostmap = "global_costmap";
 class FileReader {
  public:
   FileReader(const ParameterFile& file, const Nav2ReadOptions& options, Nav2Parameters& to)
-      : file_(file), options_(options), to_(to) {
+      : file_(file), options_(options), to_(to), isOld_(hasOldNode(file)) {
     to_.notes.onlyKeys = options.onlyKeys;
   }
 
@@ -47,7 +49,15 @@ class FileReader {
  private:
   NodeReader reader(const std::string& node) {
     asked_.insert(node);
-    return {file_.parametersOf(node, options_.robot), to_.distro, file_.file(), to_.notes};
+    NodeReader made(file_.parametersOf(node, options_.robot), to_.distro, file_.file(), to_.notes);
+    readOldNames(made, isOld_);
+    readPlaceholders(made);
+    return made;
+  }
+
+  static bool hasOldNode(const ParameterFile& file) {
+    return std::any_of(file.nodes().begin(), file.nodes().end(),
+                       [](const NodeParameters& node) { return node.node == "recoveries_server"; });
   }
 
   void readCostmaps() {
@@ -65,6 +75,7 @@ class FileReader {
     if (to_.isPartial) {
       tellPartial(node);
     }
+    replaceControllerPlugins(node, limitsOfSmoother(file_, options_.robot));
     to_.controllerServer = node.read({}, controllerServerNodeKeys(node.given({}), to_.distro));
     if (!options_.onlyKeys && !to_.isPartial) {
       const auto made = makeControllerServer(to_.controllerServer, to_.distro);
@@ -111,12 +122,12 @@ class FileReader {
     const bool isUsual = !node.has("planner_plugins");
     for (const std::string& name :
          pluginNames(node, "planner_plugins", to_.plannerServer.plannerPlugins)) {
-      const std::string type =
-          pluginClass(node, name, isUsual ? "nav2_navfn_planner::NavfnPlanner" : "");
+      std::string type = pluginClass(node, name, isUsual ? "nav2_navfn_planner::NavfnPlanner" : "");
       if (!type.empty()) {
         const auto find = [&](const std::string& plugin) {
           return globalPlannerPlugin(plugin, to_.distro);
         };
+        type = replacedPlanner(node, name, type, find);
         readAnswered(node, name, type, find, SubstituteKeys::Read, globalPlannerPluginNames(),
                      to_.planners);
       }
@@ -131,17 +142,57 @@ class FileReader {
     const bool isUsual = !node.has("smoother_plugins");
     for (const std::string& name :
          pluginNames(node, "smoother_plugins", to_.smootherServer.smootherPlugins)) {
-      const std::string type =
-          pluginClass(node, name, isUsual ? "nav2_smoother::SimpleSmoother" : "");
+      std::string type = pluginClass(node, name, isUsual ? "nav2_smoother::SimpleSmoother" : "");
       if (!type.empty()) {
         const auto find = [&](const std::string& plugin) {
           return pathSmootherPlugin(plugin, to_.distro);
         };
+        type = replacedSmoother(node, name, type, find);
         readAnswered(node, name, type, find, SubstituteKeys::Ignored, pathSmootherPluginNames(),
                      to_.smoothers);
       }
     }
     node.finish();
+  }
+
+  /// A planner of another package is NavFn, or what its name has in common with Nav2's.
+  template <class Find>
+  static std::string replacedPlanner(NodeReader& node, const std::string& name,
+                                     const std::string& type, const Find& find) {
+    const auto has = [&type](const char* part) { return type.find(part) != std::string::npos; };
+    const std::string nearest = has("Hybrid") || has("Lattice")
+                                    ? "nav2_smac_planner::SmacPlannerHybrid"
+                                : has("Smac")  ? "nav2_smac_planner::SmacPlanner2D"
+                                : has("Theta") ? "nav2_theta_star_planner::ThetaStarPlanner"
+                                               : "nav2_navfn_planner::NavfnPlanner";
+    return replacedPlugin(node, name, type, nearest, globalPlannerPluginNames(), find);
+  }
+
+  template <class Find>
+  static std::string replacedSmoother(NodeReader& node, const std::string& name,
+                                      const std::string& type, const Find& find) {
+    return replacedPlugin(node, name, type, "nav2_smoother::SimpleSmoother",
+                          pathSmootherPluginNames(), find);
+  }
+
+  /// Classes that `find` answers with a substitute of their own are left to the reader.
+  template <class Find>
+  static std::string replacedPlugin(NodeReader& node, const std::string& name,
+                                    const std::string& type, const std::string& nearest,
+                                    const std::vector<std::string>& known, const Find& find) {
+    const auto answer = find(type);
+    if (answer.parameters || !answer.why.empty()) {
+      return type;
+    }
+    Nav2Keys keys;
+    const auto substitute = find(nearest);
+    std::visit(
+        [&](const auto& parameters) {
+          addRows(keys, keysOf(parameters), parameters);
+          addIdle(keys, idleKeysOf(parameters));
+        },
+        *substitute.parameters);
+    return replacedClass(node, name, type, known, nearest, keys);
   }
 
   void readNavigator() {
@@ -193,6 +244,7 @@ class FileReader {
   const ParameterFile& file_;
   const Nav2ReadOptions& options_;
   Nav2Parameters& to_;
+  bool isOld_;  // of a branch before Humble, by its nodes
   std::set<std::string> asked_;
 };
 
@@ -304,7 +356,7 @@ double xyGoalTolerance(const Nav2Parameters& parameters) {
                                                                {"goal_checker"});
   const std::string first = names.empty() ? std::string() : names.front();
   for (const char* const key :
-       {".xy_goal_tolerance", ".along_path_tolerance", ".fine_xy_goal_tolerance"}) {
+       {".xy_goal_tolerance", ".along_path_tolerance", ".coarse_xy_goal_tolerance"}) {
     if (parameters.controllerServer.count(first + key) != 0) {
       return controllerValue(parameters, first + key, 0.25);
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -174,6 +175,49 @@ void NodeReader::know(const std::string& name, const std::string& why, unsigned 
       note(given, isHere ? KeyUse::Idle : KeyUse::OtherDistro,
            isHere ? why : "a key of " + distroTitles(distros));
     }
+  }
+}
+
+void NodeReader::supply(const std::string& name, base::YamlNode value) {
+  const GivenParameter* const given = parameters_.find(name);
+  if (given != nullptr && given->value->tag == kSetTag) {
+    return;
+  }
+  drop(name);
+  supplied_.push_back(std::make_shared<const base::YamlNode>(std::move(value)));
+  parameters_.given.push_back({name, supplied_.back().get(), false});
+}
+
+void NodeReader::drop(const std::string& name) {
+  auto& given = parameters_.given;
+  given.erase(std::remove_if(given.begin(), given.end(),
+                             [&](const GivenParameter& each) { return each.name == name; }),
+              given.end());
+}
+
+void NodeReader::markUsed(const std::string& name) {
+  if (const GivenParameter* const given = parameters_.find(name)) {
+    note(*given, KeyUse::Used, {});
+  }
+}
+
+void NodeReader::keepOnly(const std::string& prefix, const Nav2Keys& keys, const std::string& why) {
+  std::vector<std::string> others;
+  for (const GivenParameter& given : parameters_.given) {
+    if (!beginsWith(given.name, prefix) || given.name == prefix + "plugin") {
+      continue;
+    }
+    const std::string key = given.name.substr(prefix.size());
+    const Nav2Keys::Row* const row = keys.find(key, distro_);
+    const bool isKept = row != nullptr ? rosValue(*given.value, row->fallback).has_value()
+                                       : keys.isKnown(key, distro_);
+    if (!isKept) {
+      note(given, KeyUse::Idle, why);
+      others.push_back(given.name);
+    }
+  }
+  for (const std::string& name : others) {
+    drop(name);
   }
 }
 

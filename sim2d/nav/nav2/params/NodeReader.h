@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -109,6 +110,18 @@ class NodeReader {
     return found == block.end() ? std::nullopt : std::optional<T>(std::get<T>(found->second));
   }
 
+  /// The value of a parameter, also of one that is not in the file: under an older name, or because
+  /// the replacement of a plugin needs it. What was set from outside stays. Problems are told at
+  /// the place of `value`.
+  void supply(const std::string& name, base::YamlNode value);
+  /// Removes a parameter as if the file did not have it.
+  void drop(const std::string& name);
+  /// The key of the file counts as used, whoever has read it.
+  void markUsed(const std::string& name);
+  /// Below `prefix` only those of `keys` remain whose values are of the right type; the others have
+  /// no effect, for the reason `why`.
+  void keepOnly(const std::string& prefix, const Nav2Keys& keys, const std::string& why);
+
   /// Keys without effect: `name` itself, or with a '.' at the end all below it.
   void know(const std::string& name, const std::string& why, unsigned distros = kEveryDistro);
   /// The problem, at the place of the parameter; at that of the node when it is absent.
@@ -145,6 +158,7 @@ class NodeReader {
   std::string pathOf(const std::string& name) const { return parameters_.node + "." + name; }
 
   NodeParameters parameters_;
+  std::vector<std::shared_ptr<const base::YamlNode>> supplied_;  // of parameters_
   Distro distro_;
   std::string file_;
   ReadingNotes& notes_;

@@ -1,0 +1,244 @@
+#include "sim2d/nav/nav2/params/OldNames.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/RosValue.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+struct OldName {
+  const char* node;
+  const char* from;
+  const char* to;
+};
+/// Lists of names.
+constexpr std::array<OldName, 8> kOldLists = {
+    {{"controller_server", "controller_plugin_ids", "controller_plugins"},
+     {"controller_server", "goal_checker_plugin", "goal_checker_plugins"},
+     {"planner_server", "planner_plugin_ids", "planner_plugins"},
+     {"recoveries_server", "recovery_plugins", "behavior_plugins"},
+     {"recoveries_server", "plugin_names", "behavior_plugins"},
+     {"local_costmap", "plugin_names", "plugins"},
+     {"global_costmap", "plugin_names", "plugins"},
+     {"behavior_server", "recovery_plugins", "behavior_plugins"}}};
+/// Lists of classes, in the order of the list of names.
+constexpr std::array<OldName, 5> kOldTypes = {
+    {{"controller_server", "controller_plugin_types", "controller_plugin_ids"},
+     {"planner_server", "planner_plugin_types", "planner_plugin_ids"},
+     {"recoveries_server", "plugin_types", "plugin_names"},
+     {"local_costmap", "plugin_types", "plugin_names"},
+     {"global_costmap", "plugin_types", "plugin_names"}}};
+/// Ends of the names of an observation source's keys.
+constexpr std::array<std::pair<const char*, const char*>, 2> kOldRanges = {
+    {{".obstacle_range", ".obstacle_max_range"}, {".raytrace_range", ".raytrace_max_range"}}};
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// The value as a list: Foxy names one goal checker by a text.
+base::YamlNode asList(const base::YamlNode& value) {
+  if (!value.isScalar()) {
+    return value;
+  }
+  base::YamlNode list(base::YamlNode::Kind::List);
+  list.line = value.line;
+  list.column = value.column;
+  list.items.push_back(value);
+  return list;
+}
+
+/// A parameter gets a newer name, if it does not have that one already.
+void rename(NodeReader& node, const std::string& from, const std::string& to, bool isList,
+            std::vector<std::string>& renamed) {
+  const GivenParameter* const given = node.parameters().find(from);
+  if (given == nullptr || node.has(to)) {
+    return;
+  }
+  base::YamlNode value = isList ? asList(*given->value) : *given->value;
+  node.markUsed(from);
+  node.supply(to, std::move(value));
+  renamed.push_back(from);
+}
+
+void renameTypes(NodeReader& node, const OldName& old, std::vector<std::string>& renamed) {
+  const GivenParameter* const types = node.parameters().find(old.from);
+  const GivenParameter* const names = node.parameters().find(old.to);
+  if (types == nullptr || names == nullptr || !types->value->isList() || !names->value->isList()) {
+    return;
+  }
+  const base::YamlNode classes = *types->value, ids = *names->value;
+  node.markUsed(old.from);
+  renamed.emplace_back(old.from);
+  for (std::size_t i = 0; i < std::min(classes.items.size(), ids.items.size()); ++i) {
+    const std::string key = ids.items[i].text + ".plugin";
+    if (!node.has(key)) {
+      node.supply(key, classes.items[i]);
+    }
+  }
+}
+
+/// Classes that have a key of the older name of their own.
+bool hasOwnRange(const NodeReader& node, const std::string& name) {
+  const GivenParameter* const type =
+      node.parameters().find(name.substr(0, name.find('.')) + ".plugin");
+  return type != nullptr && type->value->text.find("SpatioTemporal") != std::string::npos;
+}
+
+void renameRanges(NodeReader& node, std::vector<std::string>& renamed) {
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const GivenParameter& given : node.parameters().given) {
+    for (const auto& [from, to] : kOldRanges) {
+      if (endsWith(given.name, from) && !hasOwnRange(node, given.name)) {
+        const std::size_t kept = given.name.size() - std::string(from).size();
+        found.emplace_back(given.name, given.name.substr(0, kept) + to);
+      }
+    }
+  }
+  for (const auto& [from, to] : found) {
+    rename(node, from, to, false, renamed);
+  }
+}
+
+bool isPlaceholder(const std::string& text) {
+  const bool isWord = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isupper(c) != 0 || std::isdigit(c) != 0 || c == '_';
+  });
+  return isWord &&
+         (text.find("OVERRID") != std::string::npos || text.find("OVERWRIT") != std::string::npos ||
+          text.find("PLACEHOLDER") != std::string::npos ||
+          text.find("TO_BE_") != std::string::npos);
+}
+
+/// The word in a value that launch files replace; empty: none.
+std::string placeholderIn(const base::YamlNode& value) {
+  if (value.isScalar()) {
+    return isPlaceholder(value.text) ? value.text : std::string();
+  }
+  for (const base::YamlNode& item : value.items) {
+    if (value.isList() && isPlaceholder(item.text)) {
+      return item.text;
+    }
+  }
+  return {};
+}
+
+bool isEmptyList(const base::YamlNode& value) {
+  return value.isList() &&
+         std::all_of(value.items.begin(), value.items.end(),
+                     [](const base::YamlNode& item) { return item.text.empty(); });
+}
+
+/// The list that a plugin of this class belongs to.
+std::string listOf(const std::string& node, const std::string& type) {
+  const auto has = [&type](const char* part) { return type.find(part) != std::string::npos; };
+  if (node == "planner_server") {
+    return "planner_plugins";
+  }
+  if (node == "smoother_server") {
+    return "smoother_plugins";
+  }
+  if (node == "behavior_server" || node == "recoveries_server") {
+    return "behavior_plugins";
+  }
+  if (node == "controller_server") {
+    return has("GoalChecker")       ? "goal_checker_plugins"
+           : has("ProgressChecker") ? "progress_checker_plugins"
+           : has("PathHandler")     ? "path_handler_plugins"
+                                    : "controller_plugins";
+  }
+  return has("Filter") ? "filters" : "plugins";
+}
+
+bool isListOfPlugins(const std::string& name) {
+  return name == "plugins" || name == "filters" || endsWith(name, "_plugins");
+}
+
+/// Names of the plugins whose blocks belong to a list, in the order of the file; those of costmaps
+/// with the inflation at the end, which has to follow what it inflates.
+std::vector<std::string> blocksOf(const NodeReader& node, const std::string& list) {
+  constexpr const char* kEnd = ".plugin";
+  std::vector<std::string> names, inflations;
+  for (const GivenParameter& given : node.parameters().given) {
+    const std::string name = given.name.substr(0, given.name.find('.'));
+    if (given.name != name + kEnd || listOf(node.node(), given.value->text) != list) {
+      continue;
+    }
+    const bool isInflation = given.value->text.find("Inflation") != std::string::npos;
+    (isInflation ? inflations : names).push_back(name);
+  }
+  names.insert(names.end(), inflations.begin(), inflations.end());
+  return names;
+}
+
+/// Lists without which a server has nothing to do.
+bool isNeeded(const std::string& name) {
+  return name != "plugins" && name != "filters" && isListOfPlugins(name);
+}
+
+}  // namespace
+
+void readOldNames(NodeReader& node, bool isOld) {
+  std::vector<std::string> renamed;
+  for (const OldName& old : kOldTypes) {
+    if (node.node() == old.node) {
+      renameTypes(node, old, renamed);
+    }
+  }
+  for (const OldName& old : kOldLists) {
+    if (node.node() == old.node) {
+      rename(node, old.from, old.to, true, renamed);
+    }
+  }
+  if (isOld && (node.node() == "local_costmap" || node.node() == "global_costmap")) {
+    renameRanges(node, renamed);
+  }
+  if (!renamed.empty()) {
+    node.tell(renamed.front(),
+              base::warning("nav2.older-branch", {node.node(), base::join(renamed, ", ")}));
+  }
+}
+
+void readPlaceholders(NodeReader& node) {
+  struct Absent {
+    std::string name, word;
+  };
+  std::vector<Absent> absent;
+  for (const GivenParameter& given : node.parameters().given) {
+    const std::string word = placeholderIn(*given.value);
+    if (!word.empty() || (isNeeded(given.name) && isEmptyList(*given.value))) {
+      absent.push_back({given.name, word});
+    }
+  }
+  for (const auto& [name, word] : absent) {
+    const std::string path = node.node() + "." + name;
+    const std::vector<std::string> blocks =
+        isListOfPlugins(name) ? blocksOf(node, name) : std::vector<std::string>();
+    const std::string instead =
+        blocks.empty() ? "Nav2's default counts" : "its blocks count: " + base::join(blocks, ", ");
+    node.tell(name, word.empty() ? base::warning("nav2.empty-list", {path, instead})
+                                 : base::warning("nav2.placeholder", {path, word, instead}));
+    const base::YamlNode place = *node.parameters().find(name)->value;
+    node.markUsed(name);
+    node.drop(name);
+    if (!blocks.empty()) {
+      base::YamlNode list(base::YamlNode::Kind::List);
+      list.line = place.line;
+      list.column = place.column;
+      for (const std::string& block : blocks) {
+        list.items.push_back(base::stringNode(block));
+      }
+      node.supply(name, std::move(list));
+    }
+  }
+}
+
+}  // namespace sim2d::nav2
