@@ -121,8 +121,12 @@ All keys, tables and files use the same arrival:
 
 - A robot that the program has simulated (`planner` in `trace.json` is neither empty nor `recorded`)
   arrives at the time of its first event `arrived`: its centre is within the radius of its last goal.
-  Without that event it has not arrived, however near to its goal it is. An event `arrived` with the text
-  `order` refers to a place to which the robot was sent from outside and is not an arrival.
+  With the planner `nav2` the navigator decides: the event is at the time when its tree returned SUCCESS
+  for the last goal. At the success of each goal the centre must have been at most 0.5 m outside the
+  radius of that goal (the default tolerance of Nav2's planners), and no goal may have been given up;
+  otherwise the robot does not arrive. Without that event it has not arrived, however near to its goal it
+  is. An event `arrived` with the text `order` refers to a place to which the robot was sent from outside
+  and is not an arrival.
 - A recorded robot also arrives by that event, if there is one. Otherwise it has arrived if its last
   sample is in the goal region, |p - g| - radius of g < `goal_tolerance` for some goal g, at the first
   sample of its last stay there. If the robot has moved, then stopped in the region (s <

@@ -126,6 +126,8 @@ bool isTold(const sim2d::Event& event) {
   switch (event.kind) {
     case sim2d::EventKind::Contact:
     case sim2d::EventKind::Stuck:
+    case sim2d::EventKind::NavigationSucceeded:
+    case sim2d::EventKind::NavigationFailed:
     case sim2d::EventKind::Door:
     case sim2d::EventKind::Stop:
       return true;

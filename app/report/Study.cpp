@@ -12,6 +12,7 @@
 #include "app/run/ListedFiles.h"
 #include "app/run/Sha256.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/world/Runner.h"
 
 namespace report {
 
@@ -155,6 +156,11 @@ std::string Study::whatHappened(std::size_t run) const {
     const bool isKnown = metric < results.keys.size();
     if (isKnown && (sign.whenZero ? valuesOf(metric)[run] == 0.0 : valuesOf(metric)[run] > 0.0)) {
       told.emplace_back(sign.words);
+    }
+  }
+  for (const sim2d::WayEnd end : {sim2d::WayEnd::NavigationFailed, sim2d::WayEnd::GoalMissed}) {
+    if (results.runs[run].reason.rfind(sim2d::wayEndName(end), 0) == 0) {
+      told.push_back(results.runs[run].reason);
     }
   }
   return told.empty() ? "not successful" : base::join(told, ", ");

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/report/Comparison.h"
+#include "app/run/ResultRow.h"
 #include "metrics/MetricRegistry.h"
 #include "sim2d/base/Text.h"
 
@@ -15,6 +16,10 @@ namespace report {
 namespace {
 
 constexpr const char* kUsualMetrics[] = {"success",
+                                         "ended_by_success",
+                                         "ended_by_failure",
+                                         "ended_by_contact",
+                                         "ended_by_time",
                                          "time_to_reach_goal",
                                          "path_length",
                                          "path_efficiency",
@@ -37,6 +42,17 @@ Metric metricOf(const std::string& key, bool isBoolean) {
     metric.sense = entry->info.better == metrics::Better::Higher  ? 1
                    : entry->info.better == metrics::Better::Lower ? -1
                                                                   : 0;
+  }
+  const std::string own = isOfRobot ? key.substr(dot + 1) : key;
+  const std::string robot = isOfRobot ? key.substr(0, dot) + ": " : "";
+  for (const app::EndColumn& column : app::endColumns()) {
+    if (own == column.key) {
+      metric.name = robot + column.name;
+      metric.sense = column.sense;
+    }
+  }
+  if (own == app::kDistanceLeft) {
+    metric = {key, robot + "Distance left when the navigator ended", "m", false, -1};
   }
   return metric;
 }

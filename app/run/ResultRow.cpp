@@ -35,7 +35,64 @@ void addFields(const Json& of, const std::string& prefix, ResultRow& to) {
   }
 }
 
+const char* fieldOf(bool value) {
+  return value ? "True" : kFalse;
+}
+
+/// Of robots whose planners end goals themselves.
+void addEnds(const FinishedRun& run, ResultRow& to) {
+  const std::vector<std::string> names = metrics::robotNames(run.header.robots);
+  for (std::size_t k = 0; k < run.result.robots.size() && k < names.size(); ++k) {
+    const sim2d::RobotResult& robot = run.result.robots[k];
+    if (!robot.endsGoals || !robot.result) {
+      continue;
+    }
+    const std::string prefix = k == 0 ? std::string() : names[k] + ".";
+    for (const EndColumn& column : endColumns()) {
+      to.fields.emplace_back(prefix + column.key, fieldOf(column.end == endedBy(robot)));
+    }
+    to.fields.emplace_back(prefix + kDistanceLeft,
+                           robot.goalEnds.empty()
+                               ? std::string()
+                               : base::formatDouble(robot.goalEnds.back().distance));
+  }
+}
+
 }  // namespace
+
+std::optional<EndedBy> endedBy(const sim2d::RobotResult& robot) {
+  using sim2d::WayEnd;
+  if (!robot.result) {
+    return std::nullopt;
+  }
+  switch (*robot.result) {
+    case WayEnd::Arrived:
+    case WayEnd::GoalMissed:
+      return EndedBy::Success;
+    case WayEnd::NavigationFailed:
+      return EndedBy::Failure;
+    case WayEnd::Collision:
+      return EndedBy::Contact;
+    case WayEnd::Stuck:
+      return EndedBy::Standstill;
+    case WayEnd::Timeout:
+      return EndedBy::Time;
+    case WayEnd::Failed:
+    case WayEnd::Interrupted:
+      break;
+  }
+  return std::nullopt;
+}
+
+const std::vector<EndColumn>& endColumns() {
+  static const std::vector<EndColumn> kColumns = {
+      {"ended_by_success", "Ended by the navigator's success", EndedBy::Success, 1},
+      {"ended_by_failure", "Ended by the navigator's failure", EndedBy::Failure, -1},
+      {"ended_by_contact", "Ended by a contact", EndedBy::Contact, -1},
+      {"ended_by_standstill", "Ended by a standstill", EndedBy::Standstill, -1},
+      {"ended_by_time", "Ended by time", EndedBy::Time, -1}};
+  return kColumns;
+}
 
 bool isWithoutSuccess(const ResultRow& row) {
   if (!row.ok) {
@@ -64,6 +121,7 @@ ResultRow rowOf(const FinishedRun& run) {
       addFields(of, robot + ".", row);
     }
   }
+  addEnds(run, row);
   return row;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,23 @@ namespace app {
 /// this is no fault of the run, which may succeed the next time. `Run`: everything else.
 enum class FailedBy { Run, Machine };
 
+/// What ended the way of a robot whose planner ends goals itself (Nav2). A success counts wherever
+/// the robot is; a failure of one of several goals counts as one.
+enum class EndedBy { Success, Failure, Contact, Standstill, Time };
+/// None: the run has failed or was interrupted, or the robot had no goal.
+std::optional<EndedBy> endedBy(const sim2d::RobotResult& robot);
+
+/// A column of the results, True in runs that ended so. Of each run of such a robot one is True.
+struct EndColumn {
+  const char* key;
+  const char* name;
+  EndedBy end;
+  int sense;  // 1: more of them are better, -1: fewer
+};
+const std::vector<EndColumn>& endColumns();
+/// A column beside them: distance from the robot to the goal that its planner ended last [m].
+constexpr char kDistanceLeft[] = "distance_left";
+
 /// What the results keep of one run of a batch.
 struct ResultRow {
   bool ok = false;
@@ -20,7 +38,8 @@ struct ResultRow {
   std::string reason;                 // why it ended, or failed
   std::string simulated;              // [s]; empty when not known
   /// Columns behind those that every row has, with their fields as CSV has them: metrics of the
-  /// first robot by their keys, then those of each other robot, `robot2.path_length`.
+  /// first robot by their keys, then those of each other robot, `robot2.path_length`; of robots
+  /// with Nav2 also `endColumns` and `kDistanceLeft`.
   std::vector<std::pair<std::string, std::string>> fields;
   std::vector<InputHash> inputs;  // of the run; one that changed meanwhile comes twice
 };

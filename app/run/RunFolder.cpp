@@ -98,12 +98,37 @@ Json codeJson(const Bundle& bundle, base::Diagnostics& warnings) {
   return {{"allowed", bundle.settings.code == sim2d::CodeUse::Allowed}, {"started", started}};
 }
 
-/// How its way ended.
+Json goalEndJson(const sim2d::GoalEnd& end) {
+  const sim2d::NavigationEnd& result = end.result;
+  Json json = {{"goal", end.goal > 0 ? Json(end.goal) : Json()},
+               {"result", result.hasSucceeded ? "succeeded" : "failed"},
+               {"reached", end.isReached},
+               {"time", end.time},
+               {"distance_left", end.distance}};
+  if (end.isOrder) {
+    json["order"] = true;
+  }
+  if (!result.hasSucceeded) {
+    json["reason"] = result.reason;
+    json["error_code"] = result.errorCode != 0 ? Json(result.errorCode) : Json();
+    json["error_message"] = result.message;
+  }
+  return json;
+}
+
+/// How its way ended; of a planner that ends goals itself, what it reported for each.
 void tellResult(const sim2d::RunResult& run, int robot, Json& to) {
   for (const sim2d::RobotResult& result : run.robots) {
-    if (result.id == robot) {
-      to["result"] = result.result ? Json(sim2d::wayEndName(*result.result)) : Json();
-      to["time"] = result.result ? Json(result.time) : Json();
+    if (result.id != robot) {
+      continue;
+    }
+    to["result"] = result.result ? Json(sim2d::wayEndName(*result.result)) : Json();
+    to["time"] = result.result ? Json(result.time) : Json();
+    if (result.endsGoals) {
+      to["navigation"] = Json::array();
+      for (const sim2d::GoalEnd& end : result.goalEnds) {
+        to["navigation"].push_back(goalEndJson(end));
+      }
     }
   }
 }

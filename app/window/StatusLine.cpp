@@ -48,6 +48,18 @@ double arrivalIn(const sim2d::Recording& recording) {
   return recording.timeOf(recording.size() - 1);
 }
 
+/// ": planner NO_VALID_PATH (208)" of the first goal that was given up.
+QString failureIn(const sim2d::RunResult& result) {
+  for (const sim2d::RobotResult& robot : result.robots) {
+    for (const sim2d::GoalEnd& end : robot.goalEnds) {
+      if (!end.result.hasSucceeded) {
+        return QStringLiteral(": ") + QString::fromStdString(end.result.reason);
+      }
+    }
+  }
+  return {};
+}
+
 /// Why the run is over, before what can be done now.
 QString endOf(const SimulationRunner& runner) {
   if (!runner.result() || runner.newestFrame() == nullptr) {
@@ -68,6 +80,12 @@ QString endOf(const SimulationRunner& runner) {
   };
   if (isWay(sim2d::WayEnd::Collision)) {
     return StatusLine::tr("The robot has touched something, %1 · ").arg(time);
+  }
+  if (isWay(sim2d::WayEnd::NavigationFailed)) {
+    return StatusLine::tr("Navigation failed%1, %2 · ").arg(failureIn(*runner.result()), time);
+  }
+  if (isWay(sim2d::WayEnd::GoalMissed)) {
+    return StatusLine::tr("Navigation succeeded away from the goal, %1 · ").arg(time);
   }
   return isWay(sim2d::WayEnd::Stuck) ? StatusLine::tr("The robot is stuck, %1 · ").arg(time)
                                      : QString();

@@ -39,10 +39,6 @@ class Contradictions {
       checkFootprint(controller);
     }
     checkRates();
-    if (setup_ != nullptr && setup_->goalRadius < xyGoalTolerance(parameters_) - 1e-9) {
-      add({}, "nav2.goal-radius",
-          {setup_->robot, setup_->goalRadius, xyGoalTolerance(parameters_)});
-    }
     return std::move(found_);
   }
 

@@ -68,6 +68,7 @@ void Nav2Servers::takeFeedback(const FollowFeedback& feedback) {
   } else if (feedback.status == FollowStatus::Failed) {
     outcome.state = State::Failed;
     outcome.errorCode = static_cast<int>(feedback.code);
+    noteFailure(RobotAction::FollowPath, outcome.errorCode);
   } else if (feedback.status == FollowStatus::Canceled) {
     outcome.state = State::Cancelled;
   }

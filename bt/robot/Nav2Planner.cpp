@@ -70,7 +70,8 @@ class Nav2Planner final : public sim2d::Planner {
     }
     hasScan_ = true;
     servers_->sense(observation);
-    if (std::exchange(orders_, observation.orders) != observation.orders ||
+    end_.reset();
+    if (std::exchange(orders_, observation.orders) != observation.orders || isDone_ ||
         !route_.goesOnWith(observation.goal, observation.goalsAfter)) {
       beginRun(observation);
     }
@@ -123,6 +124,10 @@ class Nav2Planner final : public sim2d::Planner {
   }
   bool takeReplanned() override { return servers_ != nullptr && servers_->takeReplanned(); }
   std::size_t takePassedGoals() override { return route_.takePassed(); }
+  bool endsGoals() const override { return true; }
+  std::optional<sim2d::NavigationEnd> takeEnd() override {
+    return std::exchange(end_, std::nullopt);
+  }
   const sim2d::DrivingTree* tree() const override { return &driving_; }
   std::string reportJson() const override {
     return servers_ == nullptr ? std::string()
@@ -161,7 +166,7 @@ class Nav2Planner final : public sim2d::Planner {
                              NodeStatus::Idle);
   }
 
-  /// How many goals the tree has left in its list; after it has succeeded only the last counts.
+  /// How many goals the tree has left in its list; of a success all but the last are passed.
   void followGoals(NodeStatus status) {
     const Value& goals = tree_->get(loaded_.program->hostSlot(1));
     const std::size_t left = servers_->paths().get(valueAs<int>(goals).value_or(0)).size();
@@ -170,10 +175,6 @@ class Nav2Planner final : public sim2d::Planner {
 
   void tick() {
     ++step_;
-    if (isDone_) {
-      std::fill(driving_.statuses.begin(), driving_.statuses.end(), NodeStatus::Idle);
-      return;
-    }
     const NodeStatus status = tree_->tickOnce(input());
     driving_.statuses.assign(tree_->statuses().begin(), tree_->statuses().end());
     followGoals(status);
@@ -182,8 +183,44 @@ class Nav2Planner final : public sim2d::Planner {
       servers_->countTreeFailure();
     }
     if (isDone_) {
+      end_ = endWith(status);
       tree_->halt(input());
     }
+  }
+
+  sim2d::NavigationEnd endWith(NodeStatus status) const {
+    sim2d::NavigationEnd end;
+    end.hasSucceeded = status == NodeStatus::Success;
+    end.goals = route_.left();
+    if (!end.hasSucceeded) {
+      explainFailure(end);
+    }
+    return end;
+  }
+
+  /// By the action that has just failed; else by the node that did, of which the tree made it.
+  void explainFailure(sim2d::NavigationEnd& end) const {
+    const std::optional<ActionFailure>& failure = servers_->lastFailure();
+    const std::string node = failedLeaf();
+    if (!failure || (!servers_->hasJustFailed() && !node.empty())) {
+      end.reason = node.empty() ? "the tree returned FAILURE" : "node " + node;
+      end.message = node.empty() ? "" : "the node returned FAILURE";
+      return;
+    }
+    end.reason = failureReason(*failure, servers_->distro());
+    end.message = failureMessage(*failure);
+    end.errorCode = servers_->distro() == sim2d::nav2::Distro::Humble ? 0 : failure->errorCode;
+  }
+
+  /// The last leaf that returned FAILURE in this tick, by its name; empty: there is none.
+  std::string failedLeaf() const {
+    for (int node = loaded_.program->nodeCount(); node-- > 0;) {
+      const bool isLeaf = loaded_.program->node(node).children == 0;
+      if (isLeaf && driving_.statuses[static_cast<std::size_t>(node)] == NodeStatus::Failure) {
+        return loaded_.program->label(node);
+      }
+    }
+    return {};
   }
 
   sim2d::PlannerSetup setup_;
@@ -193,9 +230,10 @@ class Nav2Planner final : public sim2d::Planner {
   sim2d::DrivingTree driving_;
   std::unique_ptr<Nav2Servers> servers_;
   Nav2Route route_;
-  std::optional<double> setOut_;  // [s], first asked
-  std::int64_t step_ = 0;         // ticks
-  int orders_ = 0;                // as of the observation before
+  std::optional<double> setOut_;             // [s], first asked
+  std::int64_t step_ = 0;                    // ticks
+  int orders_ = 0;                           // as of the observation before
+  std::optional<sim2d::NavigationEnd> end_;  // of the last tick
   bool isDone_ = false, hasScan_ = false;
   bool watchesCosts_ = false, watchesWays_ = false;
   mutable ShownCosts localCosts_, globalCosts_;
@@ -223,7 +261,6 @@ base::Result<std::shared_ptr<sim2d::Planner>> makeNav2(const sim2d::PlannerSetup
   Nav2Loaded loaded = loadNav2(setup.nav2, setup.folder, setup.robot, shipped);
   base::Diagnostics problems = loaded.problems;
   base::append(problems, loaded.wrongValues);
-  // Without a file that can be used the robot's goal_radius has not been set by it.
   base::append(problems,
                nav2Contradictions(loaded.parameters, base::hasErrors(problems) ? nullptr : &setup));
   if (base::hasErrors(problems)) {

@@ -12,6 +12,12 @@ namespace {
 
 using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
 
+/// What the action reports for an error of its planner.
+int codeOf(RobotAction action, PlanError error) {
+  const int code = static_cast<int>(error);
+  return action == RobotAction::ComputePathThroughPoses ? throughPosesCode(code) : code;
+}
+
 /// The only one may be left without a name. Null: there is none.
 template <class T>
 T* namedOne(const std::map<std::string, std::unique_ptr<T>>& all, const std::string& name) {
@@ -56,8 +62,7 @@ void Nav2Servers::planIfAsked(RobotAction action) {
 
 void Nav2Servers::planNow(RobotAction action, Asked& asked) {
   if (!global_->isCurrent()) {
-    finish(action, static_cast<int>(PlanError::Timeout));
-    ++counts_.planFailures;
+    finish(action, codeOf(action, PlanError::Timeout));
     return;
   }
   GlobalPlanner* const planner = namedOne(planners_, asked.request.server);
@@ -83,8 +88,7 @@ void Nav2Servers::planNow(RobotAction action, Asked& asked) {
     error = PlanError::NoValidPath;
   }
   if (error != PlanError::None) {
-    ++counts_.planFailures;
-    finish(action, static_cast<int>(error));
+    finish(action, codeOf(action, error));
     return;
   }
   hasReplanned_ = hasReplanned_ || hasPlanned_;

@@ -145,6 +145,8 @@ std::string nav2Report(const Nav2Loaded& loaded, const Nav2Counts& counts,
                     {"recoveries", counts.recoveries},
                     {"costmap_clears", counts.clears},
                     {"commands_cut_by_the_robot", counts.cutCommands}};
+  json["plan_failure_reasons"] = Json(counts.planReasons);
+  json["action_failure_reasons"] = Json(counts.actionReasons);
   json["keys"] = keysJson(parameters.notes);
   json["code_defaults"] = defaultsJson(parameters.notes);
   return json.dump();

@@ -22,6 +22,8 @@ class Nav2Route {
   const sim2d::nav2::Path& poses() const { return poses_; }
   /// So many are left in the tree's own list.
   void treeLeft(std::size_t count);
+  /// Those that the world still wants, the current one included; at least one.
+  std::size_t left() const { return poses_.size() > reached_ ? poses_.size() - reached_ : 1; }
   /// Those that the tree has passed and the world has not.
   std::size_t takePassed();
 

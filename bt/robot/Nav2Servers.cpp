@@ -147,6 +147,9 @@ BodyTwist Nav2Servers::act() {
   for (const RobotAction action : Motions::kActions) {
     if (const auto outcome = motions_->takeOutcome(action)) {
       result(action) = *outcome;
+      if (outcome->state == State::Failed) {
+        noteFailure(action, outcome->errorCode);
+      }
     }
   }
   const BodyTwist sent = delayed(wanted);
@@ -180,6 +183,7 @@ void Nav2Servers::restart() {
     motions_->cancel(action);
   }
   hasPlanned_ = false;
+  lastFailure_.reset();
 }
 
 // ---- actions --------------------------------------------------------------------
@@ -202,6 +206,7 @@ void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
   if (Motions::isOne(action)) {
     if (!motions_->begin(action, request, {sensed_, *local_, time_})) {
       result(action).state = State::Failed;
+      noteFailure(action, 0);
     }
     return;
   }
@@ -218,6 +223,17 @@ void Nav2Servers::finish(RobotAction action, int errorCode, PathId path) {
   outcome.errorCode = errorCode;
   outcome.path = path;
   asked(action).isWaiting = false;
+  if (errorCode != 0) {
+    noteFailure(action, errorCode);
+  }
+}
+
+void Nav2Servers::noteFailure(RobotAction action, int errorCode) {
+  lastFailure_ = ActionFailure{action, errorCode};
+  failureStep_ = step_;
+  counts_.planFailures += isOfPlanner(*lastFailure_) ? 1 : 0;
+  ++(isOfPlanner(*lastFailure_) ? counts_.planReasons
+                                : counts_.actionReasons)[failureReason(*lastFailure_, distro())];
 }
 
 void Nav2Servers::cancel(RobotAction action) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bt/robot/Nav2Errors.h"
 #include "bt/robot/NavigatorHost.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/nav2/control/ControllerServer.h"
@@ -36,6 +37,8 @@ struct Nav2Counts {
   int clears = 0;            // of costmaps
   int cutCommands = 0;       // steps in which the robot's limits left less of a command
   int treeFailures = 0;      // runs of the tree that gave a goal up
+  std::map<std::string, int> planReasons{};    // planFailures by their reasons
+  std::map<std::string, int> actionReasons{};  // other actions that failed, by their reasons
 };
 
 /// Nav2's servers round one robot: costmaps, planners, smoothers, controllers, behaviours, velocity
@@ -76,6 +79,10 @@ class Nav2Servers final : public NavigatorHost {
 
   const Nav2Counts& counts() const { return counts_; }
   void countTreeFailure() { ++counts_.treeFailures; }
+  /// The last action that failed in this run of the tree; none: all succeeded.
+  const std::optional<ActionFailure>& lastFailure() const { return lastFailure_; }
+  /// Whether that was since the tick before.
+  bool hasJustFailed() const { return lastFailure_ && step_ - failureStep_ <= 1; }
   bool takeReplanned() { return std::exchange(hasReplanned_, false); }
   const sim2d::nav2::Path& shownPath() const { return shownPath_; }
   const sim2d::nav2::LayeredCostmap& localCostmap() const { return *local_; }
@@ -116,6 +123,7 @@ class Nav2Servers final : public NavigatorHost {
   RobotOutcome& result(RobotAction action) { return results_[static_cast<std::size_t>(action)]; }
   bool isDue(double frequency) const;
   void finish(RobotAction action, int errorCode, PathId path = 0);
+  void noteFailure(RobotAction action, int errorCode);
   void planIfAsked(RobotAction action);
   void planNow(RobotAction action, Asked& asked);
   bool waitsForCostmap(Asked& asked);
@@ -159,6 +167,8 @@ class Nav2Servers final : public NavigatorHost {
   bool watchesWays_ = false;
   sim2d::nav2::SpeedLimit localLimit_, globalLimit_;  // of speed filters, applied
   Nav2Counts counts_;
+  std::optional<ActionFailure> lastFailure_;
+  std::int64_t failureStep_ = 0;  // of lastFailure_
 };
 
 }  // namespace bt

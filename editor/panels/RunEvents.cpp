@@ -32,6 +32,9 @@ const Telling& tellingOf(EventKind kind) {
       {EventKind::Group, {EventMark::Ring, QT_TR_NOOP("%1 joins group %2")}},
       {EventKind::Replan, {EventMark::None, QT_TR_NOOP("%1 plans a new way")}},
       {EventKind::Stuck, {EventMark::Triangle, QT_TR_NOOP("%1 is stuck")}},
+      {EventKind::NavigationSucceeded,
+       {EventMark::Pin, QT_TR_NOOP("%1: navigation succeeded, %2")}},
+      {EventKind::NavigationFailed, {EventMark::Cross, QT_TR_NOOP("%1: navigation failed, %2")}},
       {EventKind::Door, {EventMark::Ring, QT_TR_NOOP("Door %2")}},
       {EventKind::Stop, {EventMark::None, QT_TR_NOOP("The run ends: %2")}}};
   return kTellings.at(kind);

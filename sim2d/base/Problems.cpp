@@ -398,9 +398,6 @@ constexpr ProblemText kTexts[] = {
     {"nav2.faster-than", "{controller}: {speed} m/s is above {limit} m/s of {whose}"},
     {"nav2.map-too-small",
      "local_costmap reaches {half} m from the robot, {controller} looks {range} m ahead ({what})"},
-    {"nav2.goal-radius",
-     "robot '{robot}': goal_radius {radius} m is below the goal checker's xy_goal_tolerance "
-     "{tolerance} m: Nav2 may stop before the goal counts as reached"},
     {"nav2.frequency-rounded",
      "{key}: {wanted} Hz is more than one call in a step of {dt} s: {got} Hz"},
     {"option.nav2-without-planner",

@@ -13,6 +13,7 @@
 #include "sim2d/base/Result.h"
 #include "sim2d/base/Stop.h"
 #include "sim2d/map/CostGrid.h"
+#include "sim2d/nav/NavigationEnd.h"
 #include "sim2d/nav/Observation.h"
 #include "sim2d/nav/external/CodePermission.h"
 #include "sim2d/nav/nav2/Nav2Key.h"
@@ -93,6 +94,12 @@ class Planner {
   /// Goals that it has driven through without being inside `goalRadius` of them, since the last
   /// call; they count as reached. The last goal never does.
   virtual std::size_t takePassedGoals() { return 0; }
+  /// True: a goal is over when `takeEnd` reports it. False: when the robot's true position is
+  /// within `goalRadius` of it.
+  virtual bool endsGoals() const { return false; }
+  /// The result of the navigation to the current goal, if the last call of `command` ended it.
+  /// Afterwards the goal is over: the next call of `command` is for another one.
+  virtual std::optional<NavigationEnd> takeEnd() { return std::nullopt; }
   /// It drives by a map of its own: `takeMap` is called before the first step.
   virtual bool wantsMap() const { return false; }
   /// The known map: that of the file with the obstacles that are drawn, doors open. Problems of it.

@@ -270,7 +270,8 @@ Fields<Robot> wayFields() {
           .keptAt([](auto& of) -> auto& { return of.goal.goals; })
           .with(&Field<Robot>::read, readGoals)
           .with(&Field<Robot>::write, writeGoals),
-      field("goal_radius", &Robot::goalRadius, "A goal is reached when the robot is this near",
+      field("goal_radius", &Robot::goalRadius,
+            "A goal is reached when the robot is this near; with `nav2` its navigator decides",
             {"Arrival radius", 2, 0.05}, "m", base::kLength)
           .resolvedTo(&Resolved::goalRadius),
       field("start_time", &Robot::startTime, "When it sets off", {"Sets off at", 1, 1.0}, "s",

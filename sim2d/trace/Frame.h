@@ -102,10 +102,12 @@ enum class EventKind {  // in the order of the file
   Group,
   Replan,
   Stuck,
+  NavigationSucceeded,
+  NavigationFailed,
   Door,
   Stop
 };
-constexpr int kEventKinds = 14;
+constexpr int kEventKinds = 16;
 const char* eventKindName(EventKind kind);  // "enter" …
 std::optional<EventKind> eventKindOf(std::string_view name);
 

@@ -9,9 +9,22 @@
 namespace sim2d {
 namespace {
 
-constexpr std::array<const char*, kEventKinds> kEventNames = {
-    "enter",  "leave",      "goal",  "arrived", "contact", "say",  "heard",
-    "action", "action_end", "group", "replan",  "stuck",   "door", "stop"};
+constexpr std::array<const char*, kEventKinds> kEventNames = {"enter",
+                                                              "leave",
+                                                              "goal",
+                                                              "arrived",
+                                                              "contact",
+                                                              "say",
+                                                              "heard",
+                                                              "action",
+                                                              "action_end",
+                                                              "group",
+                                                              "replan",
+                                                              "stuck",
+                                                              "navigation_succeeded",
+                                                              "navigation_failed",
+                                                              "door",
+                                                              "stop"};
 
 /// `ofPerson`: writes the group and state of a row.
 template <class OfPerson>

@@ -8,6 +8,7 @@
 #include "sim2d/nav/Motion.h"
 #include "sim2d/nav/Teleop.h"
 #include "sim2d/trace/Arrival.h"
+#include "sim2d/world/GoalEnding.h"
 
 namespace sim2d {
 namespace {
@@ -36,11 +37,6 @@ bool isFinite(const Observation& observation) {
   return observation.pose.position.allFinite() && std::isfinite(observation.pose.heading) &&
          isFinite(observation.motion) &&
          std::all_of(observation.bodies.begin(), observation.bodies.end(), isFiniteBody);
-}
-
-void emitGoal(const ResolvedRobot& robot, std::size_t goal, WorldState& state) {
-  const int id = robot.goalIds[goal];
-  state.emit(EventKind::Goal, robot.id, id > 0 ? std::to_string(id) : "");
 }
 
 }  // namespace
@@ -197,8 +193,13 @@ void RobotDrive::passGoals(std::size_t robot, const ResolvedRobot& constants, Wo
   }
 }
 
+void RobotDrive::noteEnd(std::size_t robot) {
+  endings_[robot] = {planners_[robot]->endsGoals(), planners_[robot]->takeEnd()};
+}
+
 const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, WorldState& state) {
   commands_.assign(state.robots.size(), BodyTwist{});
+  endings_.assign(state.robots.size(), Ending());
   const double dt = world.model.dt;
   senses_.reset();
   if (wantsSenses_ || wantsScans_) {
@@ -221,6 +222,7 @@ const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, Worl
         state.emit(EventKind::Replan, robot.id);
       }
       passGoals(i, robot, state);
+      noteEnd(i);
     }
     noteTree(i, robot.id, isAsked);
     addSenses(i, isAsked);
@@ -235,6 +237,12 @@ void RobotDrive::afterMotion(const WorldModel& model, WorldState& state) {
     const ResolvedRobot& robot = model.robots[i];
     RobotState& now = state.robots[i];
     if (!drives(robot, now, state.time)) {
+      continue;
+    }
+    if (endings_[i].isDecided) {
+      if (endings_[i].end) {
+        endGoals(robot, *endings_[i].end, now, state);
+      }
       continue;
     }
     if ((*currentGoal(robot, now) - now.pose.position).norm() > robot.goalRadius) {

@@ -34,8 +34,8 @@ class RobotDrive {
   void reseed(std::uint64_t seed);
   /// What a planner said when it could not go on; empty: nothing did.
   const std::string& failure() const { return failure_; }
-  /// After the step: goals reached, arrivals.
-  static void afterMotion(const WorldModel& model, WorldState& state);
+  /// After the step: goals that are over, arrivals.
+  void afterMotion(const WorldModel& model, WorldState& state);
 
   void tellSenses(bool wanted) { wantsSenses_ = wanted; }
   void tellScans(bool wanted) { wantsScans_ = wanted; }
@@ -65,6 +65,7 @@ class RobotDrive {
   void addPlanner(RobotSenses& senses, const Planner& planner) const;
   void watch(Planner& planner) const;
   void passGoals(std::size_t robot, const ResolvedRobot& constants, WorldState& state);
+  void noteEnd(std::size_t robot);
   /// Into `observation_`: what the robot knows.
   void observe(const FrozenWorld& world, std::size_t robot);
   BodyTwist ask(std::size_t robot, const std::string& name);
@@ -77,6 +78,12 @@ class RobotDrive {
   std::vector<RecordedScan> scans_;
   std::vector<std::vector<base::NodeStatus>> statuses_;  // of trees, in the last step
   TreeChanges treeChanges_;
+  /// Of robots whose planners end goals themselves, in this step.
+  struct Ending {
+    bool isDecided = false;            // by the planner, which was asked
+    std::optional<NavigationEnd> end;  // what it decided
+  };
+  std::vector<Ending> endings_;
   std::vector<BodyTwist> commands_;
   std::map<std::size_t, BodyTwist> steered_;
   std::string failure_;

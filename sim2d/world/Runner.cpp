@@ -22,10 +22,40 @@ bool moves(const Robot& robot) {
   return robot.listed && (robot.goal.point || !robot.goal.goals.empty());
 }
 
-/// Between setting off and arriving, the step of the arrival included.
+bool isOver(const RobotOnWay& robot) {
+  return robot.arrived || robot.ended;
+}
+
+/// Between setting off and arriving, or the end of its last goal; that step is included.
 bool isOnWay(const RobotOnWay& robot, double time) {
-  return robot.hasGoal && time >= robot.setsOff - kTick &&
-         (!robot.arrived || time <= *robot.arrived + kTick);
+  const std::optional<double> end = robot.arrived ? robot.arrived : robot.ended;
+  return robot.hasGoal && time >= robot.setsOff - kTick && (!end || time <= *end + kTick);
+}
+
+bool endsNavigation(const Event& event) {
+  return event.kind == EventKind::NavigationSucceeded || event.kind == EventKind::NavigationFailed;
+}
+
+bool isFailed(const GoalEnd& end) {
+  return !end.isOrder && !end.result.hasSucceeded;
+}
+
+/// Of a robot that has ended its last goal without an arrival.
+WayEnd endOf(const RobotOnWay& robot) {
+  const bool hasFailed = std::any_of(robot.goalEnds.begin(), robot.goalEnds.end(), isFailed);
+  return hasFailed ? WayEnd::NavigationFailed : WayEnd::GoalMissed;
+}
+
+/// Why it has not arrived: its first goal that was given up, else the first one that was missed.
+std::string reasonOf(const RobotOnWay& robot) {
+  const GoalEnd* first = nullptr;
+  for (const GoalEnd& end : robot.goalEnds) {
+    if (!end.isOrder && !end.isReached &&
+        (first == nullptr || (!isFailed(*first) && isFailed(end)))) {
+      first = &end;
+    }
+  }
+  return first == nullptr ? robot.name : robot.name + ", " + goalEndReason(*first);
 }
 
 /// Follows the ways of the robots to what ends them.
@@ -46,7 +76,22 @@ class WayEnds {
         return reason;
       }
     }
-    return has(EventKind::Stuck) || has(EventKind::Arrived) ? standstill() : std::string();
+    const bool isAnyOver = has(EventKind::Stuck) || has(EventKind::Arrived) ||
+                           std::any_of(events.begin(), events.end(), endsNavigation);
+    return isAnyOver ? standstill() : std::string();
+  }
+
+  /// Why the run ends when all robots are over and not all have arrived.
+  std::string reasonOfEnds() const {
+    WayEnd worst = WayEnd::GoalMissed;
+    std::string reasons;
+    for (const RobotOnWay& robot : world_.robotsOnWay()) {
+      if (robot.ended) {
+        worst = endOf(robot) == WayEnd::NavigationFailed ? WayEnd::NavigationFailed : worst;
+        reasons += (reasons.empty() ? "" : "; ") + reasonOf(robot);
+      }
+    }
+    return std::string(wayEndName(worst)) + ": " + reasons;
   }
 
   std::vector<RobotResult> results(const RunResult& run) const {
@@ -54,24 +99,27 @@ class WayEnds {
     std::vector<RobotResult> results;
     results.reserve(robots.size());
     for (const RobotOnWay& robot : robots) {
-      results.push_back({robot.id, robot.name, {}, world_.time()});
+      results.push_back({robot.id, robot.name, {}, world_.time(), robot.endsGoals, robot.goalEnds});
       RobotResult& result = results.back();
       if (isCollided(robot.id)) {
         result.result = WayEnd::Collision;
       } else if (const std::optional<double> arrived = arrivalAtGoals(robot)) {
         result.result = WayEnd::Arrived;
         result.time = *arrived;
+      } else if (robot.ended && atOrder_.count(robot.id) == 0) {
+        result.result = endOf(robot);
+        result.time = *robot.ended;
       } else if (robot.stuck) {
         result.result = WayEnd::Stuck;
         result.time = *robot.stuck;
-      } else if (robot.hasGoal && !(robot.arrived && hasNoGoalOfItsOwn(robot.id))) {
+      } else if (robot.hasGoal && !(isOver(robot) && hasNoGoalOfItsOwn(robot.id))) {
         result.result = endWith(run);
       }
     }
     return results;
   }
 
-  /// Whether a robot has arrived where it was sent from outside: more orders may come.
+  /// Whether an order from outside is over, by arrival or given up: more of them may come.
   bool isAnyAtOrder() const { return !atOrder_.empty(); }
 
  private:
@@ -82,6 +130,20 @@ class WayEnds {
         atOrder_.erase(event.id);
       } else if (event.kind == EventKind::Arrived && event.hasId && event.id < 0) {
         atOrder_.insert(event.id);
+      } else if (endsNavigation(event) && event.hasId && event.id < 0) {
+        noteNavigationEnd(event.id);
+      }
+    }
+  }
+  void noteNavigationEnd(int id) {
+    for (const RobotOnWay& robot : world_.robotsOnWay()) {
+      if (robot.id != id || robot.goalEnds.empty() || !robot.ended) {
+        continue;
+      }
+      if (robot.goalEnds.back().isOrder) {
+        atOrder_.insert(id);
+      } else {
+        atOrder_.erase(id);
       }
     }
   }
@@ -155,7 +217,7 @@ class WayEnds {
     for (const RobotOnWay& robot : world_.robotsOnWay()) {
       if (robot.stuck) {
         names += (names.empty() ? "stuck: " : " and ") + robot.name;
-      } else if ((robot.hasGoal && !robot.arrived) || atOrder_.count(robot.id) > 0) {
+      } else if ((robot.hasGoal && !isOver(robot)) || atOrder_.count(robot.id) > 0) {
         return {};
       }
     }
@@ -166,7 +228,7 @@ class WayEnds {
   const StopRule& rule_;
   std::vector<int> collided_;      // ids of robots
   std::map<int, double> atGoals_;  // when robots arrived at their own goals [s], by id
-  std::set<int> atOrder_;          // ids of robots whose last arrival was at an order from outside
+  std::set<int> atOrder_;          // ids of robots whose last goal was an order from outside
 };
 
 /// Why the run ends with this state; empty: it goes on.
@@ -175,10 +237,10 @@ std::string reasonToStop(const World& world, const StopRule& rule, WayEnds& ways
   if (std::string reason = ways.reasonToStop(); !reason.empty()) {
     return reason;
   }
-  const std::optional<double> arrivedAt = world.arrivedAt();
-  const bool isOver = arrivedAt && !ways.isAnyAtOrder();
-  if (rule.stopOnArrival && isOver && world.time() >= *arrivedAt + kAfterArrival - kTick) {
-    return "arrived";
+  const std::optional<double> finishedAt = world.finishedAt();
+  const bool isFinished = finishedAt && !ways.isAnyAtOrder();
+  if (rule.stopOnArrival && isFinished && world.time() >= *finishedAt + kAfterArrival - kTick) {
+    return world.arrivedAt() ? wayEndName(WayEnd::Arrived) : ways.reasonOfEnds();
   }
   if (world.stepIndex() >= rule.maximumSteps) {
     return kDuration;
@@ -198,8 +260,9 @@ std::optional<bool> stepUnlessStopped(World& world, const StepInputs& inputs) {
 }  // namespace
 
 const char* wayEndName(WayEnd end) {
-  static constexpr std::array<const char*, 6> kNames = {"arrived", "collision", "stuck",
-                                                        "timeout", "failed",    "interrupted"};
+  static constexpr std::array<const char*, 8> kNames = {
+      "arrived",     "collision",         "stuck",      "timeout", "failed",
+      "interrupted", "navigation_failed", "goal_missed"};
   return kNames.at(static_cast<std::size_t>(end));
 }
 

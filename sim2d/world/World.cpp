@@ -234,7 +234,7 @@ bool RunningWorld::step(const StepInputs& inputs) {
 
 void RunningWorld::afterMotion() {
   goals_.afterMotion(model_, state_, intents_);
-  RobotDrive::afterMotion(model_, state_);
+  robots_.afterMotion(model_, state_);
   progress_.update(model_, state_, *navigation_, willDoorToggle());
   finishRounds();
   for (std::size_t i = 0; i < model_.people.size(); ++i) {
@@ -330,22 +330,32 @@ void RunningWorld::publishWays() {
 /// Of the scenario or from outside.
 bool RunningWorld::hadGoal(std::size_t robot) const {
   const RobotState& now = state_.robots[robot];
-  return !model_.robots[robot].goals.empty() || now.order || now.arrivedAt >= 0.0;
+  return !model_.robots[robot].goals.empty() || now.order || now.arrivedAt >= 0.0 ||
+         now.endedAt >= 0.0;
 }
 
-std::optional<double> RunningWorld::arrivedAt() const {
+std::optional<double> RunningWorld::lastOf(
+    const std::function<double(const RobotState&)>& timeOf) const {
   std::optional<double> last;
   for (std::size_t i = 0; i < model_.robots.size(); ++i) {
     if (!hadGoal(i)) {
       continue;
     }
-    const double arrived = state_.robots[i].arrivedAt;
-    if (arrived < 0.0) {
+    const double time = timeOf(state_.robots[i]);
+    if (time < 0.0) {
       return std::nullopt;
     }
-    last = std::max(last.value_or(arrived), arrived);
+    last = std::max(last.value_or(time), time);
   }
   return last;
+}
+
+std::optional<double> RunningWorld::arrivedAt() const {
+  return lastOf([](const RobotState& robot) { return robot.arrivedAt; });
+}
+
+std::optional<double> RunningWorld::finishedAt() const {
+  return lastOf([](const RobotState& robot) { return std::max(robot.arrivedAt, robot.endedAt); });
 }
 
 std::vector<RobotOnWay> RunningWorld::robotsOnWay() const {
@@ -358,8 +368,12 @@ std::vector<RobotOnWay> RunningWorld::robotsOnWay() const {
     on.name = robot.name;
     on.hasGoal = hadGoal(i);
     on.setsOff = robot.startTime;
+    on.endsGoals = robots_.planners()[i]->endsGoals();
+    on.goalEnds = state_.robots[i].goalEnds;
     if (state_.robots[i].arrivedAt >= 0.0) {
       on.arrived = state_.robots[i].arrivedAt;
+    } else if (state_.robots[i].endedAt >= 0.0) {
+      on.ended = state_.robots[i].endedAt;
     } else {
       on.stuck = progress_.stuckSince(i);
     }

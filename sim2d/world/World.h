@@ -12,6 +12,7 @@
 #include "sim2d/trace/Frame.h"
 #include "sim2d/trace/Trace.h"
 #include "sim2d/world/Compatibility.h"
+#include "sim2d/world/GoalEnd.h"
 #include "sim2d/world/HumanBehavior.h"
 #include "sim2d/world/Registries.h"
 #include "sim2d/world/StepTimes.h"
@@ -44,6 +45,10 @@ struct RobotOnWay {
   double setsOff = 0.0;           // [s]
   std::optional<double> arrived;  // [s]
   std::optional<double> stuck;    // [s]; not any more: none
+  /// When the last goal was over without an arrival: a goal was given up, or missed [s].
+  std::optional<double> ended{};
+  bool endsGoals = false;           // its planner decides when a goal is over
+  std::vector<GoalEnd> goalEnds{};  // results of that planner, oldest first
 };
 
 /// The running world. One step (fixed dt):
@@ -96,6 +101,8 @@ class World {
   double dt() const { return view().dt(); }
   /// All robots have arrived (false without a moving robot), and since when [s].
   virtual std::optional<double> arrivedAt() const = 0;
+  /// The same, but robots whose planners have ended their last goals without an arrival count too.
+  virtual std::optional<double> finishedAt() const = 0;
   virtual std::vector<RobotOnWay> robotsOnWay() const = 0;  // -1, -2 …
   /// What their planners want a manifest to tell, as JSON; empty: nothing.
   virtual std::vector<std::string> robotReports() const { return {}; }  // -1, -2 …

@@ -32,7 +32,8 @@ void RunningWorld::goOnAs(World& world, std::uint64_t seed) {
     if (destination(was) != destination(is)) {
       state_.robots[robot].goal = 0;
       state_.robots[robot].order.reset();
-      state_.robots[robot].arrivedAt = -1.0;
+      state_.robots[robot].arrivedAt = state_.robots[robot].endedAt = -1.0;
+      state_.robots[robot].goalEnds.clear();
     }
   }
   if (model_.stuckAfter != other.model_.stuckAfter) {

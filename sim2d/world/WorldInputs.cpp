@@ -137,7 +137,7 @@ std::string RunningWorld::orderRobot(Input& input) {
   now.order = input.pose.position;
   ++now.orders;
   now.goal = constants.goals.size();
-  now.arrivedAt = -1.0;
+  now.arrivedAt = now.endedAt = -1.0;
   return {};
 }
 

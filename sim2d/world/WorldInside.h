@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -86,6 +87,7 @@ class RunningWorld : public World {
   }
   const Frame& frame() const override { return frame_; }
   std::optional<double> arrivedAt() const override;
+  std::optional<double> finishedAt() const override;
   std::vector<RobotOnWay> robotsOnWay() const override;
   TraceHeader header() const override { return makeHeader(model_, surroundings_); }
   const Obstacles& obstacles() const override { return surroundings_.obstacles; }
@@ -108,6 +110,8 @@ class RunningWorld : public World {
   std::string setEntry(int human, const std::string& words);
   void holdStopped();
   bool hadGoal(std::size_t robot) const;
+  /// The latest of the times of all robots that had goals; none: one of them is negative.
+  std::optional<double> lastOf(const std::function<double(const RobotState&)>& timeOf) const;
   std::string addCopy(Input& input);
   /// Doors and people whose time has come; the grid afterwards.
   void applyInputs(StepWatch& watch);

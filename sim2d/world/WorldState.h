@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim2d/scenario/ScenarioCheck.h"
+#include "sim2d/world/GoalEnd.h"
 #include "sim2d/world/HumanBehavior.h"
 #include "sim2d/world/NeighborGrid.h"
 #include "sim2d/world/Registries.h"
@@ -91,6 +92,10 @@ struct RobotState {
   std::optional<Vec2> order{};   // a goal from outside, in place of those of the scenario
   int orders = 0;                // so far
   double arrivedAt = -1.0;       // [s]; < 0: on the way
+  /// When the last goal was over with one of them not reached [s]; < 0: this has not happened. Only
+  /// with planners that end goals themselves.
+  double endedAt = -1.0;
+  std::vector<GoalEnd> goalEnds{};  // results of those planners, oldest first
 };
 
 /// Where the robot drives to; none: nowhere (any more).

@@ -105,6 +105,49 @@ class BatchProgramTest : public QObject {
     }
   }
 
+  /// A navigator that gives up, and one that reports success far from the goal.
+  void batch_endOfTheNavigator_isInColumns() {
+    QTemporaryDir folder;
+    const auto tree = [&folder](const char* node) {
+      const QString path = folder.filePath(QLatin1String(node) + QStringLiteral(".xml"));
+      outside::writeText(path,
+                         "<root BTCPP_format=\"4\" main_tree_to_execute=\"T\"><BehaviorTree "
+                         "ID=\"T\"><" +
+                             QByteArray(node) + "/></BehaviorTree></root>");
+      return path.toUtf8();
+    };
+    const QString experiment = folder.filePath(QStringLiteral("ends.yaml"));
+    outside::writeText(experiment, "hunavsim_experiment: 1\nscenarios: [" SOURCE_DIR
+                                   "/maps/planners/crossing_agents.yaml]\nseeds: 2\n"
+                                   "planner: nav2\nvalues:\n  robot1.nav2_tree: [" +
+                                       tree("AlwaysFailure") + ", " + tree("AlwaysSuccess") +
+                                       "]\n");
+    const QString out = folder.filePath(QStringLiteral("out"));
+    const outside::Finished found = batch(experiment, out, 1);
+    QVERIFY2(found.exitCode == 0, qPrintable(found.err));
+    const auto rows = outside::readCsv(out + QStringLiteral("/results.csv"));
+    QCOMPARE(rows.size(), std::size_t{4});
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const bool fails = k < 2;
+      const auto field = [&](const char* key) { return rows[k].at(QLatin1String(key)); };
+      QCOMPARE(field("ended_by_failure"), QLatin1String(fails ? "True" : "False"));
+      QCOMPARE(field("ended_by_success"), QLatin1String(fails ? "False" : "True"));
+      QCOMPARE(field("ended_by_time"), QStringLiteral("False"));
+      QCOMPARE(field("success"), QStringLiteral("False"));
+      QVERIFY(field("distance_left").toDouble() > 13.0);
+      QVERIFY2(
+          field("reason").startsWith(QLatin1String(
+              fails ? "navigation_failed: robot1, node AlwaysFailure" : "goal_missed: robot1, ")),
+          qPrintable(field("reason")));
+    }
+    const outside::Finished page =
+        outside::runProgram({QStringLiteral("report"), out, QStringLiteral("-q")});
+    QVERIFY2(page.exitCode == 0, qPrintable(page.err));
+    const QByteArray html = outside::bytesOf(out + QStringLiteral("/report.html"));
+    QVERIFY(html.contains("Ended by the navigator"));
+    QVERIFY(html.contains("node AlwaysFailure"));
+  }
+
   void batch_failedRun_isARowWithItsReason() {
     QTemporaryDir folder;
     const QString experiment = folder.filePath(QStringLiteral("walls.yaml"));

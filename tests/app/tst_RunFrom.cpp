@@ -66,6 +66,9 @@ class RunFromTest : public QObject {
         "--set robot1.odometry_noise.alpha1=0.1");
     row("every fifth step", crossing, "--duration 4 --record-every 5 --planner orca");
     row("forces of the original", crossing, "--duration 4 --compat hunav2");
+    row("end of a navigator", crossing,
+        "--duration 4 --planner nav2 --nav2-params " SOURCE_DIR
+        "/maps/planners/nav2_rpp.yaml --set robot1.goal.x=2.2");
     row("people alone", scene("two_workers/two_workers_agents.yaml"), "--duration 4 --exact");
   }
   void unchanged_isTheOriginal() {
@@ -140,6 +143,33 @@ class RunFromTest : public QObject {
       QVERIFY2(over.err.contains(text("would be lost")), qPrintable(over.err));
       QCOMPARE(bytesOf(at(older) + text("/trajectory.csv")), before);
     }
+  }
+
+  /// A navigation that has ended stays ended in a run that goes on from there, also with another
+  /// file; one that is under way goes on, or begins anew.
+  void navigatorsEnd_isKept() {
+    const auto ends = [this](const char* folder) {
+      std::vector<double> times;
+      for (const auto& row : outside::readCsv(at(folder) + text("/events.csv"))) {
+        if (row.at(text("kind")) == text("navigation_succeeded")) {
+          times.push_back(row.at(text("time")).toDouble());
+        }
+      }
+      return times;
+    };
+    run({scene("planners/crossing_agents.yaml"), text("--duration"), text("8"), text("--planner"),
+         text("nav2"), text("--nav2-params"), scene("planners/nav2_rpp.yaml"), text("--set"),
+         text("robot1.goal.x=2.2"), text("-o"), at("navigated")});
+    const std::vector<double> original = ends("navigated");
+    QCOMPARE(original.size(), std::size_t{1});
+    QVERIFY(original.front() > 1.0 && original.front() < 6.0);
+    const QString slower = text("nav2.FollowPath.desired_linear_vel=0.3");
+    run({text("--from"), at("navigated@7"), text("--set"), slower, text("-o"), at("after")});
+    QCOMPARE(ends("after"), original);
+    QCOMPARE(bytesOf(at("after/trajectory.csv")), bytesOf(at("navigated/trajectory.csv")));
+    run({text("--from"), at("navigated@0.5"), text("--set"), slower, text("-o"), at("within")});
+    QCOMPARE(ends("within").size(), std::size_t{1});
+    QVERIFY(ends("within").front() > original.front() + 0.5);
   }
 
   void anotherSeed_drawsAnewFromThere() {

@@ -3,6 +3,8 @@
 #include "editor/document/EditCommands.h"
 #include "editor/look/Form.h"
 #include "editor/look/HouseStyle.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/Planner.h"
 #include "tests/app/QuietWindow.h"
 
 using editor::SimulationRunner;
@@ -64,6 +66,24 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     const QString said = QStringLiteral("The robot has arrived, %1 s")
                              .arg(runner().newestFrame()->time - 1.0, 0, 'f', 1);
     QVERIFY2(isHinted(said.toUtf8().constData()), qPrintable(said));
+  }
+
+  void run_whoseNavigationFailed_saysWhy() {
+    setDuration(std::nullopt);
+    const QString tree = QStringLiteral(TEST_OUTPUT_DIR "/tmp/status_failure.xml");
+    base::writeFileAtomically(tree.toStdString(),
+                              "<root BTCPP_format=\"4\" main_tree_to_execute=\"T\">"
+                              "<BehaviorTree ID=\"T\"><AlwaysFailure/></BehaviorTree></root>");
+    for (const base::EntityId& id : document().entities(base::EntityKind::Robot)) {
+      editor::pushChange<sim2d::Robot>(document(), id, QString(), [&tree](sim2d::Robot& robot) {
+        robot.planner = sim2d::kNav2Planner;
+        robot.nav2Tree = tree.toStdString();
+      });
+    }
+    runner().setSpeed(std::numeric_limits<double>::infinity());
+    runner().play();
+    QTRY_VERIFY_WITH_TIMEOUT(runner().isFinished(), 30000);
+    QVERIFY(isHinted("Navigation failed: node AlwaysFailure, "));
   }
 
   void run_isWatchedForPeopleAndRobots() {

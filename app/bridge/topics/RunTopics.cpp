@@ -147,7 +147,12 @@ void RunTopics::note(const sim2d::Event& event) {
     return;
   }
   robots_[robot].passed += event.kind == sim2d::EventKind::Goal ? 1 : 0;
-  if (event.kind == sim2d::EventKind::Arrived) {
+  const bool endsNavigation = event.kind == sim2d::EventKind::NavigationSucceeded ||
+                              event.kind == sim2d::EventKind::NavigationFailed;
+  if (endsNavigation) {  // a goal that was given up has no event `goal`
+    robots_[robot].passed = std::max(robots_[robot].passed, std::size_t{1});
+  }
+  if (event.kind == sim2d::EventKind::Arrived || endsNavigation) {
     robots_[robot].order.reset();
     robots_[robot].goal = nullptr;
   }

@@ -123,13 +123,23 @@ base::Diagnostics compareWithoutRobots(const Bundle& bundle, const Session& sess
   return alone.diagnostics();
 }
 
+/// " (0.213 m from the goal)", "(goal 1: 0.2 m from the goal; goal 2: planner NO_VALID_PATH
+/// (208), 3.4 m from the goal)".
+std::string goalEndsText(const sim2d::RobotResult& robot) {
+  std::string text;
+  for (const sim2d::GoalEnd& end : robot.goalEnds) {
+    text += (text.empty() ? " (" : "; ") + sim2d::goalEndText(end);
+  }
+  return text.empty() ? text : text + ")";
+}
+
 /// "; robot1 arrived at 7.3 s, robot2 timeout at 20.0 s".
 std::string waysText(const sim2d::RunResult& result) {
   std::string text;
   for (const sim2d::RobotResult& robot : result.robots) {
     if (robot.result) {
       text += (text.empty() ? "; " : ", ") + robot.name + " " + sim2d::wayEndName(*robot.result) +
-              " at " + oneDecimal(robot.time) + " s";
+              " at " + oneDecimal(robot.time) + " s" + goalEndsText(robot);
     }
   }
   return text;

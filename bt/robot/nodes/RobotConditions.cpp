@@ -158,9 +158,10 @@ NodeStatus errorCodesPresent(LeafContext& leaf) {
 }
 
 // Codes of Nav2's actions that trying once more may mend: unknown, patience exceeded, no progress,
-// no valid control; unknown, timeout, no valid path; unknown, timeout, in collision, failed.
+// no valid control; unknown, timeout, no valid path (to a pose, through poses); unknown, timeout,
+// in collision, failed.
 constexpr std::array<int, 4> kOfController = {100, 104, 105, 106};
-constexpr std::array<int, 3> kOfPlanner = {200, 207, 208};
+constexpr std::array<int, 6> kOfPlanner = {200, 207, 208, 300, 307, 308};
 constexpr std::array<int, 4> kOfSmoother = {500, 502, 503, 504};
 
 template <const auto& codes>
