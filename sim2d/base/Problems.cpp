@@ -5,6 +5,8 @@
 namespace base {
 namespace {
 
+constexpr bool kSubstitution = true;
+
 constexpr ProblemText kTexts[] = {
     // Names, numbers and references of a scenario.
     {"scenario.bad-person-name", "a person cannot have the name '{name}'"},
@@ -340,8 +342,8 @@ constexpr ProblemText kTexts[] = {
      "{layer}: sensors here measure distances, which input_sensor_type FIXED refuses: nothing is "
      "marked"},
     {"nav2.no-map", "{layer}: there is no map, it says nothing"},
-    {"nav2.no-mask", "{layer}: has no mask, it does nothing"},
-    {"nav2.data-type", "{layer}.{source}: data_type '{found}' counts as LaserScan"},
+    {"nav2.no-mask", "{layer}: has no mask, it does nothing", kSubstitution},
+    {"nav2.data-type", "{layer}.{source}: data_type '{found}' counts as LaserScan", kSubstitution},
 
     // nav2_params.yaml and navigator trees.
     {"nav2.read-late", "could not be read at first: {tree} is not among the inputs of the run"},
@@ -364,22 +366,26 @@ constexpr ProblemText kTexts[] = {
      "no controller is configured (controller_plugins of controller_server): this file holds only "
      "{nodes}"},
     {"nav2.node-of-others", "{node} is a node of {distros}: {distro} does not have it"},
-    {"nav2.node-unsupported", "{node} always fails here: {why}"},
+    {"nav2.node-unsupported", "{node} always fails here: {why}", kSubstitution},
     {"nav2.unknown-node", "'{node}' is no node of Nav2{nearest}"},
     {"nav2.idle-keys", "{node}: {count} without effect: {keys} ({why})"},
     {"nav2.other-distro", "{key} is {why}: {distro} does not read it"},
     {"nav2.distro-guessed", "taken for a file of {distro}{reasons?: %}"},
     {"nav2.plugin-twice", "{list} names '{name}' twice"},
     {"nav2.no-plugin", "{node}: '{name}' has no plugin: {name}.plugin must name its class"},
-    {"nav2.treated-as", "{name}: '{found}' is treated as {substitute}: {why}"},
-    {"nav2.left-out", "{name}: '{found}' is left out: {why}"},
+    {"nav2.treated-as", "{name}: '{found}' is treated as {substitute}: {why}", kSubstitution},
+    {"nav2.left-out", "{name}: '{found}' is left out: {why}", kSubstitution},
     {"nav2.older-branch",
      "{node}: names of a branch before Humble ({keys}) are read as their newer names"},
-    {"nav2.placeholder", "{key} is '{found}', a word that launch files replace: {instead}"},
+    {"nav2.placeholder", "{key} is '{found}', a word that launch files replace: {instead}",
+     kSubstitution},
     {"nav2.empty-list", "{key} is empty: {instead}"},
     {"nav2.bad-value", "{what}"},
     {"nav2.launch-word",
-     "{name} is switched off: its 'enabled' is a word that Nav2's launch files replace"},
+     "{name} is switched off: its 'enabled' is a word that Nav2's launch files replace",
+     kSubstitution},
+    {"nav2.file-not-found",
+     "{key}: '{name}' was not found{places? (searched in %)}; {instead} is used", kSubstitution},
     {"nav2.set-unknown", "'{path}' is no parameter of Nav2{nearest}"},
     {"nav2.set-ambiguous", "'{path}' is a parameter of {nodes}: put one of them in front"},
     {"nav2.no-file",
@@ -1218,6 +1224,14 @@ const ProblemText* problemText(std::string_view id) {
   const auto* found = std::find_if(std::begin(kTexts), std::end(kTexts),
                                    [id](const ProblemText& each) { return each.id == id; });
   return found == std::end(kTexts) ? nullptr : found;
+}
+
+Diagnostics withStrictSubstitutions(Diagnostics problems) {
+  for (Diagnostic& each : problems) {
+    const ProblemText* const text = problemText(each.code);
+    each.severity = text != nullptr && text->isSubstitution ? Severity::Error : each.severity;
+  }
+  return problems;
 }
 
 }  // namespace base

@@ -13,9 +13,15 @@ struct ProblemText {
   std::string_view id;    // "area.what"; other programs go by it, so it stays
   std::string_view text;  // one sentence with holes: {name}, {nearest} = " (did you mean '…'?)",
                           // {name?words, shown only with a value, that stands at %}
+  /// Something of the input is replaced, left out, or takes a default instead of what is written:
+  /// `--strict` makes the warning an error. In the catalogue: `kSubstitution` behind the text.
+  bool isSubstitution = false;
 };
 
 const std::vector<ProblemText>& problemTexts();
 const ProblemText* problemText(std::string_view id);  // nullptr = no such problem
+
+/// The same problems; warnings and hints whose text is marked as a substitution are errors.
+Diagnostics withStrictSubstitutions(Diagnostics problems);
 
 }  // namespace base
