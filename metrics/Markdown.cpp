@@ -273,32 +273,34 @@ constexpr char kOriginal[] = R"(
 
 N, T and t_0 are those of the whole record for all keys, also those without a number; `metrics.from` and
 `metrics.until` apply as above. The robot has arrived if its last sample is in the goal region (`completed`).
-The metrics below differ from the formulas of the tables; all others are the same. Where the evaluator stops with
-an exception, the value is undefined and the exception is the reason. n_i = number of people at sample i.
+A robot that does not start within the record has values too. The metrics below differ from the formulas of the
+tables; all others are the same. Where the evaluator stops with an exception, the value is undefined and the
+exception is the reason. n_i = number of people at sample i. In `behaviors`, n_i, groups and "without people"
+refer to the people of that type.
 
 | # | key | in `hunav2` |
 |---|---|---|
 | 1 | `time_to_reach_goal` | T, whether or not the goal was reached |
-| 4 | `avg_distance_to_closest_person` | sum of c_i over the samples with people, divided by N |
+| 4 | `avg_distance_to_closest_person` | sum of c_i over the samples with people, divided by N; 0 without people |
 | 5, 6 | `minimum_`, `maximum_distance_to_people` | the maximum may be negative; undefined without people (ValueError) |
-| 10-12 | `group_..._space_intrusions` | groups are the ids other than -1 at the first sample, also those with one member; undefined if one of them has no member at a later sample (ZeroDivisionError; ValueError without people); 0 if there are none at the first |
+| 10-12 | `group_..._space_intrusions` | groups are the ids other than -1 at the first sample, also those with one member; undefined if one of them has no member at a later sample (ZeroDivisionError; ValueError if that sample has no people); 0 if there are none at the first, also without people |
 | 14, 15 | `..._distance_to_target` | infinite without goal |
 | 16, 17 | `robot_on_person_`, `person_on_robot_collision` | number of pairs of sample and person with gap < `contact_distance`: with (x, y) the robot's centre in the frame of the person, (x', y') the person's centre in the frame of the robot, alpha = abs(atan2(y, x)) and beta = abs(atan2(x', y')): 16 counts alpha < beta, 17 alpha > beta, both only if the speeds s and \|u\| differ; alpha = beta with equal speeds counts in both |
 | 18 | `time_not_moving` | T/N * number of samples with s < `stop_linear_speed` and w < `stop_angular_speed` (w with its sign) |
 | 21 | `avg_acceleration` | divided by N instead of the number of intervals |
 | 22 | `avg_overacceleration` | sum of abs((s_(i+1) - s_i)/dt_i^2) over the intervals with dt_i > 0, divided by N |
-| - | `max_jerk` | largest abs((a_i - a_(i-1))/((t_(i+1) - t_(i-1))/2)) |
+| - | `max_jerk` | largest abs((a_i - a_(i-1))/((t_(i+1) - t_(i-1))/2)) with a_i and conditions as in Sampling; undefined for N < 3 |
 | 23 | `avg_pedestrian_velocity` | sum of \|u\| over i, a, divided by N n_0; undefined for n_0 = 0 (ZeroDivisionError) |
 | 24 | `avg_closest_pedestrian_velocity` | of the person with the smallest d; 0 at samples without people; divided by N |
-| 25-27 | `social_force_...`, `social_work` | F has the factor `social_factor` for everyone; undefined if L < 1e-9 for some pair |
+| 25-27 | `social_force_...`, `social_work` | F has the factor `social_factor` for everyone; undefined if d = 0 or L < 1e-9 for some pair |
 | 28 | `obstacle_force_on_robot` | 0 without map, obstacles and points |
 | 29 | `obstacle_force_on_agents` | undefined if a sample has no people (ZeroDivisionError) |
 | 30 | `danger_fear_cost` | sum over i, a with C V > 0 of \|V\|/d |
 | 31 | `danger_panic_cost` | sum over i, a with C V > 0 of \|V\|/((m - R) sigma), sigma = abs(cross(C, V))/(d \|V\|), m = d sigma, if m > R and sigma > 1e-6 |
-| 32 | `surprise_visibility_cost` | D = d; a person with theta = 0 does not see the robot; only cells of the map block the view, and their indices are truncated towards 0 |
-| 33, 34 | `surprise_shock_cost`, `surprise_react_cost` | 0; undefined for N = 1 (IndexError) |
-| 30-34 | | undefined if a sample has more people than the first one (IndexError); 32-34 also without map or if a place is outside the map |
-| - | `completed`, `success` | by the last sample: \|p - g\| - radius of g < `goal_tolerance` for some goal g |
+| 32 | `surprise_visibility_cost` | D = d; a person with theta = 0 does not see the robot; only cells of the map block the view, and their indices are truncated towards 0; the other parameters of surprise have no effect. A column from -1 to minus the width, or row from -1 to minus the height, counts from the far end; undefined if a line, up to its first cell that blocks, meets a cell beyond that (IndexError) |
+| 33, 34 | `surprise_shock_cost`, `surprise_react_cost` | 0 with any parameters; undefined for N = 1, or where 32 is undefined (IndexError) |
+| 30-34 | | undefined if a sample has more people than the first one (IndexError); 32-34 also without map |
+| - | `completed`, `success` | by the last sample: \|p - g\| - radius of g < `goal_tolerance` for some goal g; `timeout` by T of the record |
 | - | `stl` | T instead of the time of arrival |
 )";
 
