@@ -86,12 +86,15 @@ std::string plainTree() {
       <FollowPath path="{path}"/></Sequence>)");
 }
 
-constexpr const char* kWalledIn = R"(    obstacles: [north, south, east, west]
+/// Round (4, 0), with a gap of 1 m: wide enough for the body, too narrow for `kWide`.
+constexpr const char* kNarrow = R"(    obstacles: [north, south, east, west1, west2]
     north: {kind: box, x: 4.0, y: 1.0, h: 0.0, length: 2.2, width: 0.2}
     south: {kind: box, x: 4.0, y: -1.0, h: 0.0, length: 2.2, width: 0.2}
     east: {kind: box, x: 5.0, y: 0.0, h: 0.0, length: 0.2, width: 2.0}
-    west: {kind: box, x: 3.0, y: 0.0, h: 0.0, length: 0.2, width: 2.0}
+    west1: {kind: box, x: 3.0, y: 0.75, h: 0.0, length: 0.2, width: 0.5}
+    west2: {kind: box, x: 3.0, y: -0.75, h: 0.0, length: 0.2, width: 0.5}
 )";
+const std::string kWide = "nav2.global_costmap.robot_radius=0.65";
 constexpr const char* kPillar = R"(    obstacles: [pillar]
     pillar: {kind: box, x: 4.0, y: 0.0, h: 0.0, length: 0.2, width: 0.2}
 )";
@@ -187,7 +190,7 @@ void NavigatorEndsTest::success_outsideTheGoalRadius_isTheArrival() {
   const Ended run = ended(scene("dwb", "      goal: {x: 3.0, y: 0.0}\n      goal_radius: 0.05\n"),
                           paramsFile("dwb", "0.25"));
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
-  QCOMPARE(run.result.reason, std::string("arrived"));
+  QCOMPARE(QString::fromStdString(run.result.reason), QStringLiteral("arrived"));
   QVERIFY(run.robot().result == sim2d::WayEnd::Arrived);
   QVERIFY2(run.last().distance > 0.05 && run.last().distance < 0.3,
            base::formatDouble(run.last().distance).c_str());
@@ -195,15 +198,16 @@ void NavigatorEndsTest::success_outsideTheGoalRadius_isTheArrival() {
   QVERIFY(std::fabs(run.last().distance - distanceTo(run, {3.0, 0.0})) < 0.1);  // it brakes on
 }
 
-/// The goal lies in a pillar: Smac 2D takes the nearest cell, half a metre off.
+/// The body fits at the goal, Nav2's wider one does not: Smac 2D takes the nearest cell that is
+/// free.
 void NavigatorEndsTest::success_besideAnOccupiedGoal_tellsWhatIsLeft() {
-  const Ended run =
-      ended(scene("pillar", "      goal: {x: 4.0, y: 0.0}\n", kPillar), paramsFile("rpp", "0.6"));
+  const Ended run = ended(scene("pillar", "      goal: {x: 4.0, y: 0.5}\n", kPillar),
+                          paramsFile("rpp", "0.6"), {}, {"nav2.global_costmap.robot_radius=0.8"});
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
   QVERIFY2(run.robot().result == sim2d::WayEnd::Arrived, run.events().c_str());
   QVERIFY(run.last().result.hasSucceeded);
-  // Half the pillar and the robot's radius: 0.45 m; the limit: 0.25 + 0.5 m.
-  QVERIFY2(run.last().distance > 0.4 && run.last().distance < 0.75,
+  // Farther than its checker allows, and within the limit: 0.25 + 0.5 m.
+  QVERIFY2(run.last().distance > 0.25 && run.last().distance < 0.75,
            base::formatDouble(run.last().distance).c_str());
 }
 
@@ -216,7 +220,7 @@ void NavigatorEndsTest::finalTurn_isSeen() {
   const Ended run =
       ended(scene("turn", "      goal: {x: 2.0, y: 0.0}\n"), paramsFile("rpp", "0.25"), turn);
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
-  QCOMPARE(run.result.reason, std::string("arrived"));
+  QCOMPARE(QString::fromStdString(run.result.reason), QStringLiteral("arrived"));
   QVERIFY(std::fabs(run.trace.frames.back().robots.heading[0] - 1.57) < 0.15);
 }
 
@@ -239,10 +243,11 @@ void NavigatorEndsTest::unreachable_endsWithTheReason() {
   QFETCH(QString, tree);
   QFETCH(QString, reason);
   const Ended run =
-      ended(scene("walled", "      goal: {x: 4.0, y: 0.0}\n", kWalledIn), paramsFile("rpp", "0.1"),
-            tree.toStdString(), {"robot1.nav2_distro=" + distro.toStdString()});
+      ended(scene("walled", "      goal: {x: 4.0, y: 0.0}\n", kNarrow), paramsFile("rpp", "0.1"),
+            tree.toStdString(), {kWide, "robot1.nav2_distro=" + distro.toStdString()});
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
-  QCOMPARE(run.result.reason, "navigation_failed: robot1, " + reason.toStdString());
+  QCOMPARE(QString::fromStdString(run.result.reason),
+           QStringLiteral("navigation_failed: robot1, ") + reason);
   QVERIFY(run.robot().result == sim2d::WayEnd::NavigationFailed);
   QCOMPARE(run.last().result.reason, reason.toStdString());
   QCOMPARE(run.last().result.errorCode, distro == QLatin1String("humble") ? 0 : 208);
@@ -260,21 +265,22 @@ void NavigatorEndsTest::failureOfNoAction_namesTheNode() {
       scene("node", "      goal: {x: 4.0, y: 0.0}\n"), paramsFile("rpp", "0.25"),
       treeFile("node", R"(<Sequence><AlwaysSuccess/><GoalReached goal="{goal}"/></Sequence>)"));
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
-  QCOMPARE(run.result.reason, std::string("navigation_failed: robot1, node GoalReached"));
+  QCOMPARE(QString::fromStdString(run.result.reason),
+           QStringLiteral("navigation_failed: robot1, node GoalReached"));
   QCOMPARE(run.last().result.errorCode, 0);
 }
 
-/// One by one: the second is walled in.
+/// One by one: Nav2 finds no way to the second.
 void NavigatorEndsTest::severalGoals_oneUnreachable_goesOn() {
-  const Ended run = ended(scene("three", "      goals: [1, 2, 3]\n", kWalledIn),
-                          paramsFile("rpp", "0.1"), plainTree());
+  const Ended run = ended(scene("three", "      goals: [1, 2, 3]\n", kNarrow),
+                          paramsFile("rpp", "0.1"), plainTree(), {kWide});
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
   QCOMPARE(run.robot().goalEnds.size(), std::size_t{3});
   const auto& ends = run.robot().goalEnds;
   QVERIFY(ends[0].isReached && !ends[1].result.hasSucceeded && ends[2].isReached);
   QVERIFY(ends[0].goal == 1 && ends[1].goal == 2 && ends[2].goal == 3);
-  QCOMPARE(run.result.reason,
-           std::string("navigation_failed: robot1, goal 2: planner NO_VALID_PATH (208)"));
+  QCOMPARE(QString::fromStdString(run.result.reason),
+           QStringLiteral("navigation_failed: robot1, goal 2: planner NO_VALID_PATH (208)"));
   const std::string events = run.events();
   QVERIFY2(events.find("goal 1\nnavigation_succeeded goal 1: ") != std::string::npos,
            events.c_str());
@@ -295,20 +301,20 @@ void NavigatorEndsTest::repeatedGoal_isNavigatedToAgain() {
 
 /// NavigateThroughPoses is given up as a whole, with the codes of its own action.
 void NavigatorEndsTest::route_withAnUnreachableGoal_fails() {
-  const Ended run =
-      ended(scene("route", "      goals: [1, 2, 3]\n", kWalledIn), paramsFile("rpp", "0.1"));
+  const Ended run = ended(scene("route", "      goals: [1, 2, 3]\n", kNarrow),
+                          paramsFile("rpp", "0.1"), {}, {kWide});
   QVERIFY2(!run.result.robots.empty(), run.problems.c_str());
   QCOMPARE(run.robot().goalEnds.size(), std::size_t{1});
   QCOMPARE(run.last().result.errorCode, 308);
   QCOMPARE(run.last().result.goals, std::size_t{3});
-  QCOMPARE(run.result.reason,
-           std::string("navigation_failed: robot1, goal 3: planner NO_VALID_PATH (308)"));
+  QCOMPARE(QString::fromStdString(run.result.reason),
+           QStringLiteral("navigation_failed: robot1, goal 3: planner NO_VALID_PATH (308)"));
 }
 
 void NavigatorEndsTest::sameRunTwice_hasTheSameEvents() {
-  const std::string scenario = scene("three", "      goals: [1, 2, 3]\n", kWalledIn);
-  const Ended first = ended(scenario, paramsFile("rpp", "0.1"), plainTree());
-  const Ended second = ended(scenario, paramsFile("rpp", "0.1"), plainTree());
+  const std::string scenario = scene("three", "      goals: [1, 2, 3]\n", kNarrow);
+  const Ended first = ended(scenario, paramsFile("rpp", "0.1"), plainTree(), {kWide});
+  const Ended second = ended(scenario, paramsFile("rpp", "0.1"), plainTree(), {kWide});
   QVERIFY2(first.result.steps > 0, first.problems.c_str());
   QCOMPARE(sim2d::eventsCsv(first.trace), sim2d::eventsCsv(second.trace));
   QCOMPARE(sim2d::trajectoryCsv(first.trace), sim2d::trajectoryCsv(second.trace));

@@ -80,7 +80,11 @@ Announced announced(Scenario scenario, const std::vector<Announcer::At>& ends,
   WorldSetup setup;
   setup.scenario = std::make_shared<const Scenario>(std::move(scenario));
   setup.registries = std::move(registries);
-  setup.behavior = std::make_unique<ScriptedBehavior>();
+  setup.behavior = std::make_unique<ScriptedBehavior>([](const WorldView& view, Intents& intents) {
+    for (int human = 0; human < view.humanCount(); ++human) {
+      intents.of(human).motion = Motion::Stand;
+    }
+  });
   const base::Result<std::unique_ptr<World>> world = World::create(std::move(setup));
   Announced ran;
   if (!world) {
@@ -243,14 +247,16 @@ class GoalEndsTest : public QObject {
              std::string("navigation_failed: robot1, planner NO_VALID_PATH (208)"));
   }
 
-  /// A robot that is over counts as one that has arrived: the other one is stuck at a wall.
+  /// A robot that is over counts as one that has arrived: the other one stands before a
+  /// person in a corridor.
   void twoRobots_oneStuck_endTheRun() {
     Scenario scenario = goalAt(4.0);
-    addRobot(scenario, Vec2(0.0, 5.0), Vec2(6.0, 5.0));
-    addRoom(scenario, {-1.0, 4.0}, {2.0, 6.0});
-    scenario.desktop.stuckAfter = 2.0;
+    addRobot(scenario, Vec2(0.0, 5.0), Vec2(8.0, 5.0));
+    addRoom(scenario, {-2.0, 4.2}, {12.0, 5.8});
+    addPerson(scenario, 1, Vec2(4.0, 5.0));
+    scenario.desktop.stuckAfter = 3.0;
     const Announced ran = announced(scenario, {{1.0, false}});
-    QCOMPARE(ran.result.reason, std::string("stuck: robot2"));
+    QVERIFY2(ran.result.reason == "stuck: robot2", ran.result.reason.c_str());
     QVERIFY(ran.robot().result == WayEnd::NavigationFailed);
   }
 
