@@ -125,6 +125,7 @@ void Nav2ThetaStarTest::plans_randomMaps_equalTheSecondImplementation() {
   }
   QVERIFY2(farthest < 1e-12, qPrintable(QString::number(farthest)));
   QVERIFY2(2 * found > maps, qPrintable(QString::number(found)));
+  qInfo("%d maps, %d paths, largest difference %.1e m", maps, found, farthest);
 }
 
 /// In a corridor the queue is empty when its only cell has been popped, which ends Nav2's loop.
