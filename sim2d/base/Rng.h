@@ -23,9 +23,10 @@ enum class Draw : std::uint32_t {
   Lidar = 9,  // index = sensor and pair of beams; of a person: where a stride begins
   Detector = 10,
   Mppi = 11,
-  Variation = 12,  // of a scenario, between the runs of a batch
-  Bootstrap = 13,  // step = resample, index = place in it
-  Value = 14,      // of an experiment, between its seeds
+  Variation = 12,     // of a scenario, between the runs of a batch
+  Bootstrap = 13,     // step = resample, index = place in it
+  Value = 14,         // of an experiment, between its seeds
+  Localization = 15,  // step = correction
 };
 
 class AgentRng {
