@@ -73,6 +73,7 @@ void addSensors(Json& json, const sim2d::ResolvedRobot& robot) {
     json["detector"]["kind"] = "ground_truth";
   }
   json["odometry_noise"] = countingKeys<sim2d::OdometrySettings>(robot);
+  json["localization"] = countingKeys<sim2d::LocalizationSettings>(robot);
 }
 
 /// Its names and numbers.

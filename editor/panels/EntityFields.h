@@ -81,6 +81,8 @@ decltype(auto) partOf(AnyEntity& entity) {
     return (std::get<sim2d::Robot>(entity).detector);
   } else if constexpr (std::is_same_v<T, sim2d::OdometrySettings>) {
     return (std::get<sim2d::Robot>(entity).odometryNoise);
+  } else if constexpr (std::is_same_v<T, sim2d::LocalizationSettings>) {
+    return (std::get<sim2d::Robot>(entity).localization);
   } else if constexpr (std::is_same_v<T, sim2d::DesktopSettings>) {
     return (std::get<ScenarioSettings>(entity).desktop);
   } else if constexpr (std::is_same_v<T, sim2d::VariationSettings>) {
@@ -101,6 +103,8 @@ std::string rowName(const std::string& key) {
     return "detector." + key;
   } else if constexpr (std::is_same_v<T, sim2d::OdometrySettings>) {
     return "odometry_noise." + key;
+  } else if constexpr (std::is_same_v<T, sim2d::LocalizationSettings>) {
+    return "localization." + key;
   } else {
     return key;
   }

@@ -186,6 +186,7 @@ RobotPage::RobotPage(ScenarioDocument& document, const sim2d::FieldTables& table
        {"velocities", inWords({tr("As they are"), tr("From places")}, tr("(default)"))}});
   addPart<sim2d::LidarSettings>(tr("Lidar"), tables);
   addPart<sim2d::OdometrySettings>(tr("Errors of odometry"), tables);
+  addPart<sim2d::LocalizationSettings>(tr("Localisation"), tables);
   addNewFields<Robot>({"goals", "footprint_x", "footprint_y"});
 }
 

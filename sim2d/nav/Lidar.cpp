@@ -44,6 +44,7 @@ void Lidar::take(const SensedWorld& world, LidarTurn& turn) {
   turn.time = world.time;
   turn.sensor.position = world.odometry.toWorld(mount.position);
   turn.sensor.heading = base::wrapToPi(world.odometry.heading + mount.heading);
+  turn.mapToOdom = world.mapToOdom;
   turn.origin = world.pose.toWorld(mount.position);
   turn.ahead = base::directionOf(world.pose.heading + mount.heading + parameters_.angleMin);
   turn.isInsideObstacle = world.obstacles.isInside(turn.origin);

@@ -50,6 +50,7 @@ LidarCaster::LidarCaster(const LidarParameters& parameters, int robotId, int sen
 void LidarCaster::cast(const LidarTurn& turn, LaserScan& scan) {
   const std::lock_guard<std::mutex> lock(mutex_);
   scan.sensor = turn.sensor;
+  scan.mapToOdom = turn.mapToOdom;
   scan.time = turn.time;
   scan.angleMin = parameters_.angleMin;
   scan.perBeam = angleBetweenBeams(parameters_);

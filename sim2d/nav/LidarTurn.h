@@ -32,6 +32,7 @@ struct LidarTurn {
   std::uint64_t seed = 0;
   double time = 0.0;                                  // [s]
   Pose2 sensor;                                       // where the robot takes its sensor to be
+  Pose2 mapToOdom;                                    // of the robot
   Vec2 origin = Vec2::Zero();                         // where it is
   Vec2 ahead{1.0, 0.0};                               // along the first beam
   bool isInsideObstacle = false;                      // then all beams have the distance 0

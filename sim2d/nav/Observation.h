@@ -18,6 +18,7 @@ struct LaserScan {
   double perBeam = 0.0;           // [rad] between neighbours
   double range = 30.0;            // [m]; beams without a hit have it
   std::vector<double> distances;  // [m]
+  Pose2 mapToOdom;                // of the robot at this time, see `Observation`
 };
 
 enum class BodyKind : std::uint8_t { Person, Robot };
@@ -35,7 +36,7 @@ struct TrackedBody {
 /// The world as it was when the step began, as far as the robot's sensors tell. Pointers are valid
 /// during the call.
 struct Observation {
-  Pose2 pose;                                 // by odometry
+  Pose2 pose;                                 // in the map, as the robot estimates it
   BodyTwist motion;                           // own, by odometry
   Vec2 goal = Vec2::Zero();                   // the current one [m]
   std::vector<Vec2> goalsAfter;               // those that follow it, in order [m]
@@ -46,6 +47,11 @@ struct Observation {
   const LaserScan* scan = nullptr;            // null: no lidar, or not turned yet
   const Obstacles* obstacles = nullptr;       // walls of the known map; never null
   const NavigationMap* navigation = nullptr;  // routes over them; never null
+  Pose2 mapToOdom;                            // of the localiser: the frame odom in the map
+  bool isLocalized = true;                    // false: no correction has come yet
+  bool canRelocalize = false;                 // there is a localiser that corrects again
+  /// The frame of all poses here, in the map: an identity, unless they were converted.
+  Pose2 frame;
 };
 
 }  // namespace sim2d

@@ -100,6 +100,8 @@ class Planner {
   /// The result of the navigation to the current goal, if the last call of `command` ended it.
   /// Afterwards the goal is over: the next call of `command` is for another one.
   virtual std::optional<NavigationEnd> takeEnd() { return std::nullopt; }
+  /// It has asked for a global localisation since the last call.
+  virtual bool takeRelocalization() { return false; }
   /// It drives by a map of its own: `takeMap` is called before the first step.
   virtual bool wantsMap() const { return false; }
   /// The known map: that of the file with the obstacles that are drawn, doors open. Problems of it.

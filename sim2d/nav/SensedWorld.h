@@ -28,10 +28,11 @@ struct SensedBody {
 /// switched. `bodies`: people by id, then robots by id; the robot itself may be among them.
 struct SensedWorld {
   Pose2 pose;      // of the robot, true
-  Pose2 odometry;  // where the robot takes itself to be
+  Pose2 odometry;  // where the robot takes itself to be, in the map
   const Obstacles& obstacles;
   const std::vector<SensedBody>& bodies;
   double time = 0.0;  // [s], >= 0, never less than before
+  Pose2 mapToOdom{};  // of the robot's localiser
 };
 
 /// Number of the last event at or before `time` [s] of those at 0, 1/rate, 2/rate … (rate [Hz]);

@@ -308,7 +308,9 @@ Fields<Robot> bodyFields() {
           sensorField("lidar", &Robot::lidar, "Its lidar: keys below; absent: the type's"),
           sensorField("detector", &Robot::detector, "How it knows of people and other robots"),
           sensorField("odometry_noise", &Robot::odometryNoise,
-                      "How wrong it is about where it is; absent: it knows")};
+                      "Errors of its odometry, which add up; absent: none"),
+          sensorField("localization", &Robot::localization,
+                      "Errors and corrections of its localiser (AMCL); absent: none")};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "sim2d/nav/Lidar.h"
+#include "sim2d/nav/Localization.h"
 #include "sim2d/nav/Odometry.h"
 #include "sim2d/nav/PeopleDetector.h"
 #include "sim2d/scenario/Scenario.h"
@@ -67,6 +68,7 @@ struct ResolvedRobot {
   DetectorKind detectorKind = DetectorKind::Sensor;
   DetectorParameters detector = idealDetector();
   OdometryParameters odometry;
+  LocalizationParameters localization;
 };
 
 /// The configuration modes and draws of social-force factors and reactions, by (seed, agent,

@@ -80,10 +80,10 @@ KeyTable tableOf(std::string title, std::string path, const FieldTables& tables)
 }  // namespace
 
 const FieldTables& fieldTables() {
-  static const FieldTables kTables(scenarioFields(), humanFields(), behaviorFields(),
-                                   personFields(), robotFields(), lidarFields(), detectorFields(),
-                                   odometryFields(), obstacleFields(), doorFields(), areaFields(),
-                                   settingsFields(), variationFields(), metricsFields());
+  static const FieldTables kTables(
+      scenarioFields(), humanFields(), behaviorFields(), personFields(), robotFields(),
+      lidarFields(), detectorFields(), odometryFields(), localizationFields(), obstacleFields(),
+      doorFields(), areaFields(), settingsFields(), variationFields(), metricsFields());
   return kTables;
 }
 
@@ -155,6 +155,7 @@ std::vector<KeyTable> keyTables(const FieldTables& tables) {
       tableOf<LidarSettings>("The `lidar` of a robot", "ROBOT.lidar.", tables),
       tableOf<DetectorSettings>("The `detector` of a robot", "ROBOT.detector.", tables),
       tableOf<OdometrySettings>("The `odometry_noise` of a robot", "ROBOT.odometry_noise.", tables),
+      tableOf<LocalizationSettings>("The `localization` of a robot", "ROBOT.localization.", tables),
       tableOf<Obstacle>("An obstacle", "OBSTACLE.", tables),
       tableOf<Door>("A door", "DOOR.", tables),
       tableOf<Area>("An area", "AREA.", tables)};

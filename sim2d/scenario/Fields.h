@@ -29,7 +29,8 @@ template <class T>
 using Resolved =
     std::conditional_t<std::is_same_v<T, Robot> || std::is_same_v<T, LidarSettings> ||
                            std::is_same_v<T, DetectorSettings> ||
-                           std::is_same_v<T, OdometrySettings>,
+                           std::is_same_v<T, OdometrySettings> ||
+                           std::is_same_v<T, LocalizationSettings>,
                        ResolvedRobot,
                        std::conditional_t<std::is_same_v<T, Human> || std::is_same_v<T, Behavior> ||
                                               std::is_same_v<T, PersonExtension>,
@@ -78,8 +79,9 @@ using Fields = std::vector<Field<T>>;
 struct FieldTables
     : std::tuple<Fields<ScenarioSettings>, Fields<Human>, Fields<Behavior>, Fields<PersonExtension>,
                  Fields<Robot>, Fields<LidarSettings>, Fields<DetectorSettings>,
-                 Fields<OdometrySettings>, Fields<Obstacle>, Fields<Door>, Fields<Area>,
-                 Fields<DesktopSettings>, Fields<VariationSettings>, Fields<MetricsSettings>> {
+                 Fields<OdometrySettings>, Fields<LocalizationSettings>, Fields<Obstacle>,
+                 Fields<Door>, Fields<Area>, Fields<DesktopSettings>, Fields<VariationSettings>,
+                 Fields<MetricsSettings>> {
   using tuple::tuple;
 };
 const FieldTables& fieldTables();

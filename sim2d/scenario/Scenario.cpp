@@ -133,6 +133,7 @@ template bool operator==(const Human&, const Human&);
 template bool operator==(const LidarSettings&, const LidarSettings&);
 template bool operator==(const DetectorSettings&, const DetectorSettings&);
 template bool operator==(const OdometrySettings&, const OdometrySettings&);
+template bool operator==(const LocalizationSettings&, const LocalizationSettings&);
 template bool operator==(const Robot&, const Robot&);
 template bool operator==(const Obstacle&, const Obstacle&);
 template bool operator==(const Door&, const Door&);

@@ -140,6 +140,13 @@ struct OdometrySettings {
   UnknownKeys unknown;
 };
 
+/// The `localization` of a robot.
+struct LocalizationSettings {
+  std::optional<double> stdX, stdY, stdYaw, correlationTime, jumpRate, jumpDistance, jumpYaw, rate;
+  std::optional<double> startX, startY, startYaw, initialPoseTime, globalStd, globalStdYaw;
+  UnknownKeys unknown;
+};
+
 struct Robot : Named {
   std::optional<std::string> type, planner;
   std::optional<std::string> command;  // the program of planner `external`
@@ -156,6 +163,7 @@ struct Robot : Named {
   LidarSettings lidar;
   DetectorSettings detector;
   OdometrySettings odometryNoise;
+  LocalizationSettings localization;
 };
 
 enum class ObstacleKind { Box, Circle, Polygon, Wall };

@@ -36,6 +36,7 @@ Fields<Robot> robotFields();
 Fields<LidarSettings> lidarFields();
 Fields<DetectorSettings> detectorFields();
 Fields<OdometrySettings> odometryFields();
+Fields<LocalizationSettings> localizationFields();
 Fields<Obstacle> obstacleFields();
 Fields<Door> doorFields();
 Fields<Area> areaFields();

@@ -302,6 +302,7 @@ Scenario withoutDefaults(Scenario scenario, const FieldTables& tables) {
         dropDefaults(each.lidar, desktop, tables);
         dropDefaults(each.detector, desktop, tables);
         dropDefaults(each.odometryNoise, desktop, tables);
+        dropDefaults(each.localization, desktop, tables);
       }
     }
   });

@@ -4,7 +4,7 @@
 #include "sim2d/scenario/FieldMaking.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
-// What a robot senses with: the maps `lidar`, `detector` and `odometry_noise`.
+// What a robot senses with: the maps `lidar`, `detector`, `odometry_noise` and `localization`.
 namespace sim2d {
 namespace {
 
@@ -45,6 +45,46 @@ FieldOf<OdometrySettings> odometryNumber(std::string key, MaybeNumber<OdometrySe
   return field(std::move(key), member, std::move(help), {{}, 4, 0.001}, std::move(unit), range)
       .resolvedAt(access)
       .orElse(0.0);
+}
+
+FieldOf<LocalizationSettings> localizationNumber(std::string key,
+                                                 MaybeNumber<LocalizationSettings> member,
+                                                 double LocalizationParameters::*parameter,
+                                                 std::string help, std::string unit, Range range) {
+  const auto access = [parameter](auto& of) -> auto& {
+    return of.localization.*parameter;
+  };
+  return field(std::move(key), member, std::move(help), {{}, 4, 0.01}, std::move(unit), range)
+      .resolvedAt(access)
+      .orElse(LocalizationParameters().*parameter);
+}
+
+/// A localiser with an error corrects, unless the file says otherwise.
+double usualCorrectionRate(const LocalizationSettings& of) {
+  const auto isGiven = [](const std::optional<double>& value) {
+    return value.value_or(0.0) != 0.0;
+  };
+  const bool hasJumps = isGiven(of.jumpRate) && (isGiven(of.jumpDistance) || isGiven(of.jumpYaw));
+  const bool hasError = hasJumps || isGiven(of.stdX) || isGiven(of.stdY) || isGiven(of.stdYaw) ||
+                        isGiven(of.startX) || isGiven(of.startY) || isGiven(of.startYaw);
+  return hasError ? kUsualCorrectionRate : 0.0;
+}
+
+FieldOf<LocalizationSettings> correctionRateField() {
+  return field(
+             "rate", &LocalizationSettings::rate,
+             "Corrections map -> odom per second; 0: only the first one. Absent: 2 with an error, "
+             "else 0",
+             {{}, 4, 0.5}, "Hz", Range{0.0, kMostPerSecond})
+      .resolvedAt([](auto& of) -> auto& { return of.localization.rate; })
+      .with(&Field<LocalizationSettings>::resolve,
+            [](const LocalizationSettings& from, ResolvedRobot& to, const ParameterSpec& /*spec*/) {
+              to.localization.rate = from.rate.value_or(usualCorrectionRate(from));
+            })
+      .with(&Field<LocalizationSettings>::fallbackOf,
+            [](const LocalizationSettings& of, const DesktopSettings& /*desktop*/) {
+              return ParameterValue(usualCorrectionRate(of));
+            });
 }
 
 /// Noisy places make noisy velocities, unless the file says otherwise.
@@ -182,6 +222,44 @@ Fields<OdometrySettings> odometryFields() {
                      "What each metre ahead turns it without its knowing", "rad/m", {-10.0, 10.0})};
 }
 
+Fields<LocalizationSettings> localizationFields() {
+  using Keys = LocalizationSettings;
+  using Parameters = LocalizationParameters;
+  constexpr Range kError{0.0, 10.0}, kTurnError{0.0, 1.0};         // [m], [rad]
+  constexpr Range kOffset{-100.0, 100.0}, kTurn{-3.1416, 3.1416};  // [m], [rad]
+  constexpr Range kStep{0.0, 100.0}, kTurnStep{0.0, 3.1416};       // [m], [rad]
+  constexpr Range kWait{0.0, 3600.0};                              // [s]
+  return {
+      localizationNumber("std_x", &Keys::stdX, &Parameters::stdX,
+                         "Standard deviation of its x in the map", "m", kError),
+      localizationNumber("std_y", &Keys::stdY, &Parameters::stdY,
+                         "Standard deviation of its y in the map", "m", kError),
+      localizationNumber("std_yaw", &Keys::stdYaw, &Parameters::stdYaw,
+                         "Standard deviation of its heading in the map", "rad", kTurnError),
+      localizationNumber("correlation_time", &Keys::correlationTime, &Parameters::correlationTime,
+                         "Time constant of the errors; 0: corrections are independent", "s", kWait),
+      localizationNumber("jump_rate", &Keys::jumpRate, &Parameters::jumpRate,
+                         "Mean number of jumps of the estimate per second", "1/s", {0.0, 10.0}),
+      localizationNumber("jump_distance", &Keys::jumpDistance, &Parameters::jumpDistance,
+                         "Length of a jump", "m", kStep),
+      localizationNumber("jump_yaw", &Keys::jumpYaw, &Parameters::jumpYaw,
+                         "Turn of a jump, to either side", "rad", kTurnStep),
+      correctionRateField(),
+      localizationNumber("start_x", &Keys::startX, &Parameters::startX,
+                         "Error of the initial pose: x", "m", kOffset),
+      localizationNumber("start_y", &Keys::startY, &Parameters::startY,
+                         "Error of the initial pose: y", "m", kOffset),
+      localizationNumber("start_yaw", &Keys::startYaw, &Parameters::startYaw,
+                         "Error of the initial pose: heading", "rad", kTurn),
+      localizationNumber("initial_pose_time", &Keys::initialPoseTime, &Parameters::initialPoseTime,
+                         "Time of the initial pose; there is no frame map before", "s", kWait),
+      localizationNumber("global_std", &Keys::globalStd, &Parameters::globalStd,
+                         "Standard deviation of x and y after a global localisation", "m", kStep),
+      localizationNumber("global_std_yaw", &Keys::globalStdYaw, &Parameters::globalStdYaw,
+                         "Standard deviation of the heading after a global localisation", "rad",
+                         kTurnError)};
+}
+
 void takeLidarOf(const RobotType& type, ResolvedRobot& to) {
   const RobotLidar lidar = type.lidar.value_or(*robotTypes().front().lidar);
   to.lidar.beams = type.lidar ? lidar.beams : 0;
@@ -201,6 +279,7 @@ void resolveSensors(const Robot& from, ResolvedRobot& to) {
   }
   resolveFields(from.detector, to);
   resolveFields(from.odometryNoise, to);
+  resolveFields(from.localization, to);
   if (to.detectorKind == DetectorKind::GroundTruth) {
     to.detector = groundTruth();
   }

@@ -206,7 +206,7 @@ bool dependsOnSeed(const Scenario& scenario) {
     const ResolvedRobot resolved = resolveRobot(scenario, robot, -1);
     const DetectorParameters& detector = resolved.detector;
     return robot.listed && (detector.noise > 0.0 || detector.misses > 0.0 || detector.swaps > 0.0 ||
-                            !resolved.odometry.isExact());
+                            !resolved.odometry.isExact() || resolved.localization.isRandom());
   };
   return isVaried(scenario.desktop.variation) ||
          std::any_of(scenario.humans.begin(), scenario.humans.end(), isDrawnPerson) ||

@@ -205,7 +205,13 @@ struct RobotSenses {
     std::vector<std::pair<std::string, double>> scores{};  // parts of the cost; none: not told
   };
 
-  base::Pose2 believed;                        // by odometry
+  struct Localizer {           // what a localiser publishes
+    bool isLocalized = false;  // a correction has come
+    base::Pose2 mapToOdom;     // the frame odom in the map
+  };
+
+  base::Pose2 believed;                        // in the map, as the robot estimates it
+  std::optional<Localizer> localizer;          // none: the robot has none
   std::optional<Scan> scan;                    // none: no lidar, not turned yet, or for later
   std::shared_ptr<const LaterScan> laterScan;  // instead of it; where scans alone are told
   std::vector<Body> bodies;

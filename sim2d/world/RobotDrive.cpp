@@ -79,7 +79,10 @@ void RobotDrive::steer(std::size_t robot, const BodyTwist& command) {
 void RobotDrive::observe(const FrozenWorld& world, std::size_t robot) {
   const ResolvedRobot& constants = world.model.robots[robot];
   const RobotState& now = world.state.robots[robot];
-  observation_.pose = sensors_.odometry(robot).pose();
+  observation_.pose = sensors_.pose(robot);
+  observation_.mapToOdom = sensors_.localizer(robot).mapToOdom();
+  observation_.isLocalized = sensors_.localizer(robot).isLocalized();
+  observation_.canRelocalize = sensors_.localizer(robot).canRelocalize();
   observation_.motion = sensors_.odometry(robot).motion();
   observation_.goal = currentGoal(constants, now).value_or(observation_.pose.position);
   observation_.goalsAfter.clear();
@@ -145,7 +148,10 @@ void RobotDrive::addSenses(std::size_t robot, bool isAsked) {
     return;
   }
   RobotSenses& senses = (*senses_)[robot];
-  senses.believed = sensors_.odometry(robot).pose();
+  senses.believed = sensors_.pose(robot);
+  if (const Localizer& localizer = sensors_.localizer(robot); localizer.isActive()) {
+    senses.localizer = {localizer.isLocalized(), localizer.mapToOdom()};
+  }
   senses.laterScan = sensors_.laterScan(robot);
   if (const LaserScan* const scan = sensors_.scan(robot);
       scan != nullptr && senses.laterScan == nullptr) {
@@ -220,6 +226,9 @@ const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, Worl
       isAsked = true;
       if (planners_[i]->takeReplanned()) {
         state.emit(EventKind::Replan, robot.id);
+      }
+      if (planners_[i]->takeRelocalization()) {
+        sensors_.relocalize(i);
       }
       passGoals(i, robot, state);
       noteEnd(i);

@@ -16,8 +16,12 @@ RobotSensors::RobotSensors(const WorldModel& model) {
   robots_.reserve(model.robots.size());
   for (const ResolvedRobot& robot : model.robots) {
     footprints.push_back(bodyOf(robot).footprint);
-    Sensors sensors{Odometry(robot.odometry, model.seed, robot.id, robot.start), std::nullopt,
-                    PeopleDetector(robot.detector, model.seed, robot.id), nullptr, false};
+    Sensors sensors{Odometry(robot.odometry, model.seed, robot.id, robot.start),
+                    Localizer(robot.localization, model.seed, robot.id),
+                    std::nullopt,
+                    PeopleDetector(robot.detector, model.seed, robot.id),
+                    nullptr,
+                    false};
     if (robot.lidar.beams > 0) {
       sensors.lidar.emplace(robot.lidar, model.seed, robot.id);
     }
@@ -29,6 +33,7 @@ RobotSensors::RobotSensors(const WorldModel& model) {
 void RobotSensors::reseed(std::uint64_t seed) {
   for (Sensors& robot : robots_) {
     robot.odometry.reseed(seed);
+    robot.localizer.reseed(seed);
     robot.detector.reseed(seed);
     if (robot.lidar) {
       robot.lidar->reseed(seed);
@@ -63,6 +68,7 @@ void RobotSensors::updateOdometry(Sensors& sensors, const RobotState& now,
   } else {
     sensors.odometry.reset(now.pose);
   }
+  sensors.localizer.update(now.pose, sensors.odometry.pose(), world.state.time);
 }
 
 /// Footprints are those of the turn's bodies.
@@ -102,8 +108,8 @@ void RobotSensors::update(const FrozenWorld& world, const std::vector<ScanUse>& 
     Sensors& sensors = robots_[i];
     const RobotState& now = world.state.robots[i];
     updateOdometry(sensors, now, world);
-    const SensedWorld sensed{now.pose, sensors.odometry.pose(), world.obstacles, bodies_,
-                             world.state.time};
+    const SensedWorld sensed{now.pose, pose(i),          world.obstacles,
+                             bodies_,  world.state.time, sensors.localizer.mapToOdom()};
     sensors.detector.update(sensed);
     if (sensors.lidar) {
       updateLidar(sensors, sensed, scans[i]);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim2d/nav/Lidar.h"
+#include "sim2d/nav/Localization.h"
 #include "sim2d/nav/Odometry.h"
 #include "sim2d/nav/PeopleDetector.h"
 #include "sim2d/trace/Frame.h"
@@ -27,12 +28,22 @@ class RobotSensors {
   void update(const FrozenWorld& world, const std::vector<ScanUse>& scans);
 
   /// It was put there, at rest: errors of odometry add up from here.
-  void relocate(std::size_t robot, const Pose2& pose) { robots_[robot].odometry.reset(pose); }
+  void relocate(std::size_t robot, const Pose2& pose) {
+    robots_[robot].odometry.reset(pose);
+    robots_[robot].localizer.reset();
+  }
+  /// A global localisation begins with the next correction, where there is a localiser.
+  void relocalize(std::size_t robot) { robots_[robot].localizer.relocalize(); }
 
   /// Errors are drawn by another seed from now on; people walk on with their legs as they do.
   void reseed(std::uint64_t seed);
 
   const Odometry& odometry(std::size_t robot) const { return robots_[robot].odometry; }
+  const Localizer& localizer(std::size_t robot) const { return robots_[robot].localizer; }
+  /// Its pose in the map, as it estimates it.
+  Pose2 pose(std::size_t robot) const {
+    return toParent(robots_[robot].localizer.mapToOdom(), robots_[robot].odometry.pose());
+  }
   /// Whom it knows of: people, then other robots, by id.
   const std::vector<TrackedBody>& bodies(std::size_t robot) const {
     return robots_[robot].detector.bodies();
@@ -52,6 +63,7 @@ class RobotSensors {
  private:
   struct Sensors {
     Odometry odometry;
+    Localizer localizer;
     std::optional<Lidar> lidar;
     PeopleDetector detector;
     std::shared_ptr<const RobotSenses::LaterScan> laterScan;

@@ -86,6 +86,7 @@ class NumericFields {
     add<sim2d::LidarSettings>("ROBOT.lidar.", kBlock, robots, {"lidar"});
     add<sim2d::DetectorSettings>("ROBOT.detector.", kBlock, robots, {"detector"});
     add<sim2d::OdometrySettings>("ROBOT.odometry_noise.", kBlock, robots, {"odometry_noise"});
+    add<sim2d::LocalizationSettings>("ROBOT.localization.", kBlock, robots, {"localization"});
     addPlain<sim2d::ScenarioSettings>(kLoader, {});
     addPlain<sim2d::DesktopSettings>(kBlock, {});
     addPlain<sim2d::VariationSettings>(kBlock, {"variation"});

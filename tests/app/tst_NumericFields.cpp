@@ -65,7 +65,8 @@ hunavsim_desktop:
     p6: {model: orca}
     robots: [r1, r2, r3, r4, r5, r6, r7]
     r1: {planner: pursuit, start: {x: 3.0, y: 6.0, h: 0.0}, goal: {x: 16.0, y: 6.0},
-      detector: {noise: 0.02, misses: 0.01}, odometry_noise: {alpha1: 0.01, alpha3: 0.01}}
+      detector: {noise: 0.02, misses: 0.01}, odometry_noise: {alpha1: 0.01, alpha3: 0.01},
+      localization: {std_x: 0.05, std_y: 0.05, std_yaw: 0.035}}
     r2: {planner: dwa, start: {x: 5.0, y: 6.0, h: 0.0}, goals: [1], lidar: {beams: 180},
       footprint_x: [0.3, -0.3, -0.3, 0.3], footprint_y: [0.2, 0.2, -0.2, -0.2]}
     r3: {planner: mppi, start: {x: 7.0, y: 6.0, h: 0.0}, goal: {x: 2.0, y: 6.0},

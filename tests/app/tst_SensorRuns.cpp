@@ -20,6 +20,8 @@ class SensorRunsTest : public QObject {
   void run_groundTruth_isToldInTheManifest();
   void run_setOnTheCommandLine_counts();
   void check_badValues_areToldWithTheirLines();
+  void check_badLocalization_isToldWithItsLines();
+  void batch_localizationVaried_isInTheTable();
 
  private:
   QString path(const char* name) const { return folder_.filePath(QString::fromUtf8(name)); }
@@ -80,7 +82,8 @@ void SensorRunsTest::run_laterWithoutRecording_takesTheScansAway() {
 void SensorRunsTest::run_manifest_namesTheSensors() {
   QCOMPARE(runWith("      kinematics: omnidirectional\n"
                    "      detector:\n        noise: 0.05\n        latency: 0.2\n"
-                   "      odometry_noise:\n        alpha3: 0.01\n",
+                   "      odometry_noise:\n        alpha3: 0.01\n"
+                   "      localization:\n        std_x: 0.05\n",
                    path("manifest"))
                .exitCode,
            0);
@@ -102,6 +105,10 @@ void SensorRunsTest::run_manifest_namesTheSensors() {
   const QJsonObject odometry = robot.value(QLatin1String("odometry_noise")).toObject();
   QCOMPARE(odometry.value(QLatin1String("alpha3")).toDouble(), 0.01);
   QCOMPARE(odometry.value(QLatin1String("alpha1")).toDouble(-1.0), 0.0);
+  const QJsonObject localization = robot.value(QLatin1String("localization")).toObject();
+  QCOMPARE(localization.value(QLatin1String("std_x")).toDouble(), 0.05);
+  QCOMPARE(localization.value(QLatin1String("std_y")).toDouble(-1.0), 0.0);
+  QCOMPARE(localization.value(QLatin1String("rate")).toDouble(), 2.0);  // as there is an error
   const QByteArray trace = bytesOf(path("manifest/trace.json"));
   QVERIFY(trace.contains("\"kinematics\":\"omnidirectional\""));
 }
@@ -153,6 +160,46 @@ void SensorRunsTest::check_badValues_areToldWithTheirLines() {
   QVERIFY2(span.err.contains(QStringLiteral("span.yaml:11:")) &&
                span.err.contains(QStringLiteral("angle_max must be above angle_min")),
            qPrintable(span.err));
+}
+
+/// The keys of the robot begin in line 19.
+void SensorRunsTest::check_badLocalization_isToldWithItsLines() {
+  outside::writeText(
+      path("lost.yaml"),
+      scenarioWith("      localization:\n        std_x: -0.1\n        std_yaw: 2.0\n"
+                   "        correlation_time: .nan\n        jump_rate: often\n"
+                   "        start_yaw: 4.0\n        std_z: 0.1\n        rate: 1e9\n"));
+  const Finished check = runProgram({QStringLiteral("check"), path("lost.yaml")});
+  QCOMPARE(check.exitCode, 2);
+  for (const char* line : {":20:16: error", ":21:18: error", ":22:27: error", ":23:20: error",
+                           ":24:20: error", ":25:9: warning", ":26:15: error"}) {
+    QVERIFY2(check.err.contains(QStringLiteral("lost.yaml") + QLatin1String(line)),
+             qPrintable(QLatin1String(line) + QLatin1Char('\n') + check.err));
+  }
+  outside::writeText(path("right.yaml"), scenarioWith({}));
+  const Finished set =
+      runProgram({QStringLiteral("check"), path("right.yaml"), QStringLiteral("--set"),
+                  QStringLiteral("r.localization.std_x=11")});
+  QCOMPARE(set.exitCode, 2);
+  QVERIFY2(set.err.contains(QStringLiteral("std_x")), qPrintable(set.err));
+}
+
+void SensorRunsTest::batch_localizationVaried_isInTheTable() {
+  outside::writeText(path("s.yaml"), scenarioWith({}));
+  outside::writeText(path("e.yaml"),
+                     "hunavsim_experiment: 1\nscenarios: [" + path("s.yaml").toUtf8() +
+                         "]\nseeds: 2\nvalues:\n  r.localization.std_y: [0.0, 0.1]\n");
+  const Finished batch = runProgram({QStringLiteral("batch"), path("e.yaml"), QStringLiteral("-q"),
+                                     QStringLiteral("-o"), path("batch")});
+  QVERIFY2(batch.exitCode == 0, qPrintable(batch.err));
+  const auto rows = outside::readCsv(path("batch/results.csv"));
+  QCOMPARE(rows.size(), 4);
+  int varied = 0;
+  for (const auto& row : rows) {
+    const QString value = row.at(QStringLiteral("r.localization.std_y"));
+    varied += value.toDouble() == 0.1 ? 1 : 0;
+  }
+  QCOMPARE(varied, 2);
 }
 
 QTEST_GUILESS_MAIN(SensorRunsTest)

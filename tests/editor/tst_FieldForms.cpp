@@ -30,7 +30,8 @@ EntityKind kindOfKeys() {
       std::tuple<sim2d::ScenarioSettings, sim2d::DesktopSettings, sim2d::MetricsSettings>;
   if constexpr (std::is_same_v<T, sim2d::Robot> || std::is_same_v<T, sim2d::LidarSettings> ||
                 std::is_same_v<T, sim2d::DetectorSettings> ||
-                std::is_same_v<T, sim2d::OdometrySettings>) {
+                std::is_same_v<T, sim2d::OdometrySettings> ||
+                std::is_same_v<T, sim2d::LocalizationSettings>) {
     return EntityKind::Robot;
   } else if constexpr (std::is_same_v<T, sim2d::Obstacle>) {
     return EntityKind::Obstacle;
@@ -104,6 +105,7 @@ std::vector<Case> allCases() {
   addCases<sim2d::LidarSettings>(cases);
   addCases<sim2d::DetectorSettings>(cases);
   addCases<sim2d::OdometrySettings>(cases);
+  addCases<sim2d::LocalizationSettings>(cases);
   addCases<sim2d::Obstacle>(cases);
   addCases<sim2d::Door>(cases);
   addCases<sim2d::Area>(cases);
@@ -213,6 +215,7 @@ class FieldFormsTest : public QObject {
     findRows<sim2d::LidarSettings>(missing, withoutHelp);
     findRows<sim2d::DetectorSettings>(missing, withoutHelp);
     findRows<sim2d::OdometrySettings>(missing, withoutHelp);
+    findRows<sim2d::LocalizationSettings>(missing, withoutHelp);
     findRows<sim2d::Obstacle>(missing, withoutHelp);
     findRows<sim2d::Door>(missing, withoutHelp);
     findRows<sim2d::Area>(missing, withoutHelp);

@@ -201,6 +201,7 @@ class RandomScenario {
     to.lidar = lidar();
     to.detector = detector();
     to.odometryNoise = odometry();
+    to.localization = localization();
     to.unknown = unknown();
     return to;
   }
@@ -238,6 +239,22 @@ class RandomScenario {
     maybe(to.occlusion, [&] { return flip(); });
     maybe(to.velocities, [&] { return static_cast<sim2d::TrackVelocities>(upTo(1)); });
     maybe(to.accelerationNoise, [&] { return flip() ? 0.5 : size(); });
+    to.unknown = unknown();
+    return to;
+  }
+  sim2d::LocalizationSettings localization() {
+    sim2d::LocalizationSettings to;
+    if (flip()) {
+      return to;
+    }
+    for (auto* value :
+         {&to.stdX, &to.stdY, &to.stdYaw, &to.correlationTime, &to.jumpRate, &to.jumpDistance,
+          &to.jumpYaw, &to.rate, &to.initialPoseTime, &to.globalStd, &to.globalStdYaw}) {
+      maybe(*value, [&] { return share(); });
+    }
+    for (auto* value : {&to.startX, &to.startY, &to.startYaw}) {
+      maybe(*value, [&] { return share() - 0.5; });
+    }
     to.unknown = unknown();
     return to;
   }

@@ -245,9 +245,26 @@ class DefaultsTest : public QObject {
     QVERIFY(second.footprint[0] == Vec2(-0.3, -0.2) && second.footprint[1] == Vec2(0.3, -0.2));
   }
 
+  void resolveRobot_localizationError_isCorrectedUnlessTheFileHasARate() {
+    Robot robot;
+    robot.localization.stdYaw = 0.035;
+    QCOMPARE(resolveRobot(Scenario{}, robot, -1).localization.rate, 2.0);
+    robot.localization.rate = 0.0;
+    QCOMPARE(resolveRobot(Scenario{}, robot, -1).localization.rate, 0.0);
+    Robot jumping;
+    jumping.localization.jumpRate = 0.1;  // without a size there is no error
+    QVERIFY(!resolveRobot(Scenario{}, jumping, -1).localization.isActive());
+    jumping.localization.jumpDistance = 0.3;
+    QCOMPARE(resolveRobot(Scenario{}, jumping, -1).localization.rate, 2.0);
+    Robot exact;
+    exact.localization.rate = 5.0;
+    QVERIFY(resolveRobot(Scenario{}, exact, -1).localization.isActive());
+  }
+
   void resolveRobot_withoutKeys_seesWithoutFaults() {
     const ResolvedRobot robot = resolveRobot(Scenario{}, Robot{}, -1);
     QVERIFY(robot.detectorKind == DetectorKind::Sensor && robot.odometry.isExact());
+    QVERIFY(!robot.localization.isActive());
     QCOMPARE(robot.detector.range, 10.0);
     QCOMPARE(robot.detector.field, 2.0 * M_PI);
     QVERIFY(robot.detector.isOccluded && robot.detector.isMotionMeasured);

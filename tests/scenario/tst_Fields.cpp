@@ -106,6 +106,7 @@ std::map<std::string, Fault> allFaults(const Scenario& scenario) {
   FaultRows(rows, kBlockNode, {robot.name, "lidar"}).addAll(robot.lidar);
   FaultRows(rows, kBlockNode, {robot.name, "detector"}).addAll(robot.detector);
   FaultRows(rows, kBlockNode, {robot.name, "odometry_noise"}).addAll(robot.odometryNoise);
+  FaultRows(rows, kBlockNode, {robot.name, "localization"}).addAll(robot.localization);
   for (const Obstacle& obstacle : scenario.obstacles) {
     FaultRows(rows, kBlockNode, {obstacle.name}).addAll(obstacle);
   }

@@ -96,7 +96,7 @@ typedef struct hunavsim_outline {
 /* The world as the step began, as far as the robot's sensors tell. */
 typedef struct hunavsim_observation {
   double time, dt;             /* [s] */
-  hunavsim_pose pose;          /* by odometry */
+  hunavsim_pose pose;          /* in the map, as the robot estimates it */
   hunavsim_twist motion;       /* own, by odometry */
   hunavsim_point goal;         /* [m] */
   double goal_radius;          /* [m]; arrived: the robot's centre is inside */
