@@ -230,6 +230,34 @@ class RunTopicsTest : public QObject {
     QCOMPARE(byChild.at("base_scan").transform.translation.x, 0.25);
   }
 
+  /// map -> odom is (1, 2), turned by a right angle; the estimate (0.5, 5) of it is (3, 0.5) in
+  /// odom.
+  void tell_transformsOfALocalizer_areItsOwn() {
+    RunTopics topics(smallHeader());
+    sim2d::Frame frame = smallFrame();
+    auto senses = std::make_shared<std::vector<sim2d::RobotSenses>>(1);
+    senses->front().believed = {{0.5, 5.0}, 0.0};
+    senses->front().localizer = {true, {{1.0, 2.0}, base::kPi / 2.0}};
+    frame.senses = senses;
+    auto told = toldBy(topics, frame);
+    std::map<std::string, geometry_msgs::TransformStamped> byChild;
+    for (const auto& each : read<tf2_msgs::TFMessage>(told.at("/tf").front()).transforms) {
+      byChild[each.childFrameId] = each;
+    }
+    QCOMPARE(byChild.at("odom").transform.translation.x, 1.0);
+    QCOMPARE(byChild.at("odom").transform.translation.y, 2.0);
+    QVERIFY(std::abs(byChild.at("odom").transform.rotation.z - std::sqrt(0.5)) < 1e-12);
+    QVERIFY(std::abs(byChild.at("base_footprint").transform.translation.x - 3.0) < 1e-12);
+    QVERIFY(std::abs(byChild.at("base_footprint").transform.translation.y - 0.5) < 1e-12);
+    const auto odometry = read<nav_msgs::Odometry>(told.at("/odom").front());
+    QVERIFY(std::abs(odometry.pose.pose.position.x - 3.0) < 1e-12);
+    senses->front().localizer->isLocalized = false;  // before the initial pose
+    told = toldBy(topics, frame);
+    for (const auto& each : read<tf2_msgs::TFMessage>(told.at("/tf").front()).transforms) {
+      QVERIFY(each.childFrameId != "odom");
+    }
+  }
+
   void tell_scan_comesOncePerTurn() {
     RunTopics topics(smallHeader());
     sim2d::Frame frame = smallFrame();

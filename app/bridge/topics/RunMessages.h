@@ -46,7 +46,7 @@ hunav_msgs::Agent robotOf(const sim2d::TraceHeader& header, const sim2d::Frame& 
 void setPeople(const sim2d::TraceHeader& header, const sim2d::Frame& frame,
                people_msgs::People& to);
 
-/// The pose is `believed` (frame "odom"), the twist in the robot's frame.
+/// The pose is `believed` (in the frame "odom"), the twist in the robot's frame.
 nav_msgs::Odometry odometryOf(const sim2d::Frame& frame, std::size_t robot,
                               const base::Pose2& believed, const std::string& odometryFrame,
                               const std::string& robotFrame);

@@ -7,6 +7,7 @@
 #include "app/bridge/topics/RunMarkers.h"
 #include "app/bridge/topics/RunMessages.h"
 #include "app/bridge/topics/Telling.h"
+#include "sim2d/nav/FrameTransform.h"
 #include "sim2d/scenario/Defaults.h"
 
 namespace bridge {
@@ -26,16 +27,6 @@ Topic topic(std::string name, int depth = 10) {
 template <class M>
 Topic latchedTopic(std::string name) {
   return {std::move(name), M::kType, true, 1};
-}
-
-/// The frame in which a body that is at `inFrame` is at `inWorld`.
-base::Pose2 frameOf(const base::Pose2& inWorld, const base::Pose2& inFrame) {
-  if (inWorld == inFrame) {
-    return {};
-  }
-  base::Pose2 frame{base::Vec2::Zero(), base::angleDiff(inWorld.heading, inFrame.heading)};
-  frame.position = inWorld.position - frame.toWorld(inFrame.position);
-  return frame;
 }
 
 /// The goal of that id, or the one that comes next where it is a plain point, which has no id.
@@ -184,10 +175,21 @@ void RunTopics::tell(const sim2d::Frame& frame, const Send& send, const Wants& w
   tellPeople(telling);
 }
 
-/// Where the robot believes to be: the truth without senses.
-base::Pose2 RunTopics::believedBy(const sim2d::Frame& frame, std::size_t robot) {
-  return frame.senses != nullptr && robot < frame.senses->size() ? (*frame.senses)[robot].believed
-                                                                 : poseIn(frame.robots, robot);
+/// The robot in the frame odom, and that frame in the map: the correction of its localiser, none
+/// before the first one. A robot without a localiser is where it is: odometry is corrected by the
+/// truth, and without senses it is the truth.
+RunTopics::Placed RunTopics::placedBy(const sim2d::Frame& frame, std::size_t robot) {
+  const base::Pose2 truth = poseIn(frame.robots, robot);
+  if (frame.senses == nullptr || robot >= frame.senses->size()) {
+    return {truth, base::Pose2{}};
+  }
+  const sim2d::RobotSenses& senses = (*frame.senses)[robot];
+  if (!senses.localizer) {
+    return {senses.believed, sim2d::frameBetween(truth, senses.believed)};
+  }
+  const sim2d::RobotSenses::Localizer& localizer = *senses.localizer;
+  return {sim2d::toFrame(localizer.mapToOdom, senses.believed),
+          localizer.isLocalized ? std::optional(localizer.mapToOdom) : std::nullopt};
 }
 
 void RunTopics::tellFixedTransforms(const Telling& telling) {
@@ -212,11 +214,12 @@ void RunTopics::setTransforms(const sim2d::Frame& frame, tf2_msgs::TFMessage& to
   to.transforms.resize(2 * robots + frame.humans.size());
   auto next = to.transforms.begin();
   for (std::size_t k = 0; k < robots; ++k) {
-    const base::Pose2 believed = believedBy(frame, k);
+    const Placed placed = placedBy(frame, k);
     const std::string odometry = robots_[k].frames + kOdometry;
-    *next++ =
-        transformTo(frame.time, kMapFrame, odometry, frameOf(poseIn(frame.robots, k), believed));
-    *next++ = transformTo(frame.time, odometry, robots_[k].frames + kFootprint, believed);
+    if (placed.mapToOdom) {
+      *next++ = transformTo(frame.time, kMapFrame, odometry, *placed.mapToOdom);
+    }
+    *next++ = transformTo(frame.time, odometry, robots_[k].frames + kFootprint, placed.inOdom);
   }
   for (std::size_t k = 0; k < frame.humans.size(); ++k, ++next) {
     const sim2d::TraceHuman* const human = humanOf(header_, frame.humans, k);
@@ -225,6 +228,7 @@ void RunTopics::setTransforms(const sim2d::Frame& frame, tf2_msgs::TFMessage& to
         human != nullptr ? human->name : "agent" + std::to_string(frame.humans.id[k]);
     next->transform = transformOf(poseIn(frame.humans, k));
   }
+  to.transforms.erase(next, to.transforms.end());
 }
 
 void RunTopics::tellTransforms(const Telling& telling) {
@@ -256,7 +260,7 @@ void RunTopics::tellRobot(const Telling& telling, std::size_t robot) {
   const std::string& frames = robots_[robot].frames;
   telling.tell(topicOf(robot, RobotStates), [&] { return robotOf(header_, frame, robot); });
   telling.tell(topicOf(robot, Odometry), [&] {
-    return odometryOf(frame, robot, believedBy(frame, robot), frames + kOdometry,
+    return odometryOf(frame, robot, placedBy(frame, robot).inOdom, frames + kOdometry,
                       frames + kFootprint);
   });
   tellNewScan(telling, robot);

@@ -115,7 +115,11 @@ class RunTopics {
   /// `make(seconds)` makes the message; it is sent when it differs from the last but for its stamp.
   template <class Make>
   void latch(const Telling& telling, std::size_t topic, const Make& make);
-  static base::Pose2 believedBy(const sim2d::Frame& frame, std::size_t robot);
+  struct Placed {
+    base::Pose2 inOdom;                    // the robot
+    std::optional<base::Pose2> mapToOdom;  // none: not published yet
+  };
+  static Placed placedBy(const sim2d::Frame& frame, std::size_t robot);
   static const sim2d::RobotSenses::Scan* scanIn(const sim2d::Frame& frame, std::size_t robot);
   std::optional<base::Pose2> mountOf(std::size_t robot) const;
 
