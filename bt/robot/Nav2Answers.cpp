@@ -41,6 +41,11 @@ bool Nav2Servers::isPathValid(PathId id, int maxCost, bool unknownBlocks) const 
   return !path.empty() && std::none_of(nearest, path.end(), isBlocked);
 }
 
+bool Nav2Servers::relocalize() {
+  asksRelocalization_ = asksRelocalization_ || observation_->canRelocalize;
+  return observation_->canRelocalize;
+}
+
 bool Nav2Servers::clear(const ClearRequest& request) {
   LayeredCostmap& costmap = request.isLocal ? *local_ : *global_;
   ++counts_.clears;
@@ -57,7 +62,8 @@ bool Nav2Servers::clear(const ClearRequest& request) {
     costmap.clearEntirely();
     return true;
   }
-  const base::Vec2 place = request.pose ? request.pose->position : observation_->pose.position;
+  const base::Pose2 inMap = request.pose.value_or(observation_->pose);
+  const base::Vec2 place = (request.isLocal ? sim2d::toFrame(localFrame(), inMap) : inMap).position;
   return request.extent == Extent::Except ? costmap.clearExcept(place, request.distance, plugins)
                                           : costmap.clearAround(place, request.distance, plugins);
 }

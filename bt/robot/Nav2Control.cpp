@@ -12,12 +12,13 @@ using State = RobotOutcome::State;
 }  // namespace
 
 ControlCycle Nav2Servers::cycle() const {
-  return {observation_->pose,
+  return {inLocal().pose,
           observation_->motion,
           local_->costmap(),
           shape_,
           local_->isCurrent() && local_->updates() > 0,
-          time_};
+          time_,
+          sim2d::inverse(localFrame())};
 }
 
 /// A cancelled goal ends at once, whatever the rate; then the next one may begin.

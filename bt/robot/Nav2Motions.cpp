@@ -117,7 +117,7 @@ BodyTwist Nav2Servers::Motions::drive(const Step& step, std::optional<BodyTwist>
   }
   sent_ = smoother_.update(step.time, step.observation.motion).value_or(sent_);
   const BodyTwist wanted = direct_.value_or(sent_);
-  return monitor_ ? monitor_->filter(wanted, step.observation).twist : wanted;
+  return monitor_ ? monitor_->filter(wanted, step.inOdom).twist : wanted;
 }
 
 }  // namespace bt

@@ -21,7 +21,9 @@ class Nav2Servers::Motions {
 
   /// What is looked at in a step.
   struct Step {
-    const sim2d::Observation& observation;  // with the scan that has arrived
+    const sim2d::Observation& observation;  // in the frame of the local costmap, with the scan
+                                            // that has arrived
+    const sim2d::Observation& inOdom;       // the same in the frame odom, of the collision monitor
     const sim2d::nav2::LayeredCostmap& local;
     double time = 0.0;  // [s]
   };

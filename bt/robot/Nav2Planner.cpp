@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bt/engine/TreeState.h"
+#include "bt/robot/Nav2Frames.h"
 #include "bt/robot/Nav2Report.h"
 #include "bt/robot/Nav2Route.h"
 #include "bt/robot/Nav2Servers.h"
@@ -95,6 +96,7 @@ class Nav2Planner final : public sim2d::Planner {
     const sim2d::nav2::ControlView& view = servers_->controller()->view();
     for (const sim2d::nav2::WeighedTrajectory& trajectory : view.trajectories) {
       ways.push_back(shownWay(trajectory));
+      moveToMap(servers_->localFrame(), ways.back().points);
     }
     return ways;
   }
@@ -111,7 +113,8 @@ class Nav2Planner final : public sim2d::Planner {
       return shown;
     }
     if (watchesCosts_) {
-      shown.localCosts = localCosts_.of(servers_->localCostmap());
+      shown.localCosts =
+          costsInMap(servers_->localFrame(), localCosts_.of(servers_->localCostmap()));
       shown.globalCosts = globalCosts_.of(servers_->globalCostmap());
     }
     if (const sim2d::nav2::Controller* const controller = servers_->controller();
@@ -119,10 +122,15 @@ class Nav2Planner final : public sim2d::Planner {
       shown.controller = servers_->controllerName();
       shown.lookahead = controller->view().lookahead;
       shown.predicted = pointsOf(controller->view().predicted);
+      moveToMap(servers_->localFrame(), shown.lookahead);
+      moveToMap(servers_->localFrame(), shown.predicted);
     }
     return shown;
   }
   bool takeReplanned() override { return servers_ != nullptr && servers_->takeReplanned(); }
+  bool takeRelocalization() override {
+    return servers_ != nullptr && servers_->takeRelocalization();
+  }
   std::size_t takePassedGoals() override { return route_.takePassed(); }
   bool endsGoals() const override { return true; }
   std::optional<sim2d::NavigationEnd> takeEnd() override {

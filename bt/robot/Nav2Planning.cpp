@@ -65,6 +65,11 @@ void Nav2Servers::planNow(RobotAction action, Asked& asked) {
     finish(action, codeOf(action, PlanError::Timeout));
     return;
   }
+  if (!isLocalized()) {
+    finish(action, static_cast<int>(PlanError::TfError));
+    ++counts_.planFailures;
+    return;
+  }
   GlobalPlanner* const planner = namedOne(planners_, asked.request.server);
   const Path& goals = paths().get(asked.request.path);
   const Path& starts = paths().get(asked.request.start.value_or(0));

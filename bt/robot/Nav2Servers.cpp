@@ -133,8 +133,11 @@ void Nav2Servers::sense(const sim2d::Observation& observation) {
   sensed_ = observation;
   sensed_.scan = scan_ ? &*scan_ : nullptr;
   odometry_.add(time_, observation.motion);
-  local_->update(sensed_);
-  global_->update(sensed_);
+  inOdom_ = &odomObservation_.of(sensed_);
+  local_->update(inLocal());
+  if (observation.isLocalized) {
+    global_->update(sensed_);
+  }
   applySpeedLimit();
 }
 
@@ -143,7 +146,7 @@ BodyTwist Nav2Servers::act() {
   planIfAsked(RobotAction::ComputePathThroughPoses);
   smoothIfAsked();
   control();
-  const BodyTwist wanted = motions_->drive({sensed_, *local_, time_}, command_);
+  const BodyTwist wanted = motions_->drive({inLocal(), *inOdom_, *local_, time_}, command_);
   for (const RobotAction action : Motions::kActions) {
     if (const auto outcome = motions_->takeOutcome(action)) {
       result(action) = *outcome;
@@ -204,7 +207,7 @@ void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
     return;
   }
   if (Motions::isOne(action)) {
-    if (!motions_->begin(action, request, {sensed_, *local_, time_})) {
+    if (!motions_->begin(action, request, {inLocal(), *inOdom_, *local_, time_})) {
       result(action).state = State::Failed;
       noteFailure(action, 0);
     }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bt/robot/Nav2Errors.h"
+#include "bt/robot/Nav2Frames.h"
 #include "bt/robot/NavigatorHost.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/nav2/control/ControllerServer.h"
@@ -84,6 +85,9 @@ class Nav2Servers final : public NavigatorHost {
   /// Whether that was since the tick before.
   bool hasJustFailed() const { return lastFailure_ && step_ - failureStep_ <= 1; }
   bool takeReplanned() { return std::exchange(hasReplanned_, false); }
+  bool takeRelocalization() { return std::exchange(asksRelocalization_, false); }
+  /// The frame of local costmap, controllers and behaviours, in the map.
+  const base::Pose2& localFrame() const { return inLocal().frame; }
   const sim2d::nav2::Path& shownPath() const { return shownPath_; }
   const sim2d::nav2::LayeredCostmap& localCostmap() const { return *local_; }
   const sim2d::nav2::LayeredCostmap& globalCostmap() const { return *global_; }
@@ -105,6 +109,11 @@ class Nav2Servers final : public NavigatorHost {
   void cancel(RobotAction action) override;
   bool clear(const ClearRequest& request) override;
   void countRecovery() override { ++counts_.recoveries; }
+  bool isLocalized() const override { return observation_->isLocalized; }
+  bool canTransform(const std::string& parent, const std::string& child) const override {
+    return setup_.parameters.frames.canTransform(parent, child, isLocalized());
+  }
+  bool relocalize() override;
 
  private:
   /// A request to a server that answers once.
@@ -122,6 +131,10 @@ class Nav2Servers final : public NavigatorHost {
   Asked& asked(RobotAction action) { return asked_[static_cast<std::size_t>(action)]; }
   RobotOutcome& result(RobotAction action) { return results_[static_cast<std::size_t>(action)]; }
   bool isDue(double frequency) const;
+  /// The step's observation in the frame of the local costmap.
+  const sim2d::Observation& inLocal() const {
+    return setup_.parameters.frames.isLocalInOdom && inOdom_ != nullptr ? *inOdom_ : sensed_;
+  }
   void finish(RobotAction action, int errorCode, PathId path = 0);
   void noteFailure(RobotAction action, int errorCode);
   void planIfAsked(RobotAction action);
@@ -147,6 +160,8 @@ class Nav2Servers final : public NavigatorHost {
   sim2d::nav2::ControlledShape shape_;
 
   const sim2d::Observation* observation_ = nullptr;
+  OdomObservation odomObservation_;
+  const sim2d::Observation* inOdom_ = nullptr;                   // `sensed_` in the frame odom
   sim2d::Observation sensed_;                                    // with the scan that has arrived
   std::deque<std::pair<std::int64_t, sim2d::LaserScan>> scans_;  // under way, by step
   std::optional<sim2d::LaserScan> scan_;                         // the last that has arrived
@@ -162,6 +177,7 @@ class Nav2Servers final : public NavigatorHost {
   std::deque<sim2d::BodyTwist> underWay_;    // commands, oldest first
   PathId goal_ = 0;
   bool hasPlanned_ = false, hasReplanned_ = false;
+  bool asksRelocalization_ = false;
   sim2d::nav2::Path shownPath_;
   std::string controllerName_;  // of the path that was given last
   bool watchesWays_ = false;

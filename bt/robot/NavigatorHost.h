@@ -81,6 +81,15 @@ class NavigatorHost {
   virtual bool clear(const ClearRequest& request) = 0;         // false: it was refused
   virtual void countRecovery() = 0;
 
+  /// The robot has a pose in the map.
+  virtual bool isLocalized() const { return true; }
+  /// Whether TF has a transform between two frames.
+  virtual bool canTransform(const std::string& /*parent*/, const std::string& /*child*/) const {
+    return true;
+  }
+  /// Service reinitialize_global_localization; false: there is no localiser.
+  virtual bool relocalize() { return false; }
+
   PathStore& paths() { return paths_; }
   const PathStore& paths() const { return paths_; }
 

@@ -34,6 +34,8 @@ class PathHandlerTest : public QObject {
   void way_endsByLengthOrMap();
   void way_inversion_isHeldUntilReached();
   void way_rotation_isHeldUntilMade();
+  void planFrame_turnedAndMoved_isThatOfTheResult_data();
+  void planFrame_turnedAndMoved_isThatOfTheResult();
   void problems_inNav2sWords();
 
  private:
@@ -182,6 +184,39 @@ void PathHandlerTest::way_rotation_isHeldUntilMade() {
   PathHandler little(handling);
   little.setPlan(path);
   QVERIFY(isNear(little.localPlan(at(0, 0), map_).poses.back().position.y(), 0.5));
+}
+
+/// The plan's frame lies at (0, 1) of the costmap's and is turned to the left by a right angle: the
+/// pose (x, 0) of the plan is (0, 1 + x) there. The robot, at (0.1, 0.52), is at (-0.48, -0.1) of
+/// the plan.
+void PathHandlerTest::planFrame_turnedAndMoved_isThatOfTheResult_data() {
+  QTest::addColumn<int>("rule");
+  QTest::newRow("pursuit") << static_cast<int>(PathHandling::Rule::Pursuit);
+  QTest::newRow("dwb") << static_cast<int>(PathHandling::Rule::Dwb);
+  QTest::newRow("way") << static_cast<int>(PathHandling::Rule::Way);
+}
+void PathHandlerTest::planFrame_turnedAndMoved_isThatOfTheResult() {
+  QFETCH(int, rule);
+  PathHandler handler = handlerOf(static_cast<PathHandling::Rule>(rule));
+  Path path;
+  for (int i = -20; i <= 20; ++i) {
+    path.push_back(at(0.1 * i, 0.0));
+  }
+  handler.setPlan(path);
+  const Pose2 planFrame{Vec2(0.0, 1.0), base::kPi / 2.0};
+  const LocalPlan local = handler.localPlan(at(0.1, 0.52), map_, planFrame);
+  QVERIFY(local.problem == nullptr);
+  for (const Pose2& pose : local.poses) {
+    QVERIFY(isNear(pose.position.x(), 0.0) && isNear(pose.heading, base::kPi / 2.0));
+  }
+  // Dwb begins within half the map (1.5 m), the others at the nearest pose.
+  const bool isDwb = rule == static_cast<int>(PathHandling::Rule::Dwb);
+  QVERIFY(isNear(local.poses.front().position.y(), isDwb ? -0.9 : 0.5));
+  // Way ends with the map at y = 1.5; the others by the distance: hypot(x + 0.48, 0.1) is at most
+  // 1.4875 or 1.5 up to x = 1.004 and 1.016.
+  const bool isWay = rule == static_cast<int>(PathHandling::Rule::Way);
+  QVERIFY2(isNear(local.poses.back().position.y(), isWay ? 1.4 : 2.0),
+           qPrintable(QString::number(local.poses.back().position.y())));
 }
 
 void PathHandlerTest::problems_inNav2sWords() {

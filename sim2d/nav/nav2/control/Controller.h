@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim2d/nav/Body.h"
+#include "sim2d/nav/FrameTransform.h"
 #include "sim2d/nav/nav2/Costmap.h"
 #include "sim2d/nav/nav2/control/GoalChecker.h"
 
@@ -49,7 +50,8 @@ struct ControlledShape {
   double inflationRadius = 0.0;      // of the inflation layer [m]; 0: there is none
 };
 
-/// All that a controller looks at in a cycle. World frame.
+/// All that a controller looks at in a cycle. Robot, costmap and local plan are in the frame of the
+/// local costmap, plans in that of the global one.
 struct ControlInput {
   const Pose2& robot;
   const BodyTwist& speed;  // measured, below the server's thresholds 0
@@ -58,6 +60,9 @@ struct ControlInput {
   GoalChecker& goalChecker;
   double time = 0.0;                // [s] of the simulation
   const Path* localPlan = nullptr;  // main: what the server's path handler cut; before: null
+  Pose2 planFrame{};                // the frame of plans in that of the costmap
+
+  Pose2 fromPlan(const Pose2& pose) const { return toParent(planFrame, pose); }
 };
 
 /// One summand of a trajectory's price.

@@ -130,7 +130,7 @@ void ControllerServer::advance(const ControlCycle& cycle, FollowFeedback& feedba
   const Path* cut = nullptr;
   double length = 0.0;
   if (distro_ >= Distro::Lyrical) {
-    local = pathHandler_->localPlan(cycle.robot, cycle.costmap);
+    local = pathHandler_->localPlan(cycle.robot, cycle.costmap, cycle.planFrame);
     if (local.problem != nullptr) {
       fail(ControlCode::InvalidPath, local.problem, feedback);
       return;
@@ -155,13 +155,14 @@ void ControllerServer::advance(const ControlCycle& cycle, FollowFeedback& feedba
 
 bool ControllerServer::isGoalReached(const ControlCycle& cycle, const BodyTwist& speed,
                                      double length, const Path* local) {
-  return goalChecker_->isGoalReached({cycle.robot, goal_, speed, length, local});
+  return goalChecker_->isGoalReached(
+      {cycle.robot, toParent(cycle.planFrame, goal_), speed, length, local});
 }
 
 void ControllerServer::command(const ControlCycle& cycle, const BodyTwist& speed, const Path* local,
                                FollowFeedback& feedback) {
   const ControlInput input{cycle.robot,   speed,      cycle.costmap, cycle.shape,
-                           *goalChecker_, cycle.time, local};
+                           *goalChecker_, cycle.time, local,         cycle.planFrame};
   Control control = controller_->computeVelocityCommands(input);
   if (control) {
     lastValid_ = cycle.time;

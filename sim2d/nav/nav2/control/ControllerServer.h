@@ -50,6 +50,7 @@ struct ControlCycle {
   const ControlledShape& shape;
   bool isCostmapCurrent = true;  // false after a clear, until the next update
   double time = 0.0;             // [s]
+  Pose2 planFrame{};             // the frame of plans in that of robot and costmap
 };
 
 enum class FollowStatus : std::uint8_t { Idle, Running, Succeeded, Failed, Canceled };

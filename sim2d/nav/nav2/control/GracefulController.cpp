@@ -128,7 +128,7 @@ bool GracefulController::isGoalTurn(const Scene& scene) {
   const ControlInput& input = scene.input;
   if (distro_ >= Distro::Lyrical) {
     return input.goalChecker.isXyReached(
-        {input.robot, goal_, input.speed, scene.length, input.localPlan});
+        {input.robot, input.fromPlan(goal_), input.speed, scene.length, input.localPlan});
   }
   isGoalReached_ = isGoalReached_ || scene.length < input.goalChecker.xyTolerance();
   return isGoalReached_;

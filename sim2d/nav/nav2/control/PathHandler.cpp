@@ -116,13 +116,17 @@ bool PathHandler::isAtConstraint(const Pose2& robot) const {
          std::abs(base::angleDiff(robot.heading, end.heading)) <= handling_.inversionYawTolerance;
 }
 
-LocalPlan PathHandler::localPlan(const Pose2& robot, const Costmap& costmap) {
+/// As in Nav2 the robot's pose is transformed into the frame of the plan, and what is cut of the
+/// plan into that of the costmap.
+LocalPlan PathHandler::localPlan(const Pose2& robotInCostmap, const Costmap& costmap,
+                                 const Pose2& planFrame) {
   if (plan_.empty()) {
     return {{}, kNoPlan};
   }
   if (handling_.rejectsUnitPath && plan_.size() == 1) {
     return {{}, kUnitPlan};
   }
+  const Pose2 robot = toFrame(planFrame, robotInCostmap);
   LocalPlan local;
   switch (handling_.rule) {
     case PathHandling::Rule::Pursuit:
@@ -132,18 +136,21 @@ LocalPlan PathHandler::localPlan(const Pose2& robot, const Costmap& costmap) {
       local = dwbPlan(robot, costmap);
       break;
     case PathHandling::Rule::Way:
-      local = wayPlan(robot, costmap);
+      local = wayPlan(robot, costmap, planFrame);
       break;
   }
   if (local.poses.empty()) {
     local.problem = kNothingLeft;
+  }
+  for (Pose2& pose : local.poses) {
+    pose = toParent(planFrame, pose);
   }
   return local;
 }
 
 LocalPlan PathHandler::localPlan(const ControlInput& input) {
   return input.localPlan != nullptr ? LocalPlan{*input.localPlan}
-                                    : localPlan(input.robot, input.costmap);
+                                    : localPlan(input.robot, input.costmap, input.planFrame);
 }
 
 std::size_t PathHandler::nearest(const Pose2& robot, const Costmap& costmap) const {
@@ -190,11 +197,11 @@ LocalPlan PathHandler::dwbPlan(const Pose2& robot, const Costmap& costmap) {
   return local;
 }
 
-LocalPlan PathHandler::wayPlan(const Pose2& robot, const Costmap& costmap) {
+LocalPlan PathHandler::wayPlan(const Pose2& robot, const Costmap& costmap, const Pose2& planFrame) {
   const std::size_t begin = nearest(robot, costmap);
   std::size_t end = begin;
   for (const std::size_t last = firstAfterDistance(plan_, begin, handling_.pruneDistance);
-       end < last && costmap.worldToCell(plan_[end].position); ++end) {
+       end < last && costmap.worldToCell(toParent(planFrame, plan_[end]).position); ++end) {
   }
   LocalPlan local{
       {std::next(plan_.begin(), offsetOf(begin)), std::next(plan_.begin(), offsetOf(end))}};

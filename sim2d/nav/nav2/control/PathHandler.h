@@ -71,7 +71,8 @@ class PathHandler {
 
   void setPlan(const Path& plan);
   const Path& plan() const { return plan_; }  // what is left of it
-  LocalPlan localPlan(const Pose2& robot, const Costmap& costmap);
+  /// Robot, costmap and result are in one frame, in which `planFrame` is the frame of the plan.
+  LocalPlan localPlan(const Pose2& robot, const Costmap& costmap, const Pose2& planFrame = {});
   /// The same for a controller: in main the server has cut it already.
   LocalPlan localPlan(const ControlInput& input);
 
@@ -79,7 +80,7 @@ class PathHandler {
   std::size_t nearest(const Pose2& robot, const Costmap& costmap) const;
   LocalPlan pursuitPlan(const Pose2& robot, const Costmap& costmap);
   LocalPlan dwbPlan(const Pose2& robot, const Costmap& costmap);
-  LocalPlan wayPlan(const Pose2& robot, const Costmap& costmap);
+  LocalPlan wayPlan(const Pose2& robot, const Costmap& costmap, const Pose2& planFrame);
   void cutAtConstraint();
   bool isAtConstraint(const Pose2& robot) const;
 

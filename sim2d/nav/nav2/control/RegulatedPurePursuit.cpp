@@ -167,7 +167,7 @@ bool RegulatedPurePursuit::isGoalTurn(const ControlInput& input, const Path& pla
   }
   if (distro_ >= Distro::Lyrical) {
     return input.goalChecker.isXyReached(
-        {input.robot, goal_, input.speed, pathLength(plan), input.localPlan});
+        {input.robot, input.fromPlan(goal_), input.speed, pathLength(plan), input.localPlan});
   }
   const bool isNear = carrot.norm() < input.goalChecker.xyTolerance();
   if (isIn(kJazzy | kKilted, distro_) && parameters_.isStateful) {

@@ -194,7 +194,7 @@ std::optional<double> RotationShim::goalTurn(const ControlInput& input) const {
   if (plan_.empty()) {
     return std::nullopt;
   }
-  const Pose2& goal = plan_.back();
+  const Pose2 goal = input.fromPlan(plan_.back());
   const double tolerance = input.goalChecker.xyTolerance();
   bool isThere = (input.robot.position - goal.position).squaredNorm() <= tolerance * tolerance;
   if (distro_ >= Distro::Lyrical && input.localPlan != nullptr) {
@@ -211,10 +211,11 @@ std::optional<double> RotationShim::pathTurn(const ControlInput& input) const {
   if (path.size() < 2) {
     return std::nullopt;
   }
-  const auto far = std::find_if(path.begin() + 1, path.end(), [&](const Pose2& pose) {
-    return (pose.position - path.front().position).norm() >= parameters_.samplingDistance;
+  const auto far = std::find_if(path.begin() + 1, path.end(), [&](const Pose2& each) {
+    return (each.position - path.front().position).norm() >= parameters_.samplingDistance;
   });
-  const Pose2& sampled = far == path.end() ? path.back() : *far;
+  const Pose2& pose = far == path.end() ? path.back() : *far;
+  const Pose2 sampled = isLocal ? pose : input.fromPlan(pose);
   return parameters_.usesPathOrientations ? base::angleDiff(sampled.heading, input.robot.heading)
                                           : base::headingOf(input.robot.toLocal(sampled.position));
 }

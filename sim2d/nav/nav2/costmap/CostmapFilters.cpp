@@ -23,17 +23,19 @@ void KeepoutFilter::updateBounds(const Observation& observation, const Costmap& 
   if (!parameters_.enabled) {
     return;
   }
+  frame_ = observation.frame;
   wasOverridden_ = isOverridden_;
   isOverridden_ = false;
   if (parameters_.overrideLethalCost && context().distro != Distro::Humble) {
-    const std::uint8_t cost = maskCost(observation.pose.position);
+    const std::uint8_t cost = maskCost(pointInMap(frame_, observation.pose.position));
     isOverridden_ = cost == kInscribed || cost == kLethal;
   }
   if (isNew_ || isOverridden_ != wasOverridden_) {  // the mask counts anew everywhere
     isNew_ = false;
     for (const double column : {0.0, static_cast<double>(mask_.width())}) {
       for (const double row : {0.0, static_cast<double>(mask_.height())}) {
-        bounds.touch(mask_.cornerToWorld(column, row));
+        const Vec2 corner = mask_.cornerToWorld(column, row);
+        bounds.touch(toFrame(frame_, {corner, 0.0}).position);
       }
     }
   }
@@ -47,7 +49,7 @@ void KeepoutFilter::updateCosts(Costmap& master, const CellWindow& window) {
     for (int column = window.left; column < window.right; ++column) {
       const Cell cell{column, row};
       const std::uint8_t old = master.at(cell);
-      std::uint8_t cost = maskCost(master.cellToWorld(cell));
+      std::uint8_t cost = maskCost(pointInMap(frame_, master.cellToWorld(cell)));
       if (cost == kNoInformation || (old != kNoInformation && cost <= old)) {
         continue;
       }
@@ -102,7 +104,8 @@ SpeedFilter::SpeedFilter(std::string name, const CostmapContext& context,
 
 void SpeedFilter::updateBounds(const Observation& observation, const Costmap& /*master*/,
                                CostmapBounds& /*bounds*/) {
-  const Cell cell = mask_.grid.worldToCell(observation.pose.position);
+  const Cell cell =
+      mask_.grid.worldToCell(pointInMap(observation.frame, observation.pose.position));
   if (!parameters_.enabled || !mask_.grid.contains(cell) || mask_.grid.isUnknown(cell)) {
     return;
   }

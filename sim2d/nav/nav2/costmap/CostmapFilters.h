@@ -25,6 +25,7 @@ class KeepoutFilter final : public CostmapLayer {
 
   KeepoutFilterParameters parameters_;
   OccupancyGrid mask_;
+  Pose2 frame_;  // of the costmap, in the map
   bool isNew_ = true;
   bool isOverridden_ = false, wasOverridden_ = false;  // the robot is in a zone and may leave it
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim2d/map/OccupancyGrid.h"
+#include "sim2d/nav/FrameTransform.h"
 #include "sim2d/nav/Observation.h"
 #include "sim2d/nav/nav2/Costmap.h"
 #include "sim2d/nav/nav2/Nav2Key.h"
@@ -64,6 +65,11 @@ struct CostmapContext {
   double lidarHeight = 0.2;  // [m]
   std::uint8_t freshCost() const { return tracksUnknown ? kNoInformation : kFreeSpace; }
 };
+
+/// A point of a costmap in the map, where `frame` is the costmap's frame in the map.
+inline Vec2 pointInMap(const Pose2& frame, const Vec2& point) {
+  return isIdentity(frame) ? point : frame.toWorld(point);
+}
 
 /// A plugin of a costmap. Called in this order: `observe` at each step; at an update `updateBounds`
 /// of all, then `updateCosts` of all in the window that comes of the bounds.

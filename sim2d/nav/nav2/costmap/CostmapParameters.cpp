@@ -92,6 +92,10 @@ const std::vector<Nav2Key<CostmapParameters>>& costmapKeys() {
       {"origin_x", &P::originX, "m", "Lower left corner of a costmap without a map."},
       {"origin_y", &P::originY, "m", "Lower left corner of a costmap without a map."},
       {"rolling_window", &P::rollingWindow, "", "Whether the costmap moves with the robot."},
+      {"global_frame", &P::globalFrame, "",
+       "Frame of the costmap. The local one moves with the odometry when it has another frame than "
+       "the "
+       "global one."},
       {"track_unknown_space", &P::trackUnknownSpace, "",
        "Whether cells that nothing is known of are unknown, else free."},
       {"robot_radius", &P::robotRadius, "m", "Radius of a robot without a footprint."},
@@ -227,8 +231,7 @@ const std::vector<Nav2Key<SpeedFilterParameters>>& speedFilterKeys() {
 
 const std::vector<IdleKey>& idleCostmapKeys() {
   static const std::vector<IdleKey> kKeys = {
-      {"global_frame", "frames coincide here"},
-      {"robot_base_frame", "frames coincide here"},
+      {"robot_base_frame", "the base frames of a robot coincide here"},
       {"transform_tolerance", "no TF here"},
       {"initial_transform_timeout", "no TF here", kSinceJazzy},
       {"always_send_full_costmap", "a published costmap is whole here"},

@@ -27,6 +27,7 @@ struct CostmapParameters {
   bool trinaryCostmap = true;
   int inscribedObstacleCostValue = 99;  // of occupancies; main only
   bool useMaximum = false;
+  std::string globalFrame = "map";
 };
 
 struct StaticLayerParameters {

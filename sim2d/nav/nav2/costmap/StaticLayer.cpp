@@ -83,6 +83,7 @@ StaticLayer::StaticLayer(std::string name, const CostmapContext& context,
 
 void StaticLayer::updateBounds(const Observation& observation, const Costmap& /*master*/,
                                CostmapBounds& bounds) {
+  frame_ = observation.frame;
   if (grid_.costs().empty() || !parameters_.enabled) {
     return;
   }
@@ -130,7 +131,8 @@ void StaticLayer::reset(double /*time*/) {
 void StaticLayer::sampleInto(Costmap& master, const CellWindow& window) const {
   for (int row = window.bottom; row < window.top; ++row) {
     for (int column = window.left; column < window.right; ++column) {
-      const std::optional<Cell> cell = grid_.worldToCell(master.cellToWorld({column, row}));
+      const std::optional<Cell> cell =
+          grid_.worldToCell(pointInMap(frame_, master.cellToWorld({column, row})));
       if (cell) {
         const std::uint8_t cost = grid_.at(*cell);
         master.set({column, row}, usesMaximum_ ? std::max(cost, master.at({column, row})) : cost);

@@ -37,6 +37,7 @@ class StaticLayer final : public CostmapLayer {
   StaticLayerParameters parameters_;
   bool usesMaximum_;
   bool isNew_ = true, isCurrent_ = true;
+  Pose2 frame_;        // of the costmap, in the map
   Polygon footprint_;  // at the robot's place; empty: it clears nothing
   Costmap grid_;
 };

@@ -17,7 +17,7 @@ enum class PlanError : std::uint16_t {
   None = 0,
   Unknown = 200,
   InvalidPlanner = 201,
-  TfError = 202,  // never here
+  TfError = 202,  // the robot has no pose in the map
   StartOutsideMap = 203,
   GoalOutsideMap = 204,
   StartOccupied = 205,

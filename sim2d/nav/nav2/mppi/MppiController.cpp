@@ -76,7 +76,7 @@ void MppiController::setPlan(const Path& plan) {
 
 LocalPlan MppiController::localPlan(const ControlInput& input) {
   if (input.localPlan == nullptr) {
-    return handler_.localPlan(input.robot, input.costmap);
+    return handler_.localPlan(input);
   }
   LocalPlan local;
   local.poses = *input.localPlan;
@@ -108,10 +108,11 @@ Control MppiController::computeVelocityCommands(const ControlInput& input) {
     return {ControlCode::InvalidPath, local.problem};
   }
   view_.localPlan = std::move(local.poses);
+  const Pose2 goal = input.fromPlan(goal_);
   const MppiScene scene{input.robot,
                         input.speed,
                         view_.localPlan,
-                        goal_,
+                        goal,
                         input.costmap,
                         input.shape,
                         input.goalChecker.xyTolerance()};

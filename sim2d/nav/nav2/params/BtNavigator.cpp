@@ -33,8 +33,8 @@ const std::vector<IdleKey>& idleBtNavigatorKeys() {
       {"plugin_lib_names", "all nodes of Nav2 are there"},
       {"path_blackboard_id", "trees name their paths themselves"},
       {"waypoint_statuses_blackboard_id", "goals are driven to one by one here", kSinceKilted},
-      {"global_frame", "no frames here"},
-      {"robot_base_frame", "no frames here"},
+      {"global_frame", "goals are in the frame of the global costmap"},
+      {"robot_base_frame", "the base frames of a robot coincide here"},
       {"odom_topic", "no topics here"},
       {"odometry_topic", "no topics here"},
       {"transform_tolerance", "no frames here"},
@@ -55,9 +55,9 @@ const std::vector<IdleKey>& idleBtNavigatorKeys() {
 
 const char* idleNode(const std::string& node) {
   static constexpr std::array<IdleKey, 25> kNodes = {
-      {{"amcl", "the robot knows where it is"},
-       {"amcl_map_client", "the robot knows where it is"},
-       {"amcl_rclcpp_node", "the robot knows where it is"},
+      {{"amcl", "the scenario's `localization` takes its place"},
+       {"amcl_map_client", "the scenario's `localization` takes its place"},
+       {"amcl_rclcpp_node", "the scenario's `localization` takes its place"},
        {"map_server", "the scenario says which map"},
        {"map_saver", "maps are not saved"},
        {"slam_toolbox", "the map is known"},

@@ -43,6 +43,7 @@ class FileReader {
     readMotions(
         to_, [this](const std::string& node) { return reader(node); }, file_);
     readNavigator();
+    to_.frames = frameNamesOf(file_, options_.robot);
     lookAtOthers();
   }
 

@@ -11,6 +11,7 @@
 #include "sim2d/nav/nav2/global/GlobalPlanners.h"
 #include "sim2d/nav/nav2/global/PathSmoother.h"
 #include "sim2d/nav/nav2/params/BtNavigator.h"
+#include "sim2d/nav/nav2/params/FrameNames.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
 #include "sim2d/nav/nav2/servers/Behaviors.h"
 #include "sim2d/nav/nav2/servers/CollisionMonitor.h"
@@ -42,6 +43,7 @@ struct Nav2Parameters {
   VelocitySmootherParameters velocitySmoother;
   std::optional<CollisionMonitorParameters> collisionMonitor;  // none: not in the file
   BtNavigatorParameters btNavigator;
+  FrameNames frames;
   std::string held;        // nodes of the file: "amcl, map_server"
   bool isPartial = false;  // has no controller, so it cannot drive a robot by itself
 

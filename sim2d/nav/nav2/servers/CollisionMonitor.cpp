@@ -186,8 +186,8 @@ const std::vector<Nav2Key<MonitorSource>>& monitorSourceKeys() {
 
 const std::vector<IdleKey>& idleCollisionMonitorKeys() {
   static const std::vector<IdleKey> kKeys = {
-      {"base_frame_id", "frames coincide here"},
-      {"odom_frame_id", "frames coincide here"},
+      {"base_frame_id", "the base frames of a robot coincide here"},
+      {"odom_frame_id", "points are always placed by the odometry"},
       {"transform_tolerance", "no TF here"},
       {"base_shift_correction", "points are where the scan saw them"},
       {"stop_pub_timeout", "a robot that stands goes on standing"},

@@ -61,7 +61,7 @@ Control DwbController::computeVelocityCommands(const ControlInput& input) {
   if (local.problem != nullptr) {
     return {ControlCode::InvalidPath, local.problem};
   }
-  prepare(input, local.poses, goal_);
+  prepare(input, local.poses, input.fromPlan(goal_));
   view_.localPlan = std::move(local.poses);
   choose();
   const bool isLegal = best_.total >= 0.0F;

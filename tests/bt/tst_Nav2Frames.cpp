@@ -1,0 +1,219 @@
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QtTest>
+
+#include "bt/robot/Nav2Frames.h"
+#include "bt/robot/Nav2Servers.h"
+#include "sim2d/nav/FrameTransform.h"
+#include "sim2d/nav/nav2/params/ParameterFile.h"
+
+/// What Nav2's servers look at in the frames map and odom, against transforms by hand.
+class Nav2FramesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void odomObservation_isTheOneOfTheMap_whileFramesCoincide();
+  void odomObservation_isTransformed();
+  void odomObservation_scan_isPlacedByTheOdometryOfItsTime();
+  void costsInMap_turnedByARightAngle_areTheTurnedCells();
+  void jump_localObstaclesStay_globalOnesAreAdded_data();
+  void jump_localObstaclesStay_globalOnesAreAdded();
+  void controllerCycle_jump_shiftsThePathOnly();
+  void clearAround_pose_isThatOfTheCostmapsFrame();
+};
+
+namespace {
+
+using base::Pose2;
+using base::Vec2;
+using bt::Nav2Servers;
+using sim2d::LaserScan;
+using sim2d::Observation;
+using namespace sim2d::nav2;
+
+bool isClose(const Vec2& a, const Vec2& b, double tolerance = 1e-12) {
+  return (a - b).norm() <= tolerance;
+}
+
+/// The shipped file, whose local costmap is in odom, or in the map.
+std::unique_ptr<Nav2Servers> servers(const std::string& localFrame = "odom") {
+  auto file = ParameterFile::read(SOURCE_DIR "/resources/nav2_params/turtlebot4.yaml");
+  file->set("local_costmap", "global_frame", base::scalarNode(localFrame));
+  Nav2Reading reading = readNav2Parameters(*file);
+  return *Nav2Servers::make({reading.parameters, {}, {}, {}, 1, -1});
+}
+
+/// A lidar in the robot's middle that meets one thing, `distance` [m] ahead.
+LaserScan scanOf(const Observation& robot, double distance) {
+  LaserScan scan;
+  scan.sensor = robot.pose;
+  scan.time = robot.time;
+  scan.perBeam = 0.01;
+  scan.range = 30.0;
+  scan.distances = {distance};
+  scan.mapToOdom = robot.mapToOdom;
+  return scan;
+}
+
+Observation observationAt(const Pose2& inOdom, const Pose2& mapToOdom, double time) {
+  Observation observation;
+  observation.pose = sim2d::toParent(mapToOdom, inOdom);
+  observation.mapToOdom = mapToOdom;
+  observation.time = time;
+  observation.canRelocalize = true;
+  return observation;
+}
+
+/// Centres of the lethal cells [m].
+std::vector<Vec2> lethal(const Costmap& costmap) {
+  std::vector<Vec2> places;
+  for (int row = 0; row < costmap.height(); ++row) {
+    for (int column = 0; column < costmap.width(); ++column) {
+      if (costmap.at({column, row}) == kLethal) {
+        places.push_back(costmap.cellToWorld({column, row}));
+      }
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+void Nav2FramesTest::odomObservation_isTheOneOfTheMap_whileFramesCoincide() {
+  bt::OdomObservation odom;
+  const Observation observation = observationAt({{1.0, 2.0}, 0.3}, {}, 0.0);
+  QCOMPARE(&odom.of(observation), &observation);
+}
+
+/// The frame odom lies at (1, 2) of the map and is turned to the left by a right angle: what is at
+/// (x, y) of the map is at (y - 2, 1 - x) of it.
+void Nav2FramesTest::odomObservation_isTransformed() {
+  Observation observation;
+  observation.mapToOdom = {{1.0, 2.0}, base::kPi / 2.0};
+  observation.pose = {{0.5, 5.0}, 0.0};
+  observation.goal = {4.0, 4.0};
+  observation.goalsAfter = {{1.0, 1.0}};
+  observation.bodies = {{3, sim2d::BodyKind::Person, {2.0, 2.0}, {1.0, 0.0}, 0.0, 0.3}};
+  bt::OdomObservation odom;
+  const Observation& found = odom.of(observation);
+  QVERIFY(isClose(found.pose.position, {3.0, 0.5}));
+  QVERIFY(std::fabs(found.pose.heading + base::kPi / 2.0) < 1e-12);
+  QVERIFY(isClose(found.goal, {2.0, -3.0}) && isClose(found.goalsAfter[0], {-1.0, 0.0}));
+  QVERIFY(isClose(found.bodies[0].position, {0.0, -1.0}));
+  QVERIFY(isClose(found.bodies[0].velocity, {0.0, -1.0}));
+  QVERIFY(std::fabs(found.bodies[0].heading + base::kPi / 2.0) < 1e-12);
+  QVERIFY(found.frame == observation.mapToOdom);
+  QCOMPARE(found.bodies[0].id, 3);
+}
+
+void Nav2FramesTest::odomObservation_scan_isPlacedByTheOdometryOfItsTime() {
+  const Observation before = observationAt({{2.0, 1.0}, 0.0}, {{0.5, 0.0}, 0.0}, 1.0);
+  const LaserScan scan = scanOf(before, 3.0);
+  Observation now = observationAt({{2.2, 1.0}, 0.0}, {{-0.5, 0.25}, 0.0}, 1.2);
+  now.scan = &scan;
+  bt::OdomObservation odom;
+  const Observation& found = odom.of(now);
+  QVERIFY(isClose(found.scan->sensor.position, {2.0, 1.0}));
+  QVERIFY(isClose(found.pose.position, {2.2, 1.0}));
+  QVERIFY(isClose(scan.sensor.position, {2.5, 1.0}));  // in the map, as it was
+}
+
+/// Two columns and one row, the origin at (1, 0): turned to the left its cells stand above each
+/// other, in the map from (-1, 1) on.
+void Nav2FramesTest::costsInMap_turnedByARightAngle_areTheTurnedCells() {
+  auto grid = std::make_shared<sim2d::CostGrid>();
+  grid->columns = 2;
+  grid->rows = 1;
+  grid->resolution = 1.0;
+  grid->origin = {1.0, 0.0};
+  grid->costs = {10, 20};
+  const sim2d::CostGridPtr turned = bt::costsInMap({Vec2::Zero(), base::kPi / 2.0}, grid);
+  QVERIFY(isClose(turned->origin, {-1.0, 1.0}));
+  const auto at = [&](const Vec2& place) {
+    const Vec2 cell = (place - turned->origin) / turned->resolution;
+    const auto index =
+        static_cast<std::size_t>(cell.y()) * static_cast<std::size_t>(turned->columns) +
+        static_cast<std::size_t>(cell.x());
+    return static_cast<int>(turned->costs.at(index));
+  };
+  QCOMPARE(at({-0.5, 1.5}), 10);
+  QCOMPARE(at({-0.5, 2.5}), 20);
+  QCOMPARE(bt::costsInMap({}, grid), sim2d::CostGridPtr(grid));
+  std::vector<Vec2> points = {{1.0, 0.0}};
+  bt::moveToMap({{0.0, 3.0}, base::kPi / 2.0}, points);
+  QVERIFY(isClose(points[0], {0.0, 4.0}));
+}
+
+void Nav2FramesTest::jump_localObstaclesStay_globalOnesAreAdded_data() {
+  QTest::addColumn<std::string>("localFrame");
+  QTest::newRow("local costmap in odom") << std::string("odom");
+  QTest::newRow("local costmap in the map") << std::string("map");
+}
+
+/// Something stands 1 m ahead of a robot that stands too. The correction jumps by 0.4 m ahead. In
+/// odom the new scan meets the same cell. In the map it marks another one, and what was there goes
+/// as the rays of the new scan pass it.
+void Nav2FramesTest::jump_localObstaclesStay_globalOnesAreAdded() {
+  QFETCH(std::string, localFrame);
+  const auto nav2 = servers(localFrame);
+  const bool isInOdom = localFrame == "odom";
+  for (const bool hasJumped : {false, true}) {
+    const double jump = hasJumped ? 0.4 : 0.0;
+    Observation observation = observationAt({}, {{jump, 0.0}, 0.0}, hasJumped ? 1.0 : 0.0);
+    const LaserScan scan = scanOf(observation, 1.025);
+    observation.scan = &scan;
+    nav2->sense(observation);
+    const std::vector<Vec2> local = lethal(nav2->localCostmap().costmap());
+    QCOMPARE(local.size(), std::size_t{1});
+    QVERIFY(isClose(local[0], {1.025 + (isInOdom ? 0.0 : jump), 0.0}, 0.05));
+    QVERIFY(nav2->localFrame() == (isInOdom ? observation.mapToOdom : Pose2{}));
+    QVERIFY(isClose(nav2->pose().position, {jump, 0.0}));
+  }
+}
+
+/// The path in the map is where it was; in the frame of the local costmap it moves back by the
+/// jump. A robot that stands on its path before is beside it after the jump.
+void Nav2FramesTest::controllerCycle_jump_shiftsThePathOnly() {
+  const auto nav2 = servers();
+  Path path;
+  for (int i = 0; i <= 40; ++i) {
+    path.push_back({{0.05 * i, 0.0}, 0.0});
+  }
+  bt::RobotRequest request;
+  request.path = nav2->paths().add(path);
+  nav2->begin(bt::RobotAction::FollowPath, request);
+  for (const double jump : {0.0, 0.3}) {
+    Observation observation = observationAt({}, {{0.0, jump}, 0.0}, jump > 0.0 ? 1.0 : 0.0);
+    const LaserScan scan = scanOf(observation, 3.0);
+    observation.scan = &scan;
+    nav2->sense(observation);
+    nav2->act();
+    const Path& local = nav2->controller()->view().localPlan;
+    QVERIFY(!local.empty());
+    for (const Pose2& pose : local) {
+      QVERIFY(std::fabs(pose.position.y() + jump) < 1e-12);  // in odom
+    }
+  }
+}
+
+void Nav2FramesTest::clearAround_pose_isThatOfTheCostmapsFrame() {
+  const auto nav2 = servers();
+  Observation observation = observationAt({}, {{5.0, 0.0}, 0.0}, 0.0);
+  const LaserScan scan = scanOf(observation, 1.025);
+  observation.scan = &scan;
+  nav2->sense(observation);
+  QCOMPARE(lethal(nav2->localCostmap().costmap()).size(), std::size_t{1});
+  bt::ClearRequest request;
+  request.extent = bt::ClearRequest::Extent::AroundPose;
+  request.pose = Pose2{{1.0, 0.0}, 0.0};  // of the map: 4 m behind the robot
+  QVERIFY(nav2->clear(request));
+  Observation later = observationAt({}, {{5.0, 0.0}, 0.0}, 1.0);
+  nav2->sense(later);
+  QCOMPARE(lethal(nav2->localCostmap().costmap()).size(), std::size_t{1});
+}
+
+QTEST_APPLESS_MAIN(Nav2FramesTest)
+#include "tst_Nav2Frames.moc"
