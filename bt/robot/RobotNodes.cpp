@@ -37,17 +37,14 @@ constexpr std::array<NodeFact, 15> kLater = {{{"NonblockingSequence", kSinceLyri
 struct NodeReason {
   std::string_view id, why;
 };
-constexpr std::array<NodeReason, 6> kUnsupported = {
+constexpr std::array<NodeReason, 5> kUnsupported = {
     {{"AssistedTeleop", "nobody steers here"},
-     {"ReinitializeGlobalLocalization", "the robot knows where it is"},
      {"ComputeRoute", "there is no route server here"},
      {"ComputeAndTrackRoute", "there is no route server here"},
      {"DockRobot", "there are no docks here"},
      {"UndockRobot", "there are no docks here"}}};
-constexpr std::array<NodeReason, 4> kConstant = {
-    {{"InitialPoseReceived", "SUCCESS: the robot knows where it is"},
-     {"TransformAvailable", "SUCCESS: there are no frames here"},
-     {"IsBatteryLow", "FAILURE: batteries are full here"},
+constexpr std::array<NodeReason, 2> kConstant = {
+    {{"IsBatteryLow", "FAILURE: batteries are full here"},
      {"IsBatteryCharging", "FAILURE: batteries are full here"}}};
 
 template <class Facts>

@@ -64,6 +64,10 @@ class RunFromTest : public QObject {
     row("errors of sensors", crossing,
         "--duration 4 --planner dwa --set *.max_vel=0.9 --set robot1.lidar.noise=0.02 "
         "--set robot1.odometry_noise.alpha1=0.1");
+    row("errors of a localiser", crossing,
+        "--duration 4 --planner nav2 --nav2-params turtlebot4 --set robot1.localization.std_x=0.1 "
+        "--set robot1.localization.std_yaw=0.05 --set robot1.localization.jump_rate=0.5 "
+        "--set robot1.localization.jump_distance=0.2");
     row("every fifth step", crossing, "--duration 4 --record-every 5 --planner orca");
     row("forces of the original", crossing, "--duration 4 --compat hunav2");
     row("end of a navigator", crossing,

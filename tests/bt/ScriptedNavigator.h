@@ -11,6 +11,7 @@
 #include "bt/robot/NavigatorHost.h"
 #include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
+#include "sim2d/nav/nav2/params/FrameNames.h"
 
 /// A navigator whose servers do as a script says: each request takes `steps` ticks and ends as
 /// told.
@@ -43,6 +44,8 @@ class Scripted : public bt::NavigatorHost {
   long long step = 0;
   double nextLength = 10.0;  // [m] of the paths that are planned
   bt::RobotRequest last;     // of the last request
+  bool hasPose = true, hasLocalizer = true;
+  sim2d::nav2::FrameNames frames;
 
   Distro distro() const override { return distro_; }
   base::Pose2 pose() const override { return place; }
@@ -94,6 +97,14 @@ class Scripted : public bt::NavigatorHost {
     return true;
   }
   void countRecovery() override { ++recoveries; }
+  bool isLocalized() const override { return hasPose; }
+  bool canTransform(const std::string& parent, const std::string& child) const override {
+    return frames.canTransform(parent, child, hasPose);
+  }
+  bool relocalize() override {
+    log.push_back("relocalize");
+    return hasLocalizer;
+  }
 
   std::string text() const {
     std::string all;

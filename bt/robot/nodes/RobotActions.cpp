@@ -311,8 +311,6 @@ Action CancelAssistedTeleop|Navigation|There is no such thing to end here.
 server_name server_timeout
 Action AssistedTeleop|Navigation|Needs somebody who steers: fails here.
 time_allowance is_recovery error_code_id server_name server_timeout error_msg
-Action ReinitializeGlobalLocalization|Navigation|The robot knows where it is: fails here.
-service_name server_timeout
 Action ComputeRoute|Navigation|No routes here: fails.
 goal any|Where to.
 start path error_code_id server_name server_timeout error_msg
@@ -371,8 +369,8 @@ void addRobotActions(NodeLibrary& to) {
   to.addAction(manifest("CancelBackUp"), cancelNow<RobotAction::BackUp>);
   to.addAction(manifest("CancelDriveOnHeading"), cancelNow<RobotAction::DriveOnHeading>);
   to.addAction(manifest("CancelWait"), cancelNow<RobotAction::Wait>);
-  for (const char* id : {"CancelAssistedTeleop", "AssistedTeleop", "ReinitializeGlobalLocalization",
-                         "ComputeRoute", "ComputeAndTrackRoute", "DockRobot", "UndockRobot"}) {
+  for (const char* id : {"CancelAssistedTeleop", "AssistedTeleop", "ComputeRoute",
+                         "ComputeAndTrackRoute", "DockRobot", "UndockRobot"}) {
     to.addAction(manifest(id), unsupported);
   }
 }

@@ -221,11 +221,6 @@ Condition GoalReached|Navigation|The robot is at the goal (goal_reached_tol).
 goal any needed suggest {goal}|The goal.
 robot_base_frame
 Condition IsStuck|Navigation|The robot was stopped at once by something.
-Condition InitialPoseReceived|Navigation|The robot knows where it is: always here.
-initial_pose_received any|Not looked at.
-Condition TransformAvailable|Navigation|Frames are known: always here.
-parent text|No frames here.
-child text|No frames here.
 Condition IsBatteryLow|Navigation|The battery is low: never here.
 min_battery number default 0.0|Not looked at.
 battery_topic text default /battery_status|No topics here.
@@ -267,8 +262,6 @@ void addRobotConditions(NodeLibrary& to) {
   to.addRemembering<PlaceMemory>(manifest("DistanceTraveled"), distanceTraveled);
   to.addCondition(manifest("GoalReached"), goalReached);
   to.addCondition<SpeedMemory>(manifest("IsStuck"), isStuck);
-  to.addCondition(manifest("InitialPoseReceived"), constant<NodeStatus::Success>);
-  to.addCondition(manifest("TransformAvailable"), constant<NodeStatus::Success>);
   to.addCondition(manifest("IsBatteryLow"), constant<NodeStatus::Failure>);
   to.addCondition(manifest("IsBatteryCharging"), constant<NodeStatus::Failure>);
   to.addCondition(manifest("AreErrorCodesPresent"), errorCodesPresent);
