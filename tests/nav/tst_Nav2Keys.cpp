@@ -136,6 +136,25 @@ void addControllers(std::map<std::string, Place>& places) {
   }
 }
 
+void addRoutes(std::map<std::string, Place>& places) {
+  const auto add = [&](const char* component, const char* list, const char* plugin) {
+    places[component] = {pluginHead("route_server", list, std::string("nav2_route::") + plugin),
+                         "route_server.It.", 6};
+  };
+  const char* const kScorers = "edge_cost_functions";
+  add("route_distance_scorer", kScorers, "DistanceScorer");
+  add("route_time_scorer", kScorers, "TimeScorer");
+  add("route_penalty_scorer", kScorers, "PenaltyScorer");
+  add("route_costmap_scorer", kScorers, "CostmapScorer");
+  add("route_semantic_scorer", kScorers, "SemanticScorer");
+  add("route_start_pose_orientation_scorer", kScorers, "StartPoseOrientationScorer");
+  add("route_goal_orientation_scorer", kScorers, "GoalOrientationScorer");
+  add("route_adjust_speed_limit", "operations", "AdjustSpeedLimit");
+  add("route_collision_monitor", "operations", "CollisionMonitor");
+  add("route_time_marker", "operations", "TimeMarker");
+  add("route_trigger_event", "operations", "TriggerEvent");
+}
+
 void addMotions(std::map<std::string, Place>& places) {
   places["drive_behavior"] = {
       pluginHead("behavior_server", "behavior_plugins", "nav2_behaviors::BackUp"),
@@ -188,6 +207,7 @@ const std::map<std::string, Place>& placesOfComponents() {
     }
     addControllers(places);
     addMotions(places);
+    addRoutes(places);
     return places;
   }();
   return kPlaces;
@@ -217,7 +237,8 @@ bool isList(const std::string& key) {
     return key.size() >= end.size() && key.compare(key.size() - end.size(), end.size(), end) == 0;
   };
   return endsWith("plugins") || endsWith("progress_checker_plugin") || key == "polygons" ||
-         key == "filters" || key == "critics" || key == "observation_sources";
+         key == "filters" || key == "critics" || key == "observation_sources" ||
+         key == "edge_cost_functions" || key == "operations" || key == "semantic_classes";
 }
 
 std::optional<KeyUse> useOf(const Nav2Reading& reading, const std::string& path) {

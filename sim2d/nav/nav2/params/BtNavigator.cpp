@@ -14,7 +14,9 @@ const std::vector<Nav2Key<BtNavigatorParameters>>& btNavigatorKeys() {
        "File of the tree for several goals; Nav2's own when it is empty"},
       {"goal_reached_tol", &P::goalReachedTol, "m", "Distance within which GoalReached says yes"},
       {"goal_blackboard_id", &P::goalBlackboardId, "", "Entry of the blackboard with the goal"},
-      {"goals_blackboard_id", &P::goalsBlackboardId, "", "Entry of the blackboard with the goals"}};
+      {"goals_blackboard_id", &P::goalsBlackboardId, "", "Entry of the blackboard with the goals"},
+      {"waypoint_statuses_blackboard_id", &P::waypointStatusesBlackboardId, "",
+       "Entry of the blackboard with what has become of each goal", kSinceKilted}};
   return kKeys;
 }
 
@@ -32,7 +34,6 @@ const std::vector<IdleKey>& idleBtNavigatorKeys() {
       {"navigate_through_pose.", "goals are driven to one by one here"},
       {"plugin_lib_names", "all nodes of Nav2 are there"},
       {"path_blackboard_id", "trees name their paths themselves"},
-      {"waypoint_statuses_blackboard_id", "goals are driven to one by one here", kSinceKilted},
       {"global_frame", "goals are in the frame of the global costmap"},
       {"robot_base_frame", "the base frames of a robot coincide here"},
       {"odom_topic", "no topics here"},
@@ -54,7 +55,7 @@ const std::vector<IdleKey>& idleBtNavigatorKeys() {
 }
 
 const char* idleNode(const std::string& node) {
-  static constexpr std::array<IdleKey, 25> kNodes = {
+  static constexpr std::array<IdleKey, 24> kNodes = {
       {{"amcl", "the scenario's `localization` takes its place"},
        {"amcl_map_client", "the scenario's `localization` takes its place"},
        {"amcl_rclcpp_node", "the scenario's `localization` takes its place"},
@@ -63,7 +64,6 @@ const char* idleNode(const std::string& node) {
        {"slam_toolbox", "the map is known"},
        {"waypoint_follower", "the scenario says which goals"},
        {"docking_server", "there are no docks here"},
-       {"route_server", "there are no routes here"},
        {"following_server", "nobody is followed here"},
        {"lifecycle_manager", "everything runs from the start"},
        {"lifecycle_manager_navigation", "everything runs from the start"},

@@ -13,6 +13,7 @@ struct BtNavigatorParameters {
   std::string defaultNavThroughPosesBtXml;  // idem, of robots with several goals
   double goalReachedTol = 0.25;             // [m], of the node GoalReached
   std::string goalBlackboardId = "goal", goalsBlackboardId = "goals";
+  std::string waypointStatusesBlackboardId = "waypoint_statuses";  // since Kilted
 };
 const std::vector<Nav2Key<BtNavigatorParameters>>& btNavigatorKeys();
 const std::vector<IdleKey>& idleBtNavigatorKeys();

@@ -15,6 +15,7 @@
 #include "sim2d/nav/nav2/params/PluginBlocks.h"
 #include "sim2d/nav/nav2/params/PluginReplacement.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
+#include "sim2d/nav/nav2/params/RouteReading.h"
 
 namespace sim2d::nav2 {
 namespace {
@@ -44,6 +45,7 @@ class FileReader {
         to_, [this](const std::string& node) { return reader(node); }, file_);
     readNavigator();
     to_.frames = frameNamesOf(file_, options_.robot);
+    readRoutes();
     lookAtOthers();
   }
 
@@ -201,6 +203,17 @@ class FileReader {
     to_.btNavigator =
         node.read({}, btNavigatorKeys(), idleBtNavigatorKeys(), BtNavigatorParameters());
     node.finish();
+  }
+
+  /// Without the node there is no graph, so that its plugins do not matter.
+  void readRoutes() {
+    constexpr const char* kRouteServer = "route_server";
+    const bool isThere =
+        std::any_of(file_.nodes().begin(), file_.nodes().end(),
+                    [&](const NodeParameters& node) { return node.node == kRouteServer; });
+    if (isThere) {
+      to_.route = readRouteServer(reader(kRouteServer));
+    }
   }
 
   /// Nodes that are not here, or that nobody knows.

@@ -13,6 +13,7 @@
 #include "sim2d/nav/nav2/params/BtNavigator.h"
 #include "sim2d/nav/nav2/params/FrameNames.h"
 #include "sim2d/nav/nav2/params/NodeReader.h"
+#include "sim2d/nav/nav2/route/RouteParameters.h"
 #include "sim2d/nav/nav2/servers/Behaviors.h"
 #include "sim2d/nav/nav2/servers/CollisionMonitor.h"
 #include "sim2d/nav/nav2/servers/VelocitySmoother.h"
@@ -44,6 +45,7 @@ struct Nav2Parameters {
   std::optional<CollisionMonitorParameters> collisionMonitor;  // none: not in the file
   BtNavigatorParameters btNavigator;
   FrameNames frames;
+  RouteSettings route;     // Nav2's defaults where the file has no route_server
   std::string held;        // nodes of the file: "amcl, map_server"
   bool isPartial = false;  // has no controller, so it cannot drive a robot by itself
 

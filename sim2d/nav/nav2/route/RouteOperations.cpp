@@ -1,0 +1,178 @@
+#include "sim2d/nav/nav2/route/RouteOperations.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "sim2d/nav/nav2/costmap/FootprintCost.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+bool isLineBlocked(const Costmap& costmap, const Vec2& from, const Vec2& to,
+                   const RouteCollisionParameters& monitor) {
+  const auto first = costmap.worldToCell(from), last = costmap.worldToCell(to);
+  if (!first || !last) {
+    return false;
+  }
+  int number = 0;
+  bool isBlocked = false;
+  visitLine(*first, *last, [&](Cell cell) {
+    if (number++ % std::max(monitor.checkResolution, 1) == 0) {
+      const std::uint8_t cost = costmap.at(cell);
+      isBlocked = cost >= monitor.maxCost && cost != kNoInformation;
+    }
+    return !isBlocked;
+  });
+  return isBlocked;
+}
+
+/// The last point of a segment, cell by cell from its end, that is on the map.
+Vec2 onMap(const Costmap& costmap, const Vec2& from, const Vec2& to) {
+  const double length = (to - from).norm();
+  for (double rest = length; rest > 0.0; rest -= costmap.resolution()) {
+    const Vec2 point = from + (rest / length) * (to - from);
+    if (costmap.worldToCell(point)) {
+      return point;
+    }
+  }
+  return from;
+}
+
+}  // namespace
+
+std::optional<std::size_t> blockedEdge(const RouteCollisionParameters& monitor,
+                                       const OperationsScene& scene) {
+  const bool isLocal = monitor.costmapTopic.find("local") != std::string::npos;
+  const Costmap* const costmap = isLocal ? scene.local : scene.global;
+  if (!scene.state.current || costmap == nullptr) {
+    return std::nullopt;
+  }
+  std::size_t edge = *scene.state.current;
+  const auto placeOf = [&](std::size_t node) { return scene.graph.nodes[node].place; };
+  Vec2 from = nearestOn(placeOf(scene.graph.edges[edge].from), placeOf(scene.graph.edges[edge].to),
+                        scene.robot);
+  double left = monitor.maxCollisionDist;
+  auto next = static_cast<std::size_t>(scene.state.edge + 1);
+  while (left > 0.0) {
+    const Vec2 to = placeOf(scene.graph.edges[edge].to);
+    const double length = (to - from).norm();
+    const Vec2 end = length > left ? Vec2(from + (left / length) * (to - from)) : to;
+    if (isLineBlocked(*costmap, from, onMap(*costmap, from, end), monitor)) {
+      return edge;
+    }
+    left -= length;
+    if (next >= scene.route.edges.size()) {
+      break;
+    }
+    edge = scene.route.edges[next++];
+    from = placeOf(scene.graph.edges[edge].from);
+  }
+  return std::nullopt;
+}
+
+void RouteOperations::begin() {
+  lastLook_.reset();
+  timedEdge_.reset();
+  isRerouteRequested_ = false;
+}
+
+OperationsResult RouteOperations::process(bool hasChanged, const OperationsScene& scene) {
+  OperationsResult result;
+  if (hasChanged) {
+    onChange(scene, result);
+    onGraph(scene, result);
+  }
+  onQuery(scene, result);
+  return result;
+}
+
+/// The time from the beginning of an edge to its end.
+void RouteOperations::markTime(const TimeMarkerParameters& marker, const OperationsScene& scene,
+                               OperationsResult& result) {
+  if (timedEdge_ && scene.time > timedSince_) {
+    result.edgeTime = std::pair(*timedEdge_, scene.time - timedSince_);
+    result.timeTag = marker.timeTag;
+  }
+  timedEdge_ = scene.state.current;
+  timedSince_ = scene.time;
+}
+
+void RouteOperations::onChange(const OperationsScene& scene, OperationsResult& result) {
+  constexpr double kFull = 100.0;  // [%]
+  for (const auto& [name, settings] : settings_) {
+    if (const auto* const limit = std::get_if<AdjustSpeedLimitParameters>(&settings);
+        limit != nullptr && scene.state.current) {
+      const RouteEdge& edge = scene.graph.edges[*scene.state.current];
+      result.speedLimit = edge.metadata.number(limit->speedTag).value_or(kFull);
+      result.triggered.push_back(name);
+    } else if (const auto* const marker = std::get_if<TimeMarkerParameters>(&settings)) {
+      markTime(*marker, scene, result);
+      result.triggered.push_back(name);
+    }
+  }
+}
+
+/// What the graph file wants to be done at the node that was achieved, at the end of the edge
+/// before it and the beginning of the one after it. Each names a plugin.
+void RouteOperations::onGraph(const OperationsScene& scene, OperationsResult& result) const {
+  using Trigger = RouteOperation::Trigger;
+  std::vector<const RouteOperation*> wanted;
+  const auto take = [&](const std::vector<RouteOperation>& operations, Trigger trigger) {
+    for (const RouteOperation& operation : operations) {
+      if (operation.trigger == trigger) {
+        wanted.push_back(&operation);
+      }
+    }
+  };
+  if (scene.state.lastNode) {
+    take(scene.graph.nodes[*scene.state.lastNode].operations, Trigger::Node);
+  }
+  if (scene.state.current) {
+    take(scene.graph.edges[*scene.state.current].operations, Trigger::OnEnter);
+  }
+  if (scene.state.edge > 0) {
+    const std::size_t left = scene.route.edges[static_cast<std::size_t>(scene.state.edge) - 1];
+    take(scene.graph.edges[left].operations, Trigger::OnExit);
+  }
+  for (const RouteOperation* const operation : wanted) {
+    const auto found = std::find_if(settings_.begin(), settings_.end(), [&](const auto& each) {
+      return each.first == operation->type &&
+             std::holds_alternative<TriggerEventParameters>(each.second);
+    });
+    if (found == settings_.end()) {
+      result.failure = "operation '" + operation->type + "' of the graph is not loaded";
+      return;
+    }
+    const std::string& usual = std::get<TriggerEventParameters>(found->second).serviceName;
+    result.events.push_back(operation->metadata.text("service_name").value_or(usual));
+    result.triggered.push_back(found->first);
+  }
+}
+
+void RouteOperations::onQuery(const OperationsScene& scene, OperationsResult& result) {
+  constexpr double kRounding = 1e-9;  // [s]
+  for (const auto& [name, settings] : settings_) {
+    if (const auto* const monitor = std::get_if<RouteCollisionParameters>(&settings)) {
+      const bool isDue = !lastLook_ || scene.time - *lastLook_ >= 1.0 / monitor->rate - kRounding;
+      if (!isDue || !scene.state.current) {  // before the first edge it does not look
+        continue;
+      }
+      lastLook_ = scene.time;
+      const auto edge = blockedEdge(*monitor, scene);
+      if (edge && monitor->rerouteOnCollision) {
+        result.reroutes = true;
+        result.blocked.insert(scene.graph.edges[*edge].id);
+        result.triggered.push_back(name);
+      } else if (edge) {
+        result.failure = "something stands on the route, and reroute_on_collision is false";
+      }
+    } else if (std::holds_alternative<ReroutingServiceParameters>(settings) &&
+               isRerouteRequested_) {
+      isRerouteRequested_ = false;
+      result.reroutes = true;
+      result.triggered.push_back(name);
+    }
+  }
+}
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,221 @@
+#include "sim2d/nav/nav2/route/RouteParameters.h"
+
+#include <array>
+#include <optional>
+
+namespace sim2d::nav2 {
+
+const std::vector<Nav2Key<RouteServerParameters>>& routeServerKeys() {
+  using P = RouteServerParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"graph_filepath", &P::graphFilepath, "", "GeoJSON file of the graph"},
+      {"edge_cost_functions", &P::edgeCostFunctions, "", "Plugins that find costs of edges"},
+      {"operations", &P::operations, "", "Plugins that act while a route is followed"},
+      {"max_iterations", &P::maxIterations, "", "Of the search; 0: no limit"},
+      {"tracker_update_rate", &P::trackerUpdateRate, "Hz", "How often progress is looked at"},
+      {"radius_to_achieve_node", &P::radiusToAchieveNode, "m", "Near a node within this distance"},
+      {"boundary_radius_to_achieve_node", &P::boundaryRadiusToAchieveNode, "m",
+       "At the first or last node within this distance"},
+      {"aggregate_blocked_ids", &P::aggregateBlockedIds, "",
+       "Edges that were blocked stay so for later routes"},
+      {"prune_goal", &P::pruneGoal, "", "Leaves out a last edge that leads past the goal"},
+      {"min_prune_dist_from_start", &P::minPruneDistFromStart, "m",
+       "An edge is left out when the start is farther than this from its first node"},
+      {"min_prune_dist_from_goal", &P::minPruneDistFromGoal, "m",
+       "An edge is left out when the goal is farther than this from its last node"},
+      {"max_prune_dist_from_edge", &P::maxPruneDistFromEdge, "m",
+       "An edge is left out when the pose is within this distance of it"},
+      {"enable_nn_search", &P::enableNnSearch, "",
+       "Takes the nearest node that can be reached, not the nearest one"},
+      {"max_nn_search_iterations", &P::maxNnSearchIterations, "", "Cells of that search"},
+      {"num_nearest_nodes", &P::numNearestNodes, "", "Nodes that it looks for"},
+      {"smooth_corners", &P::smoothCorners, "", "Arcs at corners of the path"},
+      {"smoothing_radius", &P::smoothingRadius, "m", "Of these arcs"},
+      {"path_density", &P::pathDensity, "m", "Distance between poses of the path"}};
+  return kKeys;
+}
+
+const std::vector<IdleKey>& idleRouteServerKeys() {
+  static const std::vector<IdleKey> kKeys = {
+      {"base_frame", "the robot's pose is that of its centre"},
+      {"route_frame", "graphs are in the frame of the map"},
+      {"global_frame", "graphs are in the frame of the map"},
+      {"costmap_topic", "the global costmap is asked"},
+      {"max_planning_time", "runs do not depend on the computer: max_iterations limits the search"},
+      {"action_server_result_timeout", "results do not get lost here"},
+      {"graph_file_loader", "graphs are read by GeoJsonGraphFileLoader"},
+      {"GeoJsonGraphFileLoader.", "graphs are read by GeoJsonGraphFileLoader"},
+      {"graph_file_saver", "graphs are not saved"},
+      {"GeoJsonGraphFileSaver.", "graphs are not saved"}};
+  return kKeys;
+}
+
+const std::vector<Nav2Key<DistanceScorerParameters>>& keysOf(const DistanceScorerParameters&) {
+  using P = DistanceScorerParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"speed_tag", &P::speedTag, "", "Metadata of an edge: share of the speed there"},
+      {"weight", &P::weight, "", "Of this cost"}};
+  return kKeys;
+}
+
+const std::vector<Nav2Key<TimeScorerParameters>>& keysOf(const TimeScorerParameters&) {
+  using P = TimeScorerParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"speed_tag", &P::speedTag, "", "Metadata of an edge: speed there in m/s"},
+      {"time_tag", &P::timeTag, "", "Metadata of an edge: time that was measured in s"},
+      {"max_vel", &P::maxVel, "m/s", "Speed on edges without one"},
+      {"weight", &P::weight, "", "Of this cost"}};
+  return kKeys;
+}
+
+const std::vector<Nav2Key<PenaltyScorerParameters>>& keysOf(const PenaltyScorerParameters&) {
+  using P = PenaltyScorerParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"penalty_tag", &P::penaltyTag, "", "Metadata of an edge: its penalty"},
+      {"weight", &P::weight, "", "Of this cost"}};
+  return kKeys;
+}
+
+const std::vector<Nav2Key<CostmapScorerParameters>>& keysOf(const CostmapScorerParameters&) {
+  using P = CostmapScorerParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"use_maximum", &P::useMaximum, "", "The greatest cost on the edge counts, else the mean"},
+      {"invalid_on_collision", &P::invalidOnCollision, "",
+       "Edges on which something stands cannot be taken"},
+      {"invalid_off_map", &P::invalidOffMap, "", "Edges off the map cannot be taken"},
+      {"max_cost", &P::maxCost, "", "Cost from which something stands there"},
+      {"check_resolution", &P::checkResolution, "", "Looks at every so many cells"},
+      {"costmap_topic", &P::costmapTopic, "", "Local or global costmap"},
+      {"weight", &P::weight, "", "Of this cost"}};
+  return kKeys;
+}
+
+const std::vector<Nav2Key<SemanticScorerParameters>>& keysOf(const SemanticScorerParameters&) {
+  using P = SemanticScorerParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"semantic_key", &P::semanticKey, "",
+       "Metadata whose text is the class; empty: its keys are"},
+      {"semantic_classes", &P::semanticClasses, "", "Classes whose costs stand beside"},
+      {"weight", &P::weight, "", "Of this cost"}};
+  return kKeys;
+}
+
+const std::vector<Nav2Key<OrientationScorerParameters>>& keysOf(
+    const OrientationScorerParameters&) {
+  using P = OrientationScorerParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"orientation_tolerance", &P::orientationTolerance, "rad", "Greatest difference of headings"},
+      {"orientation_weight", &P::orientationWeight, "", "Cost of a radian"},
+      {"use_orientation_threshold", &P::useOrientationThreshold, "",
+       "Edges beyond the tolerance cannot be taken"}};
+  return kKeys;
+}
+
+const std::vector<Nav2Key<DynamicEdgesParameters>>& keysOf(const DynamicEdgesParameters&) {
+  static const std::vector<Nav2Key<DynamicEdgesParameters>> kKeys;
+  return kKeys;
+}
+
+const std::vector<Nav2Key<AdjustSpeedLimitParameters>>& keysOf(const AdjustSpeedLimitParameters&) {
+  using P = AdjustSpeedLimitParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"speed_tag", &P::speedTag, "", "Metadata of an edge: percent of the speed"}};
+  return kKeys;
+}
+
+const std::vector<Nav2Key<RouteCollisionParameters>>& keysOf(const RouteCollisionParameters&) {
+  using P = RouteCollisionParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"rate", &P::rate, "Hz", "How often it looks"},
+      {"max_cost", &P::maxCost, "", "Cost from which something stands there"},
+      {"check_resolution", &P::checkResolution, "", "Looks at every so many cells"},
+      {"max_collision_dist", &P::maxCollisionDist, "m", "How far ahead it looks"},
+      {"reroute_on_collision", &P::rerouteOnCollision, "", "Another route is found, else it fails"},
+      {"costmap_topic", &P::costmapTopic, "", "Local or global costmap"}};
+  return kKeys;
+}
+
+const std::vector<Nav2Key<TimeMarkerParameters>>& keysOf(const TimeMarkerParameters&) {
+  using P = TimeMarkerParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"time_tag", &P::timeTag, "", "Metadata of an edge that takes the time in s"}};
+  return kKeys;
+}
+
+const std::vector<Nav2Key<ReroutingServiceParameters>>& keysOf(const ReroutingServiceParameters&) {
+  static const std::vector<Nav2Key<ReroutingServiceParameters>> kKeys;
+  return kKeys;
+}
+
+const std::vector<Nav2Key<TriggerEventParameters>>& keysOf(const TriggerEventParameters&) {
+  using P = TriggerEventParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"service_name", &P::serviceName, "", "Event where the graph file names none"}};
+  return kKeys;
+}
+
+const std::vector<std::string>& edgeScorerPlugins() {
+  static const std::vector<std::string> kPlugins = {
+      "nav2_route::DistanceScorer",        "nav2_route::TimeScorer",
+      "nav2_route::PenaltyScorer",         "nav2_route::CostmapScorer",
+      "nav2_route::SemanticScorer",        "nav2_route::StartPoseOrientationScorer",
+      "nav2_route::GoalOrientationScorer", "nav2_route::GoalPoseOrientationScorer",
+      "nav2_route::DynamicEdgesScorer"};
+  return kPlugins;
+}
+
+const std::vector<std::string>& routeOperationPlugins() {
+  static const std::vector<std::string> kPlugins = {
+      "nav2_route::AdjustSpeedLimit", "nav2_route::CollisionMonitor", "nav2_route::TimeMarker",
+      "nav2_route::ReroutingService", "nav2_route::TriggerEvent"};
+  return kPlugins;
+}
+
+std::optional<EdgeScorerSettings> edgeScorerOf(const std::string& plugin) {
+  OrientationScorerParameters ofGoal;
+  ofGoal.isOfGoal = true;
+  const std::array<EdgeScorerSettings, 9> kSettings = {DistanceScorerParameters(),
+                                                       TimeScorerParameters(),
+                                                       PenaltyScorerParameters(),
+                                                       CostmapScorerParameters(),
+                                                       SemanticScorerParameters(),
+                                                       OrientationScorerParameters(),
+                                                       ofGoal,
+                                                       ofGoal,
+                                                       DynamicEdgesParameters()};
+  for (std::size_t i = 0; i < kSettings.size(); ++i) {
+    if (edgeScorerPlugins()[i] == plugin) {
+      return kSettings.at(i);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<RouteOperationSettings> routeOperationOf(const std::string& plugin) {
+  const std::array<RouteOperationSettings, 5> kSettings = {
+      AdjustSpeedLimitParameters(), RouteCollisionParameters(), TimeMarkerParameters(),
+      ReroutingServiceParameters(), TriggerEventParameters()};
+  for (std::size_t i = 0; i < kSettings.size(); ++i) {
+    if (routeOperationPlugins()[i] == plugin) {
+      return kSettings.at(i);
+    }
+  }
+  return std::nullopt;
+}
+
+base::Diagnostics problemsOf(const RouteServerParameters& parameters) {
+  base::Diagnostics problems;
+  const auto require = [&problems](bool isRight, const char* key, const char* wanted) {
+    if (!isRight) {
+      problems.push_back(base::error("nav2.bad-parameter", {key, wanted}));
+    }
+  };
+  constexpr double kLeastDensity = 1e-3;  // [m], shorter steps make paths too large
+  require(parameters.pathDensity >= kLeastDensity, "path_density", "at least 0.001 m");
+  require(parameters.smoothingRadius > 0.0, "smoothing_radius", "above 0 m");
+  require(parameters.trackerUpdateRate > 0.0, "tracker_update_rate", "above 0 Hz");
+  require(parameters.numNearestNodes > 0, "num_nearest_nodes", "above 0");
+  return problems;
+}
+
+}  // namespace sim2d::nav2

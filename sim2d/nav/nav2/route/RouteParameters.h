@@ -1,0 +1,134 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim2d/base/Result.h"
+#include "sim2d/nav/nav2/Nav2Key.h"
+
+/// Keys of the route server (nav2_route), which exists since Kilted. Defaults are those of its
+/// code.
+namespace sim2d::nav2 {
+
+struct RouteServerParameters {
+  std::string graphFilepath;  // GeoJSON; empty: there is no graph
+  std::vector<std::string> edgeCostFunctions = {"DistanceScorer", "DynamicEdgesScorer"};
+  std::vector<std::string> operations = {"AdjustSpeedLimit", "ReroutingService"};
+  int maxIterations = 0;                     // of the search; 0: no limit
+  double trackerUpdateRate = 50.0;           // [Hz]
+  double radiusToAchieveNode = 2.0;          // [m]
+  double boundaryRadiusToAchieveNode = 1.0;  // [m], of the first and the last node
+  bool aggregateBlockedIds = false;          // blocked edges stay blocked when it is routed again
+  bool pruneGoal = true;
+  double minPruneDistFromStart = 0.10;  // [m]
+  double minPruneDistFromGoal = 0.15;   // [m]
+  double maxPruneDistFromEdge = 8.0;    // [m]
+  bool enableNnSearch = true;           // which of the nearest nodes can be reached
+  int maxNnSearchIterations = 10000;
+  int numNearestNodes = 5;
+  bool smoothCorners = false;
+  double smoothingRadius = 1.0;  // [m]
+  double pathDensity = 0.05;     // [m] between poses
+};
+
+/// Of a plugin that has none of these keys a value counts nowhere.
+struct DistanceScorerParameters {
+  std::string speedTag = "speed_limit";  // metadata of an edge: share of the speed
+  double weight = 1.0;
+};
+struct TimeScorerParameters {
+  std::string speedTag = "abs_speed_limit";  // metadata of an edge [m/s]
+  std::string timeTag = "abs_time_taken";    // measured by TimeMarker [s]
+  double maxVel = 0.5;                       // [m/s], of edges without a speed
+  double weight = 1.0;
+};
+struct PenaltyScorerParameters {
+  std::string penaltyTag = "penalty";
+  double weight = 1.0;
+};
+struct CostmapScorerParameters {
+  bool useMaximum = true;  // the greatest cost on the edge, else the mean
+  bool invalidOnCollision = true, invalidOffMap = true;
+  double maxCost = 253.0;
+  int checkResolution = 2;  // every so many cells of the line
+  std::string costmapTopic = "global_costmap/costmap_raw";
+  double weight = 1.0;
+};
+struct SemanticScorerParameters {
+  std::string semanticKey = "class";  // metadata whose text is the class; empty: keys are classes
+  std::vector<std::string> semanticClasses;
+  double weight = 1.0;
+  std::map<std::string, double> costs;  // no key: those named by `semanticClasses`
+};
+struct OrientationScorerParameters {                 // of the start and of the goal
+  double orientationTolerance = 1.5707963267948966;  // [rad]
+  double orientationWeight = 1.0;
+  bool useOrientationThreshold = false;  // edges beyond the tolerance cannot be taken
+  bool isOfGoal = false;                 // no key
+};
+struct DynamicEdgesParameters {};
+
+using EdgeScorerSettings =
+    std::variant<DistanceScorerParameters, TimeScorerParameters, PenaltyScorerParameters,
+                 CostmapScorerParameters, SemanticScorerParameters, OrientationScorerParameters,
+                 DynamicEdgesParameters>;
+
+struct AdjustSpeedLimitParameters {
+  std::string speedTag = "speed_limit";  // metadata of an edge: percent of the speed
+};
+struct RouteCollisionParameters {  // nav2_route::CollisionMonitor
+  double rate = 1.0;               // [Hz]
+  double maxCost = 253.0;
+  int checkResolution = 1;        // every so many cells of the line
+  double maxCollisionDist = 5.0;  // [m] ahead
+  bool rerouteOnCollision = true;
+  std::string costmapTopic = "local_costmap/costmap_raw";
+};
+struct TimeMarkerParameters {
+  std::string timeTag = "abs_time_taken";  // metadata of an edge [s]
+};
+struct ReroutingServiceParameters {};
+struct TriggerEventParameters {
+  std::string serviceName;  // that of the graph file counts first
+};
+
+using RouteOperationSettings =
+    std::variant<AdjustSpeedLimitParameters, RouteCollisionParameters, TimeMarkerParameters,
+                 ReroutingServiceParameters, TriggerEventParameters>;
+
+/// The route server with its plugins, by their names and in the order of the lists.
+struct RouteSettings {
+  RouteServerParameters server;
+  std::vector<std::pair<std::string, EdgeScorerSettings>> scorers;
+  std::vector<std::pair<std::string, RouteOperationSettings>> operations;
+};
+
+const std::vector<Nav2Key<RouteServerParameters>>& routeServerKeys();
+const std::vector<IdleKey>& idleRouteServerKeys();
+const std::vector<Nav2Key<DistanceScorerParameters>>& keysOf(const DistanceScorerParameters&);
+const std::vector<Nav2Key<TimeScorerParameters>>& keysOf(const TimeScorerParameters&);
+const std::vector<Nav2Key<PenaltyScorerParameters>>& keysOf(const PenaltyScorerParameters&);
+const std::vector<Nav2Key<CostmapScorerParameters>>& keysOf(const CostmapScorerParameters&);
+const std::vector<Nav2Key<SemanticScorerParameters>>& keysOf(const SemanticScorerParameters&);
+const std::vector<Nav2Key<OrientationScorerParameters>>& keysOf(const OrientationScorerParameters&);
+const std::vector<Nav2Key<DynamicEdgesParameters>>& keysOf(const DynamicEdgesParameters&);
+const std::vector<Nav2Key<AdjustSpeedLimitParameters>>& keysOf(const AdjustSpeedLimitParameters&);
+const std::vector<Nav2Key<RouteCollisionParameters>>& keysOf(const RouteCollisionParameters&);
+const std::vector<Nav2Key<TimeMarkerParameters>>& keysOf(const TimeMarkerParameters&);
+const std::vector<Nav2Key<ReroutingServiceParameters>>& keysOf(const ReroutingServiceParameters&);
+const std::vector<Nav2Key<TriggerEventParameters>>& keysOf(const TriggerEventParameters&);
+
+/// By the class of a plugin, "nav2_route::DistanceScorer"; none: there is no such class.
+std::optional<EdgeScorerSettings> edgeScorerOf(const std::string& plugin);
+std::optional<RouteOperationSettings> routeOperationOf(const std::string& plugin);
+const std::vector<std::string>& edgeScorerPlugins();
+const std::vector<std::string>& routeOperationPlugins();
+
+/// Values that no route can be found or followed with.
+base::Diagnostics problemsOf(const RouteServerParameters& parameters);
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "sim2d/nav/nav2/route/EdgeScorers.h"
+#include "sim2d/nav/nav2/route/Route.h"
+
+namespace sim2d::nav2 {
+
+/// The cheapest route between two nodes (nav2_route::RoutePlanner): Dijkstra's search over directed
+/// edges. The cost of an edge is what the scorers find, or that of the file when the edge is not
+/// overridable or there is no scorer. Errors: NoValidRoute; NoValidGraph, an edge without a cost
+/// above 0 where that of the file counts; Timeout, more than `maxIterations` nodes (0: no limit);
+/// InvalidEdgeScorerUse, a scorer of headings in a request by ids. Of equal costs the way that was
+/// found first stays.
+RouteResult findRoute(const RouteGraph& graph, std::size_t start, std::size_t goal,
+                      const BlockedEdges& blocked, const EdgeScorers& scorers,
+                      const ScoringScene& scene, int maxIterations);
+
+}  // namespace sim2d::nav2
