@@ -120,6 +120,7 @@ sim2d::Scenario fixedPart(sim2d::Scenario scenario) {
     robot.nav2Params = usual.nav2Params;
     robot.nav2Tree = usual.nav2Tree;
     robot.nav2Distro = usual.nav2Distro;
+    robot.nav2Topics = usual.nav2Topics;
     robot.nav2Values = usual.nav2Values;
     robot.goal = usual.goal;
     robot.goalRadius = usual.goalRadius;

@@ -263,6 +263,8 @@ void RobotPage::addPlannerRows(FormSection* section, const sim2d::Registries& re
   addField<Robot>(section, "nav2_params", nav2);
   nav2.placeholder = tr("Nav2's own");
   addField<Robot>(section, "nav2_tree", nav2);
+  nav2.placeholder = tr("nothing is published");
+  addField<Robot>(section, "nav2_topics", nav2);
   nav2.words = QStringList{tr("Humble"), tr("Jazzy"), tr("Kilted"), tr("Lyrical"), tr("Main")};
   nav2.none = tr("As the file tells (default)");
   addField<Robot>(section, "nav2_distro", nav2);

@@ -59,6 +59,8 @@ struct Nav2Choice {
   std::string params, tree;                                 // files
   std::optional<nav2::Distro> distro;                       // none: as the file tells
   std::vector<std::pair<std::string, std::string>> values;  // "FollowPath.temperature", YAML
+  std::string
+      topics;  // "12 controller_selector FollowPath2; 20 /pause": what is published, when [s]
 };
 
 /// A local planner of one robot. Thread: one at a time. Equal observations in the same order give

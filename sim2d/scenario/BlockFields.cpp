@@ -252,6 +252,12 @@ Fields<Robot> driverFields() {
             {"Nav2 branch"})
           .words({"humble", "jazzy", "kilted", "lyrical", "main"})
           .countsAs(&Resolved::nav2Distro),
+      field(
+          "nav2_topics", &Robot::nav2Topics,
+          "Of planner nav2: messages of topics and calls of services, each a time [s], a name and "
+          "the message, with `;` between: `12 controller_selector FollowPath2; 20 /pause`",
+          {"Nav2 topics"})
+          .resolvedTo(&Resolved::nav2Topics),
       FieldOf<Robot>("nav2",
                      "Of planner nav2: values instead of those of its file, by node and name",
                      {"Nav2 values"})

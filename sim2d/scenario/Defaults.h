@@ -51,6 +51,7 @@ struct ResolvedRobot {
   std::vector<std::pair<std::string, std::string>> plannerTexts;  // all of them, as text
   std::string nav2Params, nav2Tree;                               // of planner nav2; empty: its own
   std::optional<nav2::Distro> nav2Distro;                         // none: as the file tells
+  std::string nav2Topics;                                         // messages and calls, by time
   std::vector<std::pair<std::string, std::string>>
       nav2Values;  // values instead of the file's, as YAML
   Pose2 start;

@@ -153,7 +153,8 @@ struct Robot : Named {
   ParameterTexts plannerParameters;
   std::optional<std::string> nav2Params, nav2Tree;  // files of planner `nav2`
   std::optional<nav2::Distro> nav2Distro;
-  ParameterTexts nav2Values;  // instead of the file's: "FollowPath.temperature"
+  std::optional<std::string> nav2Topics;  // what is published to it
+  ParameterTexts nav2Values;              // instead of the file's: "FollowPath.temperature"
   Pose2 start;
   RobotGoal goal;
   std::optional<double> goalRadius, startTime, radius, mass, maxVel, maxAcc, maxOmega, maxAlpha;

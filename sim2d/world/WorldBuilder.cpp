@@ -170,7 +170,8 @@ std::shared_ptr<Planner> makePlanner(const WorldSetup& world, const WorldModel& 
   setup.robot = robot.name;
   setup.body = bodyOf(robot);
   giveParameters(robot, entry->parameters, setup);
-  setup.nav2 = {robot.nav2Params, robot.nav2Tree, robot.nav2Distro, robot.nav2Values};
+  setup.nav2 = {robot.nav2Params, robot.nav2Tree, robot.nav2Distro, robot.nav2Values,
+                robot.nav2Topics};
   setup.goalRadius = robot.goalRadius;
   setup.dt = model.dt;
   setup.seed = model.seed;

@@ -11,8 +11,8 @@ namespace {
 auto planning(const ResolvedRobot& robot) {
   return std::tie(robot.planner, robot.command, robot.plannerParameters, robot.plannerTexts,
                   robot.nav2Params, robot.nav2Tree, robot.nav2Distro, robot.nav2Values,
-                  robot.maxVel, robot.maxAcc, robot.maxOmega, robot.maxAlpha, robot.maxReverse,
-                  robot.goalRadius);
+                  robot.nav2Topics, robot.maxVel, robot.maxAcc, robot.maxOmega, robot.maxAlpha,
+                  robot.maxReverse, robot.goalRadius);
 }
 
 auto destination(const ResolvedRobot& robot) {

@@ -177,6 +177,7 @@ class RandomScenario {
     maybe(to.nav2Params, [&] { return word(); });
     maybe(to.nav2Tree, [&] { return word(); });
     maybe(to.nav2Distro, [&] { return static_cast<sim2d::nav2::Distro>(upTo(2)); });
+    maybe(to.nav2Topics, [&] { return word(); });
     if (flip()) {
       to.nav2Values = {{"FollowPath.temperature", "0.2"},
                        {"FollowPath.critics", "- A\n- B"},
