@@ -21,7 +21,7 @@ bool isNav2(const sim2d::Robot& robot) {
 
 sim2d::Nav2Choice choiceOf(const sim2d::Robot& robot) {
   return {robot.nav2Params.value_or(""), robot.nav2Tree.value_or(""), robot.nav2Distro,
-          robot.nav2Values};
+          robot.nav2Values, robot.nav2Topics.value_or("")};
 }
 
 bt::Nav2Loaded loadedFor(const sim2d::Robot& robot, const std::string& scenarioPath) {
@@ -109,6 +109,10 @@ std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
       }
     }
     files.insert(files.end(), loaded.masks.files.begin(), loaded.masks.files.end());
+    files.insert(files.end(), loaded.subTreeFiles.begin(), loaded.subTreeFiles.end());
+    if (!loaded.graph.file.empty()) {
+      files.push_back(loaded.graph.file);
+    }
   });
   return files;
 }
@@ -124,6 +128,7 @@ base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch) {
   base::append(found, bt::nav2Contradictions(reading.parameters, nullptr));
   const bt::Nav2Masks masks = bt::loadNav2Masks(reading.parameters);
   base::append(found, masks.problems);
+  base::append(found, bt::loadNav2Graph(reading.parameters).problems);
   const bt::Nav2Servers::Setup setup{reading.parameters, {},          {}, {}, 1, -1,
                                      masks.local,        masks.global};
   const bool canBeMade = !base::hasErrors(found) && !reading.parameters.isPartial;
@@ -150,7 +155,8 @@ base::Diagnostics checkNavigatorTree(const std::string& path, Nav2Branch branch)
   if (!branch) {  // nothing in a tree names its branch
     found.erase(std::remove_if(found.begin(), found.end(),
                                [](const base::Diagnostic& problem) {
-                                 return problem.code == "nav2.node-of-others";
+                                 return problem.code == "nav2.node-of-others" ||
+                                        problem.code == "nav2.port-of-others";
                                }),
                 found.end());
   }

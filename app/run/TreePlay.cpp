@@ -120,7 +120,14 @@ class NavigatorOfPlay : public bt::NavigatorHost {
   double speed() const override { return 0.0; }
   double goalReachedTolerance() const override { return 0.25; }
   bt::PathId newestGoal() const override { return goal_; }
-  bool isPathValid(bt::PathId, int, bool) const override { return true; }
+  double time() const override { return 0.0; }
+  sim2d::BodyTwist motion() const override { return {}; }
+  double acceleration() const override { return 0.0; }
+  bt::PathCheckResult checkPath(const bt::PathCheck&) const override { return {true, {}}; }
+  std::optional<std::uint8_t> costAt(bool, const base::Pose2&, bool) const override { return 0; }
+  sim2d::nav2::TrackingFeedback tracking() const override { return {}; }
+  void monitorCollisions(bool) override {}
+  bt::TopicMessage lastMessage(const std::string&) const override { return {}; }
   void begin(bt::RobotAction, const bt::RobotRequest&) override {}
   bt::RobotOutcome outcome(bt::RobotAction) const override { return {}; }
   void cancel(bt::RobotAction) override {}
@@ -215,7 +222,8 @@ bt::CompileOptions navigatorOptions(const bt::TreeTable& table) {
   options.mainTree = table.mainTree;
   options.hostEntries = {{"goal", bt::PortType::Any},
                          {"goals", bt::PortType::Any},
-                         {"number_recoveries", bt::PortType::Int}};
+                         {"number_recoveries", bt::PortType::Int},
+                         {"waypoint_statuses", bt::PortType::Any}};
   return options;
 }
 

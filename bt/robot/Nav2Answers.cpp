@@ -21,24 +21,59 @@ double Nav2Servers::speed() const {
   return std::sqrt(mean.linear * mean.linear + mean.lateral * mean.lateral);
 }
 
-bool Nav2Servers::isPathValid(PathId id, int maxCost, bool unknownBlocks) const {
-  const Path& path = paths().get(id);
+std::optional<std::uint8_t> Nav2Servers::costAt(bool isLocal, const base::Pose2& pose,
+                                                bool usesFootprint) const {
+  const LayeredCostmap& costmap = isLocal ? *local_ : *global_;
+  const auto cell = costmap.costmap().worldToCell(pose.position);
+  if (!cell) {
+    return std::nullopt;
+  }
+  return usesFootprint ? footprintCost(costmap.costmap(), costmap.footprint().corners, pose)
+                       : costmap.costmap().at(*cell);
+}
+
+PathCheckResult Nav2Servers::checkPath(const PathCheck& check) const {
+  const Path& path = paths().get(check.path);
+  const CostmapLayer* const layer = check.layer.empty() ? nullptr : global_->layer(check.layer);
+  const Costmap* const costmap = layer != nullptr ? layer->grid() : &global_->costmap();
+  base::Result<Polygon> given = global_->footprint().corners;
+  if (!check.footprint.empty()) {
+    given = readPolygon(check.footprint);
+  }
+  const bool isKnown = check.layer.empty() || (layer != nullptr && costmap != nullptr);
+  if (path.empty() || !isKnown || !given) {
+    return {};
+  }
+  const bool isRadius = global_->footprint().isRadius && check.footprint.empty();
+  const auto isBlocked = [&](const base::Pose2& place) {
+    const std::uint8_t cost =
+        isRadius ? placeCost(*costmap, place.position) : footprintCost(*costmap, *given, place);
+    if (cost == kNoInformation) {
+      return check.unknownBlocks;
+    }
+    return cost == kLethal || (isRadius && cost == kInscribed) || cost >= check.maxCost;
+  };
   const base::Vec2 robot = observation_->pose.position;
-  const CostmapFootprint& footprint = global_->footprint();
-  const Costmap& costmap = global_->costmap();
   const auto nearest =
       std::min_element(path.begin(), path.end(), [&](const base::Pose2& a, const base::Pose2& b) {
         return (a.position - robot).squaredNorm() < (b.position - robot).squaredNorm();
       });
-  const auto isBlocked = [&](const base::Pose2& place) {
-    const std::uint8_t cost = footprint.isRadius ? placeCost(costmap, place.position)
-                                                 : footprintCost(costmap, footprint.corners, place);
-    if (cost == kNoInformation) {
-      return unknownBlocks;
+  PathCheckResult result;
+  double way = 0.0;  // [m] from the nearest pose
+  for (auto place = nearest; place != path.end(); ++place) {
+    way += place == nearest ? 0.0 : (place->position - (place - 1)->position).norm();
+    if (check.lookahead >= 0.0 && way > check.lookahead) {
+      break;
     }
-    return cost == kLethal || (footprint.isRadius && cost == kInscribed) || cost >= maxCost;
-  };
-  return !path.empty() && std::none_of(nearest, path.end(), isBlocked);
+    if (isBlocked(*place)) {
+      result.collisions.push_back(*place);
+      if (check.stopsAtFirst) {
+        break;
+      }
+    }
+  }
+  result.isValid = result.collisions.empty();
+  return result;
 }
 
 bool Nav2Servers::relocalize() {
@@ -59,8 +94,7 @@ bool Nav2Servers::clear(const ClearRequest& request) {
   }
   using Extent = ClearRequest::Extent;
   if (request.extent == Extent::Entire) {
-    costmap.clearEntirely();
-    return true;
+    return costmap.clearEntirely(plugins);
   }
   const base::Pose2 inMap = request.pose.value_or(observation_->pose);
   const base::Vec2 place = (request.isLocal ? sim2d::toFrame(localFrame(), inMap) : inMap).position;

@@ -34,7 +34,20 @@ void Nav2Servers::control() {
   if (!isCancelling_ && isDue(controllers_->parameters().frequency)) {
     watchController();
     takeFeedback(controllers_->update(cycle()));
+    trackPath();
   }
+}
+
+/// As the controller server does since Lyrical, on the path that was given last. It looks for the
+/// nearest segment from the last one on, within two metres.
+void Nav2Servers::trackPath() {
+  constexpr double kWindow = 2.0;  // [m], search_window
+  if (!controllers_->isRunning() || shownPath_.empty()) {
+    return;
+  }
+  const int number = tracking_.number + 1;
+  tracking_ = trackingError(shownPath_, observation_->pose, tracking_.index, kWindow);
+  tracking_.number = number;
 }
 
 /// Its ways cost time; the first cycle of a robot has none.
@@ -69,6 +82,7 @@ void Nav2Servers::takeFeedback(const FollowFeedback& feedback) {
   } else if (feedback.status == FollowStatus::Failed) {
     outcome.state = State::Failed;
     outcome.errorCode = static_cast<int>(feedback.code);
+    outcome.errorText = feedback.words;
     noteFailure(RobotAction::FollowPath, outcome.errorCode);
   } else if (feedback.status == FollowStatus::Canceled) {
     outcome.state = State::Cancelled;

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <utility>
 
+#include "bt/robot/NodePorts.h"
 #include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
@@ -62,6 +63,35 @@ sim2d::nav2::Nav2Reading readWith(sim2d::nav2::ParameterFile file, const sim2d::
   return reading;
 }
 
+/// Warns of ports that the node does not have in the branch, where Nav2 does not load the tree.
+void lookAtPorts(const NodeSpec& node, const std::string& file, Distro distro, NavigatorTree& to) {
+  const unsigned ofNode = distrosOfNode(node.id);
+  for (const Attribute& port : node.ports) {
+    const unsigned distros = distrosOfPort(node.id, port.name);
+    if (sim2d::nav2::isIn(ofNode, distro) && !sim2d::nav2::isIn(distros, distro)) {
+      to.problems.push_back(base::warning("nav2.port-of-others",
+                                          {port.name, node.id, sim2d::nav2::distroTitles(distros),
+                                           sim2d::nav2::distroTitle(distro)},
+                                          file, node.line));
+    }
+  }
+}
+
+/// Notes the tree that a node asks for; one that an entry of the blackboard names is not known yet.
+void noteSubTree(const NodeSpec& node, NavigatorTree& to) {
+  const bool isToPose = node.id == "NavigateToPose";
+  if (!isToPose && node.id != "NavigateThroughPoses") {
+    return;
+  }
+  const auto port = std::find_if(node.ports.begin(), node.ports.end(), [](const Attribute& each) {
+    return each.name == "behavior_tree";
+  });
+  const std::string name = port == node.ports.end() ? std::string() : port->text;
+  if (name.find('{') == std::string::npos) {
+    (isToPose ? to.toPose : to.throughPoses).insert(name);
+  }
+}
+
 /// Tells of nodes that are not in the branch, always fail, or have one answer.
 void lookAtNodes(const NodeSpec& node, const std::string& file, Distro distro, NavigatorTree& to) {
   const unsigned distros = distrosOfNode(node.id);
@@ -72,6 +102,8 @@ void lookAtNodes(const NodeSpec& node, const std::string& file, Distro distro, N
         {node.id, sim2d::nav2::distroTitles(distros), sim2d::nav2::distroTitle(distro)}, file,
         node.line));
   }
+  lookAtPorts(node, file, distro, to);
+  noteSubTree(node, to);
   const std::string unsupported(unsupportedNode(node.id)), constant(constantNode(node.id));
   if (!unsupported.empty()) {
     to.unsupported.push_back(node.id + ": " + unsupported);
@@ -148,7 +180,8 @@ NavigatorTree loadNavigatorTree(const std::string& file, const Nav2Parameters& p
   options.mainTree = table->mainTree;
   options.hostEntries = {{parameters.btNavigator.goalBlackboardId, PortType::Any},
                          {parameters.btNavigator.goalsBlackboardId, PortType::Any},
-                         {"number_recoveries", PortType::Int}};
+                         {"number_recoveries", PortType::Int},
+                         {parameters.btNavigator.waypointStatusesBlackboardId, PortType::Any}};
   auto program = compile(*table, robotNodes(), options);
   base::append(tree.problems, program.diagnostics());
   for (const auto& [id, entry] : table->entries) {
@@ -176,6 +209,43 @@ void loadThrough(const std::string& folder, const Nav2Folders& shipped, Nav2Load
   loaded.through = loadNavigatorTree(loaded.throughFile, loaded.parameters);
   if (!own.empty()) {  // the shipped one has been looked at
     base::append(loaded.problems, loaded.through.problems);
+  }
+}
+
+/// A tree that a node of the robot's tree asks for. Null with a problem: it is not there or has
+/// errors. A warning of the shipped ones is not told.
+std::shared_ptr<const Program> loadSubTree(const std::string& named, const std::string& folder,
+                                           const Nav2Folders& shipped, Nav2Loaded& loaded) {
+  const std::string file = nav2TreeFile(named, folder, loaded.parameters.distro, shipped);
+  if (file.empty()) {
+    loaded.problems.push_back(
+        base::error("nav2.no-file", {named, known(shipped.trees, ".xml")}, named));
+    return nullptr;
+  }
+  NavigatorTree tree = loadNavigatorTree(file, loaded.parameters);
+  base::append(loaded.problems, tree.problems);
+  loaded.subTreeFiles.push_back(file);
+  return tree.program;
+}
+
+void loadSubTrees(const NavigatorTree& tree, const std::string& folder, const Nav2Folders& shipped,
+                  Nav2Loaded& loaded) {
+  const sim2d::nav2::BtNavigatorParameters& own = loaded.parameters.btNavigator;
+  const std::string toPose =
+      own.defaultNavToPoseBtXml.empty() ? kUsualNav2Tree : own.defaultNavToPoseBtXml;
+  const std::string through =
+      own.defaultNavThroughPosesBtXml.empty() ? kUsualThroughTree : own.defaultNavThroughPosesBtXml;
+  for (const auto& [wanted, fallback] :
+       {std::pair(&tree.toPose, &toPose), std::pair(&tree.throughPoses, &through)}) {
+    for (const std::string& name : *wanted) {
+      auto program = loadSubTree(name.empty() ? *fallback : name, folder, shipped, loaded);
+      if (!name.empty()) {
+        loaded.subTrees.byName[name] = std::move(program);
+      } else {
+        (wanted == &tree.toPose ? loaded.subTrees.toPose : loaded.subTrees.throughPoses) =
+            std::move(program);
+      }
+    }
   }
 }
 
@@ -207,6 +277,11 @@ Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string
   loaded.parameters = std::move(reading.parameters);
   loaded.masks = loadNav2Masks(loaded.parameters);
   base::append(loaded.problems, loaded.masks.problems);
+  loaded.graph = loadNav2Graph(loaded.parameters);
+  base::append(loaded.problems, loaded.graph.problems);
+  const base::Result<NavigatorTopics> topics = NavigatorTopics::read(choice.topics);
+  base::append(loaded.problems, topics.diagnostics());
+  loaded.topics = topics ? *topics : NavigatorTopics();
   return loaded;
 }
 
@@ -226,6 +301,7 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
   }
   NavigatorTree tree = loadNavigatorTree(loaded.treeFile, loaded.parameters);
   base::append(loaded.problems, tree.problems);
+  loadSubTrees(tree, folder, shipped, loaded);
   loaded.program = std::move(tree.program);
   loaded.constants = std::move(tree.constants);
   loaded.unsupported = std::move(tree.unsupported);

@@ -1,13 +1,17 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "bt/engine/Program.h"
+#include "bt/robot/NavigatorTopics.h"
+#include "bt/robot/SubNavigation.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/nav2/costmap/CostmapLayer.h"
 #include "sim2d/nav/nav2/params/Nav2Parameters.h"
+#include "sim2d/nav/nav2/route/RouteGraph.h"
 
 namespace bt {
 
@@ -36,6 +40,9 @@ struct NavigatorTree {
   std::shared_ptr<const Program> program;  // null: with errors
   std::vector<std::string> constants, unsupported;
   bool isThroughPoses = false;  // it plans through several goals
+  /// Trees that its nodes NavigateToPose and NavigateThroughPoses ask for, by the port
+  /// behavior_tree; empty: the default one.
+  std::set<std::string> toPose, throughPoses;
   base::Diagnostics problems;
 };
 
@@ -47,6 +54,15 @@ struct Nav2Masks {
 };
 Nav2Masks loadNav2Masks(const sim2d::nav2::Nav2Parameters& parameters);
 
+/// The graph that the route server names in graph_filepath, beside the parameter file: by its path,
+/// else by the last part of it.
+struct Nav2Graph {
+  sim2d::nav2::RouteGraph graph;  // empty: none is named, or it has errors
+  std::string file;
+  base::Diagnostics problems;
+};
+Nav2Graph loadNav2Graph(const sim2d::nav2::Nav2Parameters& parameters);
+
 /// All that a robot's choice comes to.
 struct Nav2Loaded {
   std::string paramsFile, treeFile;
@@ -57,7 +73,11 @@ struct Nav2Loaded {
   bool isThroughPoses = false;           // the tree plans through several goals
   std::string throughFile;               // drives several goals where no tree is chosen
   NavigatorTree through;
+  NavigatorTrees subTrees;                // that nodes of the tree ask for
+  std::vector<std::string> subTreeFiles;  // and their files
+  NavigatorTopics topics;                 // what is published to the robot in the run
   Nav2Masks masks;
+  Nav2Graph graph;
   base::Diagnostics problems;     // of both files
   base::Diagnostics wrongValues;  // of the choice's values that no parameter fits
   bool ok() const {

@@ -101,10 +101,15 @@ void Nav2Servers::Motions::runBehavior(const Step& step, std::optional<BodyTwist
   RobotOutcome outcome;
   outcome.state = isFine ? State::Succeeded : State::Failed;
   outcome.errorCode = isFine ? 0 : behaviors_.code();
+  outcome.errorText = done->words;
   outcome_ = outcome;
   ended_ = *std::exchange(running_, std::nullopt);
   direct_.reset();
   command = command ? command : std::optional<BodyTwist>(BodyTwist());
+}
+
+void Nav2Servers::monitorCollisions(bool isOn) {
+  motions_->monitorCollisions(isOn);
 }
 
 BodyTwist Nav2Servers::Motions::drive(const Step& step, std::optional<BodyTwist> command) {
@@ -117,7 +122,7 @@ BodyTwist Nav2Servers::Motions::drive(const Step& step, std::optional<BodyTwist>
   }
   sent_ = smoother_.update(step.time, step.observation.motion).value_or(sent_);
   const BodyTwist wanted = direct_.value_or(sent_);
-  return monitor_ ? monitor_->filter(wanted, step.inOdom).twist : wanted;
+  return monitor_ && isMonitored_ ? monitor_->filter(wanted, step.inOdom).twist : wanted;
 }
 
 }  // namespace bt

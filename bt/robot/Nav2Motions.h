@@ -33,6 +33,8 @@ class Nav2Servers::Motions {
   /// False: the file lists no such behaviour.
   bool begin(RobotAction action, const RobotRequest& request, const Step& step);
   void cancel(RobotAction action);
+  /// Service toggle of the collision monitor: off, it passes commands on as they are.
+  void monitorCollisions(bool isOn) { isMonitored_ = isOn; }
   /// What came of the behaviour that began last, once it has ended.
   std::optional<RobotOutcome> takeOutcome(RobotAction action);
   /// `command`: what a controller published in this step, if it did; the command for the wheels.
@@ -46,6 +48,7 @@ class Nav2Servers::Motions {
   sim2d::nav2::BehaviorServer behaviors_;
   sim2d::nav2::VelocitySmoother smoother_;
   std::optional<sim2d::nav2::CollisionMonitor> monitor_;
+  bool isMonitored_ = true;
   std::optional<RobotAction> running_;
   bool ignoresCollisions_ = false;       // what runs
   std::optional<RobotOutcome> outcome_;  // of the action that `ended_` names

@@ -50,7 +50,8 @@ class Nav2Planner final : public sim2d::Planner {
   bool wantsMap() const override { return true; }
   base::Diagnostics takeMap(const sim2d::OccupancyGrid& map) override {
     auto servers = Nav2Servers::make({loaded_.parameters, setup_.body, map, latencies_, setup_.seed,
-                                      setup_.robotId, loaded_.masks.local, loaded_.masks.global});
+                                      setup_.robotId, loaded_.masks.local, loaded_.masks.global,
+                                      loaded_.topics, loaded_.subTrees, loaded_.graph.graph});
     base::Diagnostics problems;
     for (const base::Diagnostic& problem : servers.diagnostics()) {
       problems.push_back(base::problem(problem.severity, "nav2.drive",
@@ -158,6 +159,8 @@ class Nav2Planner final : public sim2d::Planner {
     tree_->set(loaded_.program->hostSlot(0), static_cast<int>(goals));
     tree_->set(loaded_.program->hostSlot(1), static_cast<int>(goals));
     tree_->set(loaded_.program->hostSlot(2), 0);
+    tree_->set(loaded_.program->hostSlot(3),
+               static_cast<int>(addPending(*servers_, route_.poses())));
     isDone_ = false;
   }
 

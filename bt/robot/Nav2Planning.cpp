@@ -61,47 +61,66 @@ void Nav2Servers::planIfAsked(RobotAction action) {
 }
 
 void Nav2Servers::planNow(RobotAction action, Asked& asked) {
+  const auto fail = [&](PlanError error) {
+    finish(action, codeOf(action, error), 0, planErrorWords(error));
+  };
   if (!global_->isCurrent()) {
-    finish(action, codeOf(action, PlanError::Timeout));
+    fail(PlanError::Timeout);
     return;
   }
   if (!isLocalized()) {
-    finish(action, static_cast<int>(PlanError::TfError));
-    ++counts_.planFailures;
+    fail(PlanError::TfError);
     return;
   }
   GlobalPlanner* const planner = namedOne(planners_, asked.request.server);
   const Path& goals = paths().get(asked.request.path);
+  if (planner == nullptr || goals.empty()) {
+    fail(planner == nullptr ? PlanError::InvalidPlanner : PlanError::NoValidPath);
+    return;
+  }
   const Path& starts = paths().get(asked.request.start.value_or(0));
   const base::Pose2 start = starts.empty() ? observation_->pose : starts.front();
-  PlanError error = PlanError::InvalidPlanner;
-  Path path;
-  if (planner != nullptr && goals.empty()) {
-    error = PlanError::NoValidPath;
-  } else if (planner != nullptr && action == RobotAction::ComputePath) {
-    PlanResult plan = planner->plan(planRequest(start, goals.back()));
-    error = plan.error;
-    path = std::move(plan.path);
-  } else if (planner != nullptr) {
-    ThroughPosesResult plan =
-        planThroughPoses(*planner, planRequest(start, goals.back()), goals,
-                         setup_.parameters.plannerServer.allowPartialPlanning);
-    error = plan.error;
-    path = std::move(plan.path);
+  ThroughPosesResult plan = planPath(*planner, action, asked.request, start);
+  if (plan.error == PlanError::None && plan.path.empty()) {
+    plan.error = PlanError::NoValidPath;
   }
-  if (error == PlanError::None && path.empty()) {
-    error = PlanError::NoValidPath;
-  }
-  if (error != PlanError::None) {
-    finish(action, codeOf(action, error));
+  if (plan.error != PlanError::None) {
+    fail(plan.error);
     return;
   }
   hasReplanned_ = hasReplanned_ || hasPlanned_;
   counts_.replans += hasPlanned_ ? 1 : 0;
   hasPlanned_ = true;
-  local_->setPlan(path);
-  global_->setPlan(path);
-  finish(action, 0, paths().add(std::move(path)));
+  informCostmaps(plan.path);
+  finish(action, 0, paths().add(std::move(plan.path)));
+  result(action).lastReached = plan.reached;
+}
+
+/// Layers may depend on the plan, each in the frame of its costmap.
+void Nav2Servers::informCostmaps(const Path& plan) {
+  global_->setPlan(plan);
+  Path local = plan;
+  for (base::Pose2& pose : local) {
+    pose = toFrame(localFrame(), pose);
+  }
+  local_->setPlan(local);
+}
+
+/// To one goal, through the poses on the way to it if there are some, or through all goals.
+ThroughPosesResult Nav2Servers::planPath(GlobalPlanner& planner, RobotAction action,
+                                         const RobotRequest& request, const base::Pose2& start) {
+  Path goals = paths().get(request.path);
+  if (action == RobotAction::ComputePath) {
+    Path via = paths().get(request.viaPoints);
+    if (via.empty()) {
+      PlanResult plan = planner.plan(planRequest(start, goals.back()));
+      return {plan.error, std::move(plan.path), 0, true};
+    }
+    via.push_back(goals.back());
+    return planThroughPoses(planner, planRequest(start, via.back()), via, false);
+  }
+  return planThroughPoses(planner, planRequest(start, goals.back()), goals,
+                          setup_.parameters.plannerServer.allowPartialPlanning);
 }
 
 void Nav2Servers::smoothIfAsked() {
@@ -115,7 +134,8 @@ void Nav2Servers::smoothIfAsked() {
 void Nav2Servers::smoothNow(const RobotRequest& request) {
   const PathSmoother* const smoother = namedOne(smoothers_, request.server);
   if (smoother == nullptr) {
-    finish(RobotAction::SmoothPath, static_cast<int>(SmoothError::InvalidSmoother));
+    finish(RobotAction::SmoothPath, static_cast<int>(SmoothError::InvalidSmoother), 0,
+           smoothErrorWords(SmoothError::InvalidSmoother));
     return;
   }
   const Path& path = paths().get(request.path);
@@ -131,7 +151,7 @@ void Nav2Servers::smoothNow(const RobotRequest& request) {
   }
   const bool isFine = smoothed.error == SmoothError::None;
   finish(RobotAction::SmoothPath, static_cast<int>(smoothed.error),
-         isFine ? paths().add(std::move(smoothed.path)) : 0);
+         isFine ? paths().add(std::move(smoothed.path)) : 0, smoothErrorWords(smoothed.error));
   result(RobotAction::SmoothPath).wasCompleted = smoothed.wasCompleted;
 }
 

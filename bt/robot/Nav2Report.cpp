@@ -147,6 +147,13 @@ std::string nav2Report(const Nav2Loaded& loaded, const Nav2Counts& counts,
                     {"commands_cut_by_the_robot", counts.cutCommands}};
   json["plan_failure_reasons"] = Json(counts.planReasons);
   json["action_failure_reasons"] = Json(counts.actionReasons);
+  if (!loaded.graph.file.empty()) {
+    Json events = Json::array();
+    for (const RouteEvent& event : counts.routeEvents) {
+      events.push_back({{"time", event.time}, {"event", event.what}});
+    }
+    json["route"] = {{"graph", loaded.graph.file}, {"events", std::move(events)}};
+  }
   json["keys"] = keysJson(parameters.notes);
   json["code_defaults"] = defaultsJson(parameters.notes);
   return json.dump();

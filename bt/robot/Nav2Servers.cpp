@@ -43,6 +43,10 @@ ControlledShape shapeOf(const LayeredCostmap& costmap) {
   return shape;
 }
 
+bool isNavigation(RobotAction action) {
+  return action == RobotAction::NavigateToPose || action == RobotAction::NavigateThroughPoses;
+}
+
 base::Diagnostics placed(const Nav2Parameters& parameters, const std::string& node,
                          const base::Diagnostics& problems) {
   base::Diagnostics result;
@@ -100,6 +104,7 @@ base::Diagnostics Nav2Servers::build() {
     smoothers_[name] = makePathSmoother(smoother, parameters.distro);
   }
   motions_ = std::make_unique<Motions>(parameters, local_->footprint().corners);
+  routes_ = std::make_unique<RouteServer>(parameters.route, setup_.graph);
   return problems;
 }
 
@@ -133,6 +138,9 @@ void Nav2Servers::sense(const sim2d::Observation& observation) {
   sensed_ = observation;
   sensed_.scan = scan_ ? &*scan_ : nullptr;
   odometry_.add(time_, observation.motion);
+  const double speed = observation.motion.linear;
+  acceleration_ = (speed - speedBefore_.value_or(speed)) / observation.dt;
+  speedBefore_ = speed;
   inOdom_ = &odomObservation_.of(sensed_);
   local_->update(inLocal());
   if (observation.isLocalized) {
@@ -142,6 +150,8 @@ void Nav2Servers::sense(const sim2d::Observation& observation) {
 }
 
 BodyTwist Nav2Servers::act() {
+  navigate();
+  route();
   planIfAsked(RobotAction::ComputePath);
   planIfAsked(RobotAction::ComputePathThroughPoses);
   smoothIfAsked();
@@ -175,6 +185,8 @@ BodyTwist Nav2Servers::delayed(const BodyTwist& command) {
 }
 
 void Nav2Servers::restart() {
+  endNavigation();
+  routes_->cancel();
   for (Asked& each : asked_) {
     each.isWaiting = false;
   }
@@ -192,12 +204,17 @@ void Nav2Servers::restart() {
 // ---- actions --------------------------------------------------------------------
 
 void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
+  if (isNavigation(action)) {
+    beginNavigation(action, request);
+    return;
+  }
   result(action) = {};
   if (action == RobotAction::FollowPath) {
     const Path& path = paths().get(request.path);
     FollowPathGoal goal{path, request.server, request.goalChecker, request.progressChecker,
                         request.pathHandler};
     shownPath_ = path;
+    tracking_.index = 0;
     controllerName_ = request.server;
     if (isCancelling_) {
       nextFollow_ = std::move(goal);
@@ -209,6 +226,7 @@ void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
   if (Motions::isOne(action)) {
     if (!motions_->begin(action, request, {inLocal(), *inOdom_, *local_, time_})) {
       result(action).state = State::Failed;
+      result(action).errorText = "behavior_plugins has no such behavior";
       noteFailure(action, 0);
     }
     return;
@@ -217,13 +235,17 @@ void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
 }
 
 RobotOutcome Nav2Servers::outcome(RobotAction action) const {
+  if (isNavigation(action) && !isNavigating_) {
+    return navigated_;
+  }
   return results_[static_cast<std::size_t>(action)];
 }
 
-void Nav2Servers::finish(RobotAction action, int errorCode, PathId path) {
+void Nav2Servers::finish(RobotAction action, int errorCode, PathId path, const std::string& text) {
   RobotOutcome& outcome = result(action);
   outcome.state = errorCode == 0 ? State::Succeeded : State::Failed;
   outcome.errorCode = errorCode;
+  outcome.errorText = text;
   outcome.path = path;
   asked(action).isWaiting = false;
   if (errorCode != 0) {
@@ -240,6 +262,12 @@ void Nav2Servers::noteFailure(RobotAction action, int errorCode) {
 }
 
 void Nav2Servers::cancel(RobotAction action) {
+  if (isNavigation(action)) {
+    if (!isNavigating_) {
+      endNavigation();
+    }
+    return;
+  }
   if (action == RobotAction::FollowPath) {
     nextFollow_.reset();
     if (result(action).state == State::Running) {
@@ -248,6 +276,8 @@ void Nav2Servers::cancel(RobotAction action) {
     }
   } else if (Motions::isOne(action)) {
     motions_->cancel(action);
+  } else if (action == RobotAction::ComputeAndTrackRoute) {
+    routes_->cancel();
   }
   asked(action).isWaiting = false;
   if (result(action).state == State::Running) {

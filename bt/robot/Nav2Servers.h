@@ -13,10 +13,14 @@
 #include "bt/robot/Nav2Errors.h"
 #include "bt/robot/Nav2Frames.h"
 #include "bt/robot/NavigatorHost.h"
+#include "bt/robot/NavigatorTopics.h"
+#include "bt/robot/SubNavigation.h"
 #include "sim2d/nav/Planner.h"
 #include "sim2d/nav/nav2/control/ControllerServer.h"
 #include "sim2d/nav/nav2/costmap/LayeredCostmap.h"
+#include "sim2d/nav/nav2/global/PlannerServer.h"
 #include "sim2d/nav/nav2/params/Nav2Parameters.h"
+#include "sim2d/nav/nav2/route/RouteServer.h"
 #include "sim2d/nav/nav2/servers/OdometrySmoother.h"
 
 namespace bt {
@@ -40,6 +44,7 @@ struct Nav2Counts {
   int treeFailures = 0;      // runs of the tree that gave a goal up
   std::map<std::string, int> planReasons{};    // planFailures by their reasons
   std::map<std::string, int> actionReasons{};  // other actions that failed, by their reasons
+  std::vector<sim2d::nav2::RouteEvent> routeEvents;  // of the route server's operations
 };
 
 /// Nav2's servers round one robot: costmaps, planners, smoothers, controllers, behaviours, velocity
@@ -55,6 +60,9 @@ class Nav2Servers final : public NavigatorHost {
     std::uint64_t seed = 1;
     int robotId = -1;
     sim2d::nav2::FilterMasks localMasks{}, globalMasks{};  // of filters
+    NavigatorTopics topics{};                              // what is published in the run
+    NavigatorTrees trees{};                                // that nodes of the tree ask for
+    sim2d::nav2::RouteGraph graph{};                       // of the route server
   };
   /// Problems of the costmaps, at the lines of the file's values.
   static base::Diagnostics costmapProblems(const Setup& setup);
@@ -103,7 +111,17 @@ class Nav2Servers final : public NavigatorHost {
     return setup_.parameters.btNavigator.goalReachedTol;
   }
   PathId newestGoal() const override { return goal_; }
-  bool isPathValid(PathId path, int maxCost, bool unknownBlocks) const override;
+  double time() const override { return time_; }
+  sim2d::BodyTwist motion() const override { return observation_->motion; }
+  double acceleration() const override { return acceleration_; }
+  PathCheckResult checkPath(const PathCheck& check) const override;
+  std::optional<std::uint8_t> costAt(bool isLocal, const base::Pose2& pose,
+                                     bool usesFootprint) const override;
+  sim2d::nav2::TrackingFeedback tracking() const override { return tracking_; }
+  void monitorCollisions(bool isOn) override;
+  TopicMessage lastMessage(const std::string& topic) const override {
+    return setup_.topics.lastOf(topic, time_);
+  }
   void begin(RobotAction action, const RobotRequest& request) override;
   RobotOutcome outcome(RobotAction action) const override;
   void cancel(RobotAction action) override;
@@ -135,10 +153,13 @@ class Nav2Servers final : public NavigatorHost {
   const sim2d::Observation& inLocal() const {
     return setup_.parameters.frames.isLocalInOdom && inOdom_ != nullptr ? *inOdom_ : sensed_;
   }
-  void finish(RobotAction action, int errorCode, PathId path = 0);
+  void finish(RobotAction action, int errorCode, PathId path = 0, const std::string& text = {});
   void noteFailure(RobotAction action, int errorCode);
   void planIfAsked(RobotAction action);
   void planNow(RobotAction action, Asked& asked);
+  sim2d::nav2::ThroughPosesResult planPath(sim2d::nav2::GlobalPlanner& planner, RobotAction action,
+                                           const RobotRequest& request, const base::Pose2& start);
+  void informCostmaps(const sim2d::nav2::Path& plan);
   bool waitsForCostmap(Asked& asked);
   void smoothIfAsked();
   void smoothNow(const RobotRequest& request);
@@ -146,6 +167,14 @@ class Nav2Servers final : public NavigatorHost {
   void watchController();
   void applySpeedLimit();
   void takeFeedback(const sim2d::nav2::FollowFeedback& feedback);
+  void trackPath();
+  void route();
+  void callRouteServices();
+  void showRoute(RobotOutcome& outcome, const sim2d::nav2::RoutePlan& plan);
+  sim2d::nav2::RouteRequest routeRequest(const RobotRequest& request) const;
+  void beginNavigation(RobotAction action, const RobotRequest& request);
+  void navigate();
+  void endNavigation();
   sim2d::nav2::ControlCycle cycle() const;
   sim2d::nav2::PlanRequest planRequest(const base::Pose2& from, const base::Pose2& to) const;
   sim2d::BodyTwist delayed(const sim2d::BodyTwist& command);
@@ -157,6 +186,8 @@ class Nav2Servers final : public NavigatorHost {
   std::map<std::string, std::unique_ptr<sim2d::nav2::PathSmoother>> smoothers_;
   std::unique_ptr<sim2d::nav2::ControllerServer> controllers_;
   std::unique_ptr<Motions> motions_;
+  std::unique_ptr<sim2d::nav2::RouteServer> routes_;
+  std::map<std::string, int> heardServices_;  // of the route server: calls so far, by name
   sim2d::nav2::ControlledShape shape_;
 
   const sim2d::Observation* observation_ = nullptr;
@@ -176,6 +207,12 @@ class Nav2Servers final : public NavigatorHost {
   std::optional<sim2d::BodyTwist> command_;  // published in this step
   std::deque<sim2d::BodyTwist> underWay_;    // commands, oldest first
   PathId goal_ = 0;
+  std::optional<SubNavigation> navigation_;  // that a node of the tree has asked for
+  RobotOutcome navigated_;                   // what came of it
+  bool isNavigating_ = false;                // its tree is being ticked
+  double acceleration_ = 0.0;                // by the last two readings of the odometry [m/s²]
+  std::optional<double> speedBefore_;        // [m/s], forward, of the reading before
+  sim2d::nav2::TrackingFeedback tracking_;   // of FollowPath
   bool hasPlanned_ = false, hasReplanned_ = false;
   bool asksRelocalization_ = false;
   sim2d::nav2::Path shownPath_;

@@ -9,7 +9,9 @@ namespace {
 
 using sim2d::nav2::kEveryDistro;
 using sim2d::nav2::kJazzy;
+using sim2d::nav2::kKilted;
 using sim2d::nav2::kSinceJazzy;
+using sim2d::nav2::kSinceKilted;
 using sim2d::nav2::kSinceLyrical;
 using sim2d::nav2::kUntilKilted;
 
@@ -18,7 +20,7 @@ struct NodeFact {
   unsigned distros;
 };
 /// Of those that are not in all branches.
-constexpr std::array<NodeFact, 15> kLater = {{{"NonblockingSequence", kSinceLyrical},
+constexpr std::array<NodeFact, 31> kLater = {{{"NonblockingSequence", kSinceLyrical},
                                               {"ValidatePath", kSinceLyrical},
                                               {"IsPathValid", kUntilKilted},
                                               {"IsGoalNearby", kSinceLyrical},
@@ -32,15 +34,29 @@ constexpr std::array<NodeFact, 15> kLater = {{{"NonblockingSequence", kSinceLyri
                                               {"ArePosesNear", kSinceJazzy},
                                               {"ClearCostmapAroundPose", kJazzy | kSinceLyrical},
                                               {"DockRobot", kSinceJazzy},
-                                              {"UndockRobot", kSinceJazzy}}};
+                                              {"UndockRobot", kSinceJazzy},
+                                              {"CancelComputeAndTrackRoute", kSinceJazzy},
+                                              {"ConcatenatePaths", kSinceJazzy},
+                                              {"GetCurrentPose", kSinceJazzy},
+                                              {"GetPoseFromPath", kSinceJazzy},
+                                              {"AppendGoalPoseToGoals", kSinceKilted},
+                                              {"ExtractRouteNodesAsGoals", kSinceKilted},
+                                              {"GetNextFewGoals", kSinceKilted},
+                                              {"RemoveInCollisionGoals", kSinceKilted},
+                                              {"WouldARouteRecoveryHelp", kSinceKilted},
+                                              {"IsStopped", kKilted},
+                                              {"CheckPoseOccupancy", kSinceLyrical},
+                                              {"CheckStopStatus", kSinceLyrical},
+                                              {"IsWithinPathTrackingBounds", kSinceLyrical},
+                                              {"ToggleCollisionMonitor", kSinceLyrical},
+                                              {"PauseResumeController", kSinceLyrical},
+                                              {"PersistentSequence", kSinceLyrical}}};
 
 struct NodeReason {
   std::string_view id, why;
 };
-constexpr std::array<NodeReason, 5> kUnsupported = {
+constexpr std::array<NodeReason, 3> kUnsupported = {
     {{"AssistedTeleop", "nobody steers here"},
-     {"ComputeRoute", "there is no route server here"},
-     {"ComputeAndTrackRoute", "there is no route server here"},
      {"DockRobot", "there are no docks here"},
      {"UndockRobot", "there are no docks here"}}};
 constexpr std::array<NodeReason, 2> kConstant = {

@@ -21,7 +21,7 @@ inline NodeLibrary robotNodes() {
 /// BehaviorTree.CPP in all.
 unsigned distrosOfNode(std::string_view id);
 /// A node that is read and always fails, as there is nothing here that it could ask: docking,
-/// routes, teleoperation. Empty: it works. Else why.
+/// teleoperation. Empty: it works. Else why.
 std::string_view unsupportedNode(std::string_view id);
 /// A condition that has one answer here, as nothing here makes the other one true. Empty: it looks.
 std::string_view constantNode(std::string_view id);

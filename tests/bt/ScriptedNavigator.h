@@ -9,6 +9,7 @@
 #include "bt/engine/Program.h"
 #include "bt/engine/TreeState.h"
 #include "bt/robot/NavigatorHost.h"
+#include "bt/robot/NavigatorTopics.h"
 #include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/nav/nav2/params/FrameNames.h"
@@ -43,7 +44,15 @@ class Scripted : public bt::NavigatorHost {
   int recoveries = 0;
   long long step = 0;
   double nextLength = 10.0;  // [m] of the paths that are planned
-  bt::RobotRequest last;     // of the last request
+  double braking = 0.0;                                 // acceleration [m/s²]
+  Path collisions;                                      // of a path that is not valid
+  std::map<double, std::optional<std::uint8_t>> costs;  // by x of the pose; absent: 0
+  sim2d::nav2::TrackingFeedback tracked;
+  bt::NavigatorTopics topics;
+  mutable bt::PathCheck lastCheck;
+  int lastReached = -1;        // of a path through poses
+  bt::RouteProgress progress;  // of a route
+  bt::RobotRequest last;       // of the last request
   bool hasPose = true, hasLocalizer = true;
   sim2d::nav2::FrameNames frames;
 
@@ -52,12 +61,28 @@ class Scripted : public bt::NavigatorHost {
   double speed() const override { return driven; }
   double goalReachedTolerance() const override { return 0.25; }
   bt::PathId newestGoal() const override { return goal; }
-  bool isPathValid(bt::PathId path, int /*cost*/, bool /*unknown*/) const override {
-    return pathIsValid && !paths().get(path).empty();
+  double time() const override { return 0.05 * static_cast<double>(step); }
+  sim2d::BodyTwist motion() const override { return {driven, 0.0, 0.0}; }
+  double acceleration() const override { return braking; }
+  bt::PathCheckResult checkPath(const bt::PathCheck& check) const override {
+    lastCheck = check;
+    const bool isValid = pathIsValid && !paths().get(check.path).empty();
+    return {isValid, isValid ? Path() : collisions};
+  }
+  std::optional<std::uint8_t> costAt(bool /*local*/, const base::Pose2& pose,
+                                     bool /*footprint*/) const override {
+    const auto found = costs.find(pose.position.x());
+    return found == costs.end() ? std::optional<std::uint8_t>(0) : found->second;
+  }
+  sim2d::nav2::TrackingFeedback tracking() const override { return tracked; }
+  void monitorCollisions(bool isOn) override { log.push_back(isOn ? "monitor-on" : "monitor-off"); }
+  bt::TopicMessage lastMessage(const std::string& topic) const override {
+    return topics.lastOf(topic, time());
   }
   void begin(RobotAction action, const bt::RobotRequest& request) override {
-    static const char* const kNames[] = {"plan", "through", "follow",  "smooth",
-                                         "spin", "backup",  "heading", "wait"};
+    static const char* const kNames[] = {"plan",    "through",       "follow",  "smooth",
+                                         "spin",    "backup",        "heading", "wait",
+                                         "to-pose", "through-poses", "route",   "track"};
     log.push_back(kNames[static_cast<int>(action)]);
     steps_[action] = step;
     last = request;
@@ -71,7 +96,7 @@ class Scripted : public bt::NavigatorHost {
     }
     const bool plans = action == RobotAction::ComputePath ||
                        action == RobotAction::ComputePathThroughPoses ||
-                       action == RobotAction::SmoothPath;
+                       action == RobotAction::SmoothPath || action == RobotAction::ComputeRoute;
     if (plans && running_[action].state == State::Succeeded) {
       planned_[action] = paths().add({{{10.0 - nextLength, 0.0}, 0.0}, {{10.0, 0.0}, 0.0}});
     }
@@ -79,10 +104,13 @@ class Scripted : public bt::NavigatorHost {
   bt::RobotOutcome outcome(RobotAction action) const override {
     const Answer& answer = running_.at(action);
     bt::RobotOutcome result;
+    result.progress = progress;
     const bool isOver = answer.steps > 0 && step - steps_.at(action) >= answer.steps;
     if (isOver || answer.state == State::Cancelled) {
       result.state = answer.state;
       result.errorCode = answer.errorCode;
+      result.errorText = answer.errorCode == 0 ? "" : "as the script has it";
+      result.lastReached = lastReached;
       const auto path = planned_.find(action);
       result.path = path == planned_.end() ? 0 : path->second;
     }

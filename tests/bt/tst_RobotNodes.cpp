@@ -448,19 +448,18 @@ void RobotNodesTest::recoveryHelps_codes_asNav2Lists() {
   QCOMPARE(codes("WouldAControllerRecoveryHelp", 99, 109), (Steps{100, 104, 105, 106}));
   QCOMPARE(codes("WouldAPlannerRecoveryHelp", 199, 209), (Steps{200, 207, 208}));
   QCOMPARE(codes("WouldASmootherRecoveryHelp", 499, 506), (Steps{500, 502, 503, 504}));
+  QCOMPARE(codes("WouldARouteRecoveryHelp", 399, 409), (Steps{400, 404, 405}));
   QVERIFY(!answer("WouldAControllerRecoveryHelp", 0));
 }
 
 void RobotNodesTest::isStuck_hardStop_saysSo() {
   Played played(tableOf("<IsStuck/>"));
-  played.host.driven = 0.6;
+  played.host.braking = -9.8;  // [m/s2]
   QCOMPARE(played.tick(), kFailure);
-  played.host.driven = 0.11;  // -9.8 m/s2
-  QCOMPARE(played.tick(), kFailure);
-  played.host.driven = 0.62;
-  played.tick();
-  played.host.driven = 0.1;  // -10.4 m/s2
+  played.host.braking = -10.4;
   QCOMPARE(played.tick(), kSuccess);
+  played.host.braking = 10.4;
+  QCOMPARE(played.tick(), kFailure);
 }
 
 QTEST_GUILESS_MAIN(RobotNodesTest)

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "bt/robot/RobotNodes.h"
@@ -41,20 +42,31 @@ void cancelAction(LeafContext& leaf) {
 }
 
 // ComputePathToPose and ComputePathThroughPoses. Ports 0: goal or goals, 1: start, 2: planner,
-// 3: use_start, 4: path (out), 5: error code (out).
+// 3: use_start, or of several goals the last one that was reached (out), 4: path (out), 5: error
+// code (out), 8: error text (out), 9: poses on the way to one goal.
 
 template <RobotAction action>
 NodeStatus beginPlan(LeafContext& leaf) {
   RobotRequest request;
   request.path = pathOf(leaf, 0);
   const PathId start = pathOf(leaf, 1);
-  const bool usesStart = leaf.getOr<bool>(3, start != 0);
-  if (usesStart && start != 0) {
+  bool usesStart = start != 0;
+  if constexpr (action == RobotAction::ComputePath) {
+    usesStart = leaf.getOr<bool>(3, usesStart) && usesStart;
+    request.viaPoints = pathOf(leaf, 9);
+  }
+  if (usesStart) {
     request.start = start;
   }
   request.server = textOf(leaf, 2);
   robotOf(leaf).begin(action, request);
   return NodeStatus::Running;
+}
+
+/// What of a result every node writes: its code and the reason in words.
+void setError(LeafContext& leaf, const RobotOutcome& outcome, int codePort, int textPort) {
+  leaf.set<int>(codePort, outcome.errorCode);
+  leaf.set<std::string_view>(textPort, outcome.errorText);
 }
 
 /// A path that failed is an empty one: what follows it must not go on with the last.
@@ -65,12 +77,15 @@ NodeStatus awaitPlan(LeafContext& leaf) {
     return NodeStatus::Running;
   }
   setPath(leaf, 4, outcome.state == State::Succeeded ? outcome.path : 0);
-  leaf.set<int>(5, outcome.errorCode);
+  setError(leaf, outcome, 5, 8);
+  if constexpr (action == RobotAction::ComputePathThroughPoses) {
+    leaf.set<int>(3, outcome.lastReached);
+  }
   return statusOf(outcome);
 }
 
 // FollowPath. Ports 0: path, 1: controller, 2: goal checker, 3: progress checker, 4: path handler,
-// 5: error code (out).
+// 5: error code (out), 8: error text (out), 9: tracking feedback (out).
 
 std::uint64_t hashOf(const RobotRequest& request) {
   std::uint64_t hash = 1469598103934665603U;  // FNV-1a
@@ -104,8 +119,11 @@ NodeStatus beginFollow(LeafContext& leaf) {
 NodeStatus awaitFollow(LeafContext& leaf) {
   NavigatorHost& robot = robotOf(leaf);
   const RobotOutcome outcome = robot.outcome(RobotAction::FollowPath);
+  if (const int number = robot.tracking().number; number > 0) {
+    leaf.set<int>(9, number);
+  }
   if (outcome.state != State::Running) {
-    leaf.set<int>(5, outcome.errorCode);
+    setError(leaf, outcome, 5, 8);
     return statusOf(outcome);
   }
   auto& memory = leaf.memory<ActionMemory>();
@@ -121,7 +139,7 @@ NodeStatus awaitFollow(LeafContext& leaf) {
 }
 
 // SmoothPath. Ports 0: path, 1: smoother, 2: longest time [s], 3: checks collisions; out 4: path,
-// 5: time [s], 6: completed, 7: error code.
+// 5: time [s], 6: completed, 7: error code, 10: error text.
 
 NodeStatus beginSmooth(LeafContext& leaf) {
   RobotRequest request;
@@ -143,16 +161,14 @@ NodeStatus awaitSmooth(LeafContext& leaf) {
     leaf.set<double>(5, outcome.duration);
     leaf.set<bool>(6, outcome.wasCompleted);
   }
-  leaf.set<int>(7, outcome.errorCode);
+  setError(leaf, outcome, 7, 10);
   return statusOf(outcome);
 }
 
-// Behaviours. Ports 0: amount, then what each has; out: error code. The last one, for Main: no look
-// at the costmap.
+// Behaviours. Ports 0: amount, then what each has; out: error code and, three further, its text.
+// The last one, since Kilted: no look at the costmap.
 
-constexpr int uncheckedPort(RobotAction action) {
-  return action == RobotAction::BackUp ? 8 : 7;
-}
+constexpr int kUncheckedPort = 7;
 
 template <RobotAction action>
 NodeStatus beginBehavior(LeafContext& leaf) {
@@ -180,7 +196,7 @@ NodeStatus beginBehavior(LeafContext& leaf) {
   }
   if constexpr (action != RobotAction::Wait) {
     request.ignoresCollisions =
-        robot.distro() >= Distro::Lyrical && leaf.getOr<bool>(uncheckedPort(action), false);
+        robot.distro() >= Distro::Kilted && leaf.getOr<bool>(kUncheckedPort, false);
   }
   robot.begin(action, request);
   return NodeStatus::Running;
@@ -194,7 +210,7 @@ template <RobotAction action>
 NodeStatus awaitBehavior(LeafContext& leaf) {
   const RobotOutcome outcome = robotOf(leaf).outcome(action);
   if (outcome.state != State::Running) {
-    leaf.set<int>(errorPort(action), outcome.errorCode);
+    setError(leaf, outcome, errorPort(action), errorPort(action) + 3);
   }
   return statusOf(outcome);
 }
@@ -238,7 +254,7 @@ constexpr const char* kNodes = R"(
 server_name text|No servers by name here.
 server_timeout int default 20|No servers to wait for here.
 error_code_id int output suggest {error_code}|Why it failed, 0: it did not.
-error_msg text output|Not written here.
+error_msg text output suggest {error_msg}|Why it failed, in words (since Kilted).
 Action ComputePathToPose|Navigation|Plans a path to the goal.
 goal any needed suggest {goal}|Where to.
 start any|Where from; the robot's place when it is absent.
@@ -246,17 +262,20 @@ planner_id text default|Which planner; one alone needs no name.
 use_start bool|Whether start counts.
 path any output suggest {path}|The path; empty when it failed.
 error_code_id server_name server_timeout error_msg
+viapoints any|Poses that the path leads through on its way to the goal (since Lyrical).
 Action ComputePathThroughPoses|Navigation|Plans a path through several goals.
 goals any needed suggest {goals}|Where to, in order.
-start planner_id use_start path error_code_id server_name server_timeout error_msg
+start planner_id
+last_reached_index int output|Number of the last goal that the path leads to, from 0 (since Lyrical).
+path error_code_id server_name server_timeout error_msg
 Action FollowPath|Navigation|Drives along the path to its end.
 path any needed suggest {path}|The path; another one takes its place while it drives.
 controller_id text default|Which controller; one alone needs no name.
 goal_checker_id text default|Which goal checker.
 progress_checker_id text default|Which progress checker.
-path_handler_id text default|Which path handler (Main).
+path_handler_id text default|Which path handler (since Lyrical).
 error_code_id server_name server_timeout error_msg
-tracking_feedback any output|Not written here.
+tracking_feedback any output suggest {tracking_feedback}|How far the robot is off the path, for IsWithinPathTrackingBounds (since Lyrical).
 Action SmoothPath|Navigation|Smooths a path.
 unsmoothed_path any needed suggest {path}|The path.
 smoother_id text default|Which smoother; one alone needs no name.
@@ -271,11 +290,11 @@ spin_dist number default 1.57 unit rad|How far, to the left.
 time_allowance number default 10.0 unit s|Longest time.
 is_recovery bool default true|Counts as a recovery.
 error_code_id server_name server_timeout error_msg
-disable_collision_checks bool default false|Does not look for collisions (Main).
+disable_collision_checks bool default false|Does not look for collisions (since Kilted).
 Action BackUp|Navigation|Drives back.
 backup_dist number default 0.15 unit m|How far.
 backup_speed number default 0.025 unit m/s|How fast.
-time_allowance error_code_id server_name server_timeout error_msg is_recovery disable_collision_checks
+time_allowance error_code_id server_name server_timeout error_msg disable_collision_checks
 Action DriveOnHeading|Navigation|Drives straight.
 dist_to_travel number default 0.15 unit m|How far.
 speed number default 0.025 unit m/s|How fast.
@@ -285,7 +304,7 @@ wait_duration number default 1.0 unit s|How long; whole seconds in Humble.
 error_code_id server_name server_timeout error_msg
 Action ClearEntireCostmap|Navigation|Forgets a costmap at once.
 service_name text needed suggest local_costmap/clear_entirely_local_costmap|Says which one.
-plugins text default|Layers, all when it is empty (Main).
+plugins text default|Layers, all when it is empty (since Lyrical).
 server_timeout
 Action ClearCostmapAroundRobot|Navigation|Forgets what lies within a square round the robot.
 service_name plugins
@@ -311,16 +330,6 @@ Action CancelAssistedTeleop|Navigation|There is no such thing to end here.
 server_name server_timeout
 Action AssistedTeleop|Navigation|Needs somebody who steers: fails here.
 time_allowance is_recovery error_code_id server_name server_timeout error_msg
-Action ComputeRoute|Navigation|No routes here: fails.
-goal any|Where to.
-start path error_code_id server_name server_timeout error_msg
-goal_id int|Not looked at.
-start_id int|Not looked at.
-use_poses bool|Not looked at.
-use_start
-route any output|Not written here.
-Action ComputeAndTrackRoute|Navigation|No routes here: fails.
-goal start path error_code_id server_name server_timeout error_msg goal_id start_id use_poses use_start
 Action DockRobot|Navigation|No docks here: fails.
 dock_id text|Not looked at.
 dock_type text|Not looked at.
@@ -369,8 +378,8 @@ void addRobotActions(NodeLibrary& to) {
   to.addAction(manifest("CancelBackUp"), cancelNow<RobotAction::BackUp>);
   to.addAction(manifest("CancelDriveOnHeading"), cancelNow<RobotAction::DriveOnHeading>);
   to.addAction(manifest("CancelWait"), cancelNow<RobotAction::Wait>);
-  for (const char* id : {"CancelAssistedTeleop", "AssistedTeleop", "ComputeRoute",
-                         "ComputeAndTrackRoute", "DockRobot", "UndockRobot"}) {
+  for (const char* id :
+       {"CancelAssistedTeleop", "AssistedTeleop", "DockRobot", "UndockRobot"}) {
     to.addAction(manifest(id), unsupported);
   }
 }

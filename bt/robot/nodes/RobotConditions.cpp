@@ -54,13 +54,6 @@ NodeStatus globalUpdatedGoal(LeafContext& leaf) {
   return whether(takeNewGoal(leaf, memory) || isFirst);
 }
 
-/// Ports 0: path, 1: highest cost, 2: unknown counts as an obstacle.
-NodeStatus isPathValid(LeafContext& leaf) {
-  const int most = leaf.getOr<int>(1, 254);
-  const bool unknownBlocks = leaf.getOr<bool>(2, false);
-  return whether(robotOf(leaf).isPathValid(pathOf(leaf, 0), most, unknownBlocks));
-}
-
 struct ClockMemory {
   std::int64_t since;  // step
   PathId path;
@@ -121,20 +114,10 @@ NodeStatus goalReached(LeafContext& leaf) {
                  (goal->position - robot.pose().position).norm() <= robot.goalReachedTolerance());
 }
 
-struct SpeedMemory {
-  double speed;  // [m/s]
-  std::int64_t step;
-};
-
 /// It brakes by more than 10 m/s2, as who bumps into something does.
 NodeStatus isStuck(LeafContext& leaf) {
   constexpr double kHardest = -10.0;  // [m/s2]
-  auto& memory = leaf.memory<SpeedMemory>();
-  const double speed = robotOf(leaf).speed();
-  const double time = leaf.elapsedSince(memory.step);
-  const bool stops = memory.step > 0 && time > 0.0 && (speed - memory.speed) / time < kHardest;
-  memory = {speed, leaf.step()};
-  return whether(stops);
+  return whether(robotOf(leaf).acceleration() < kHardest);
 }
 
 std::vector<int> numbersOf(std::string text) {
@@ -159,10 +142,11 @@ NodeStatus errorCodesPresent(LeafContext& leaf) {
 
 // Codes of Nav2's actions that trying once more may mend: unknown, patience exceeded, no progress,
 // no valid control; unknown, timeout, no valid path (to a pose, through poses); unknown, timeout,
-// in collision, failed.
+// in collision, failed; unknown, no valid route, timeout.
 constexpr std::array<int, 4> kOfController = {100, 104, 105, 106};
 constexpr std::array<int, 6> kOfPlanner = {200, 207, 208, 300, 307, 308};
 constexpr std::array<int, 4> kOfSmoother = {500, 502, 503, 504};
+constexpr std::array<int, 3> kOfRoute = {400, 404, 405};
 
 template <const auto& codes>
 NodeStatus recoveryHelps(LeafContext& leaf) {
@@ -176,20 +160,31 @@ NodeStatus posesNear(LeafContext& leaf) {
   return whether(from && to && (from->position - to->position).norm() <= leaf.require<double>(2));
 }
 
-/// Length of a path from the pose nearest to the robot on [m].
-double restOf(const sim2d::nav2::Path& path, const Vec2& robot) {
-  const auto nearest =
-      std::min_element(path.begin(), path.end(), [&](const Pose2& a, const Pose2& b) {
-        return (a.position - robot).squaredNorm() < (b.position - robot).squaredNorm();
-      });
-  return lengthOf(sim2d::nav2::Path(nearest, path.end()));
+/// Length of a path from the pose nearest to the robot on [m]; the robot is looked for on the first
+/// `search` metres of the path, below 0 on all of it.
+double restOf(const sim2d::nav2::Path& path, const Vec2& robot, double search) {
+  std::size_t nearest = 0;
+  double way = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    way += (path[i].position - path[i - 1].position).norm();
+    if (search >= 0.0 && way > search) {
+      break;
+    }
+    const bool isNearer =
+        (path[i].position - robot).squaredNorm() < (path[nearest].position - robot).squaredNorm();
+    nearest = isNearer ? i : nearest;
+  }
+  const auto first = path.begin() + static_cast<std::ptrdiff_t>(nearest);
+  return lengthOf(sim2d::nav2::Path(first, path.end()));
 }
 
-/// Ports 0: path, 1: distance [m].
+/// Ports 0: path, 1: distance [m], 2: how far along the path the robot is looked for [m].
 NodeStatus goalNearby(LeafContext& leaf) {
   const NavigatorHost& robot = robotOf(leaf);
   const sim2d::nav2::Path& path = robot.paths().get(pathOf(leaf, 0));
-  return whether(!path.empty() && restOf(path, robot.pose().position) < leaf.require<double>(1));
+  const double search = leaf.getOr<double>(2, -1.0);
+  return whether(!path.empty() &&
+                 restOf(path, robot.pose().position, search) < leaf.require<double>(1));
 }
 
 constexpr const char* kNodes = R"(
@@ -198,16 +193,6 @@ goal any default {goal}|The goal.
 goals any default {goals}|Several of them.
 Condition GlobalUpdatedGoal|Navigation|There is a new goal since it was asked before; the first time, yes.
 goal goals
-Condition IsPathValid|Navigation|No obstacle of the global costmap lies on the rest of the path.
-path any needed suggest {path}|The path.
-max_cost int default 254|Cost from which a cell is in the way (Main).
-consider_unknown_as_obstacle bool default false|Unknown cells are in the way (Main).
-server_timeout int default 20|No servers to wait for here.
-layer_name text|Layers are not asked one by one here.
-footprint text|That of the costmap counts.
-stop_at_first_collision bool default true|One is enough.
-Condition ValidatePath|Navigation|IsPathValid as Main names it.
-path max_cost consider_unknown_as_obstacle server_timeout layer_name footprint stop_at_first_collision
 Condition TimeExpired|Navigation|So much time has passed since it last said so.
 seconds number default 1.0 unit s|How long.
 Condition PathExpiringTimer|Navigation|So much time has passed since it last said so or the path changed.
@@ -219,7 +204,7 @@ global_frame text default map|No frames here.
 robot_base_frame text default base_link|No frames here.
 Condition GoalReached|Navigation|The robot is at the goal (goal_reached_tol).
 goal any needed suggest {goal}|The goal.
-robot_base_frame
+robot_base_frame global_frame
 Condition IsStuck|Navigation|The robot was stopped at once by something.
 Condition IsBatteryLow|Navigation|The battery is low: never here.
 min_battery number default 0.0|Not looked at.
@@ -232,10 +217,13 @@ error_code int default {error_code}|The code.
 error_codes_to_check text needed suggest 0|The codes, with ';' between them.
 Condition WouldAControllerRecoveryHelp|Navigation|The controller failed for a reason that may pass.
 error_code
+error_codes_to_check text|Ignored, as in Nav2: the codes are fixed.
 Condition WouldAPlannerRecoveryHelp|Navigation|The planner failed for a reason that may pass.
-error_code
+error_code error_codes_to_check
 Condition WouldASmootherRecoveryHelp|Navigation|The smoother failed for a reason that may pass.
-error_code
+error_code error_codes_to_check
+Condition WouldARouteRecoveryHelp|Navigation|The route server failed for a reason that may pass (since Kilted).
+error_code error_codes_to_check
 Condition ArePosesNear|Navigation|Two poses are near each other.
 ref_pose any needed suggest {goal}|One.
 target_pose any needed suggest {goal}|The other one.
@@ -244,7 +232,8 @@ global_frame
 Condition IsGoalNearby|Navigation|The rest of the path is short.
 path
 proximity_threshold length default 3.0|Shorter than this.
-max_robot_pose_search_dist number default -1.0 unit m|The whole path is looked at.
+max_robot_pose_search_dist number default -1.0 unit m|How far along the path the robot is looked for; below 0 on all of it.
+global_frame robot_base_frame
 )";
 
 }  // namespace
@@ -255,19 +244,18 @@ void addRobotConditions(NodeLibrary& to) {
   const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
   to.addRemembering<GoalMemory>(manifest("GoalUpdated"), goalUpdated);
   to.addRemembering<GoalMemory>(manifest("GlobalUpdatedGoal"), globalUpdatedGoal);
-  to.addCondition(manifest("IsPathValid"), isPathValid);
-  to.addCondition(manifest("ValidatePath"), isPathValid);
   to.addRemembering<ClockMemory>(manifest("TimeExpired"), timeExpired);
   to.addRemembering<ClockMemory>(manifest("PathExpiringTimer"), pathExpiringTimer);
   to.addRemembering<PlaceMemory>(manifest("DistanceTraveled"), distanceTraveled);
   to.addCondition(manifest("GoalReached"), goalReached);
-  to.addCondition<SpeedMemory>(manifest("IsStuck"), isStuck);
+  to.addCondition(manifest("IsStuck"), isStuck);
   to.addCondition(manifest("IsBatteryLow"), constant<NodeStatus::Failure>);
   to.addCondition(manifest("IsBatteryCharging"), constant<NodeStatus::Failure>);
   to.addCondition(manifest("AreErrorCodesPresent"), errorCodesPresent);
   to.addCondition(manifest("WouldAControllerRecoveryHelp"), recoveryHelps<kOfController>);
   to.addCondition(manifest("WouldAPlannerRecoveryHelp"), recoveryHelps<kOfPlanner>);
   to.addCondition(manifest("WouldASmootherRecoveryHelp"), recoveryHelps<kOfSmoother>);
+  to.addCondition(manifest("WouldARouteRecoveryHelp"), recoveryHelps<kOfRoute>);
   to.addCondition(manifest("ArePosesNear"), posesNear);
   to.addCondition(manifest("IsGoalNearby"), goalNearby);
 }

@@ -1,7 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bt/robot/RobotNodes.h"
+#include "sim2d/base/Text.h"
 
 /// Decorators of Nav2 (nav2_behavior_tree/plugins/decorator). Clocks are simulated time.
 namespace bt {
@@ -137,10 +142,64 @@ NodeStatus goalUpdatedController(ParentContext& node) {
   return tickGated(node, memory);
 }
 
-/// Ports 0: goal, 1: goal to use. The newest one wins, as that of a topic does in Nav2.
+struct UpdaterMemory {
+  PathId goal, goals;       // inputs
+  double since;             // of the goals [s]
+  PathId newest, newestOf;  // written last, for goal and goals
+};
+
+/// "x y", or "x y heading" [m], [rad]; several with ',' between. Empty: it is neither.
+sim2d::nav2::Path posesOf(const std::string& text) {
+  sim2d::nav2::Path poses;
+  for (const std::string& one : base::split(text, ',')) {
+    std::vector<double> numbers;
+    for (const std::string& word : base::split(one, ' ')) {
+      const std::optional<double> number = base::parseDouble(word);
+      if (!word.empty() && !number) {
+        return {};
+      }
+      if (number) {
+        numbers.push_back(*number);
+      }
+    }
+    if (numbers.size() < 2 || numbers.size() > 3) {
+      return {};
+    }
+    poses.push_back({{numbers[0], numbers[1]}, numbers.size() == 3 ? numbers[2] : 0.0});
+  }
+  return poses;
+}
+
+/// What a topic has published since the goals were given; else what the node is given.
+PathId updatedBy(const ParentContext& node, const std::string& topic, double since, PathId given,
+                 PathId& last) {
+  const TopicMessage message = robotOf(node).lastMessage(topic);
+  if (message.number == 0 || message.time < since) {
+    return given;
+  }
+  sim2d::nav2::Path poses = posesOf(message.text);
+  if (poses.empty()) {
+    return given;
+  }
+  last = robotOf(node).paths().addUnlessEqual(std::move(poses), last);
+  return last;
+}
+
+/// Ports 0: goal, 1: goal to use, 2: goals, 3: goals to use. The newest ones count: those of the
+/// topics goal_update and goals_update when they are newer than the goals that were given, as in
+/// Nav2, and the robot's own goal, which may move.
 NodeStatus goalUpdater(ParentContext& node) {
-  const PathId newest = robotOf(node).newestGoal();
-  node.set<int>(1, static_cast<int>(newest != 0 ? newest : pathOf(node, 0)));
+  auto& memory = node.memory<UpdaterMemory>();
+  const NavigatorHost& robot = robotOf(node);
+  const PathId goal = pathOf(node, 0), goals = pathOf(node, 2);
+  if (goal != memory.goal || goals != memory.goals) {
+    memory = {goal, goals, robot.time(), memory.newest, memory.newestOf};
+  }
+  const PathId own = robot.newestGoal() != 0 ? robot.newestGoal() : goal;
+  const PathId newest = updatedBy(node, "goal_update", memory.since, own, memory.newest);
+  node.set<int>(1, static_cast<int>(newest));
+  node.set<int>(
+      3, static_cast<int>(updatedBy(node, "goals_update", memory.since, goals, memory.newestOf)));
   return node.tickChild();
 }
 
@@ -209,13 +268,11 @@ goal any default {goal}|Goal; a new one begins with the highest rate.
 goals any default {goals}|Several of them.
 Decorator GoalUpdatedController|Navigation|Ticks the child at first and whenever there is a new goal.
 goal goals
-Decorator GoalUpdater|Navigation|Hands the newest goal to the child.
+Decorator GoalUpdater|Navigation|Hands the newest goal to the child: that of the topics goal_update and goals_update (nav2_topics of the robot).
 input_goal any needed suggest {goal}|Goal that was given.
 output_goal any output suggest {updated_goal}|Newest goal.
-input_goals any|Several of them.
-output_goals any output|Several of them.
-goal_updater_topic text default goal_update|No topics here: the robot's goal is looked at.
-goals_updater_topic text default goals_update|No topics here.
+input_goals any|Several of them (since Kilted).
+output_goals any output|Newest goals (since Kilted).
 Decorator PathLongerOnApproach|Navigation|Ticks the child when a new path to the same goal is much longer, close to the goal.
 path any needed suggest {path}|The path.
 prox_len length default 3.0|Looks where the old path is shorter than this.
@@ -233,7 +290,7 @@ void addRobotDecorators(NodeLibrary& to) {
   to.addDecorator<GateMemory>(*nodes.find("SpeedController"), {speedController, closeGate});
   to.addDecorator<GateMemory>(*nodes.find("GoalUpdatedController"),
                               {goalUpdatedController, closeGate});
-  to.addDecorator(*nodes.find("GoalUpdater"), {goalUpdater, nullptr});
+  to.addDecorator<UpdaterMemory>(*nodes.find("GoalUpdater"), {goalUpdater, nullptr});
   to.addDecorator<OnApproachMemory>(*nodes.find("PathLongerOnApproach"),
                                     {pathLongerOnApproach, nullptr});
   to.addDecorator<TriggerMemory>(*nodes.find("SingleTrigger"), {singleTrigger, nullptr});

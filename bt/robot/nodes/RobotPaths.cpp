@@ -8,7 +8,7 @@
 #include "bt/robot/RobotNodes.h"
 #include "sim2d/base/Math.h"
 
-/// Actions of Nav2 that work on paths and goals, and those that choose a server by name.
+/// Actions of Nav2 that cut paths.
 namespace bt {
 namespace {
 
@@ -93,31 +93,6 @@ NodeStatus truncatePathLocal(LeafContext& leaf) {
   return put(leaf, 1, stretchRound(leaf, path, pose));
 }
 
-/// Ports 0: goals, 1: radius [m], 2: result. The last goal always stays.
-NodeStatus removePassedGoals(LeafContext& leaf) {
-  const NavigatorHost& robot = robotOf(leaf);
-  const PathId from = pathOf(leaf, 0);
-  const Path& goals = robot.paths().get(from);
-  const double radius = leaf.require<double>(1);
-  const Vec2 place = robot.pose().position;
-  std::size_t passed = 0;
-  while (passed + 1 < goals.size() && (goals[passed].position - place).norm() <= radius) {
-    ++passed;
-  }
-  if (passed == 0) {
-    leaf.set<int>(2, static_cast<int>(from));
-    return NodeStatus::Success;
-  }
-  return put(leaf, 2, Path(goals.begin() + static_cast<std::ptrdiff_t>(passed), goals.end()));
-}
-
-/// Ports 0: topic, 1: default, 2: what is chosen. Nobody writes topics here.
-NodeStatus chooseDefault(LeafContext& leaf) {
-  const std::string chosen = leaf.text(1).value_or("");
-  leaf.set<std::string_view>(2, chosen);
-  return NodeStatus::Success;
-}
-
 constexpr const char* kNodes = R"(
 Action TruncatePath|Navigation|Cuts off the end of a path.
 distance length default 1.0|How near to the end, straight.
@@ -131,40 +106,9 @@ distance_backward number default 4.0 unit m|Length kept behind.
 pose any|Instead of the robot's.
 angular_distance_weight number default 0.0|Weight of a difference of headings against one of places.
 max_robot_pose_search_dist number unit m|How far along the path the robot is looked for; all of it when absent.
-transform_tolerance number default 0.2|No frames here.
-robot_frame text default base_link|No frames here.
-Action RemovePassedGoals|Navigation|Takes goals away that the robot has passed.
-input_goals any needed suggest {goals}|The goals.
-radius number default 0.5 unit m|Passed within this.
-output_goals any output suggest {goals}|The rest, never empty.
-global_frame text default map|No frames here.
-robot_base_frame text default base_link|No frames here.
-input_waypoint_statuses any|Not looked at.
-output_waypoint_statuses any output|Not written.
-Action PlannerSelector|Navigation|Chooses the planner: always the default here.
-topic_name text default planner_selector|No topics here.
-default_planner text needed suggest GridBased|What is chosen.
-selected_planner text output suggest {selected_planner}|The choice.
-Action ControllerSelector|Navigation|Chooses the controller: always the default here.
-topic_name text default controller_selector|No topics here.
-default_controller text needed suggest FollowPath|What is chosen.
-selected_controller text output suggest {selected_controller}|The choice.
-Action GoalCheckerSelector|Navigation|Chooses the goal checker: always the default here.
-topic_name text default goal_checker_selector|No topics here.
-default_goal_checker text needed suggest goal_checker|What is chosen.
-selected_goal_checker text output suggest {selected_goal_checker}|The choice.
-Action SmootherSelector|Navigation|Chooses the smoother: always the default here.
-topic_name text default smoother_selector|No topics here.
-default_smoother text needed suggest simple_smoother|What is chosen.
-selected_smoother text output suggest {selected_smoother}|The choice.
-Action ProgressCheckerSelector|Navigation|Chooses the progress checker: always the default here.
-topic_name text default progress_checker_selector|No topics here.
-default_progress_checker text needed suggest progress_checker|What is chosen.
-selected_progress_checker text output suggest {selected_progress_checker}|The choice.
-Action PathHandlerSelector|Navigation|Chooses the path handler: always the default here.
-topic_name text default path_handler_selector|No topics here.
-default_path_handler text needed suggest PathHandler|What is chosen.
-selected_path_handler text output suggest {selected_path_handler}|The choice.
+transform_tolerance number default 0.2|Accepted; the pose is up to date.
+robot_frame text default base_link|Accepted (until Kilted).
+robot_base_frame text default base_link|Accepted (since Lyrical).
 )";
 
 }  // namespace
@@ -175,11 +119,6 @@ void addRobotPaths(NodeLibrary& to) {
   const auto manifest = [&nodes](const char* id) { return *nodes.find(id); };
   to.addAction<OutputMemory>(manifest("TruncatePath"), truncatePath);
   to.addAction<OutputMemory>(manifest("TruncatePathLocal"), truncatePathLocal);
-  to.addAction<OutputMemory>(manifest("RemovePassedGoals"), removePassedGoals);
-  for (const char* id : {"PlannerSelector", "ControllerSelector", "GoalCheckerSelector",
-                         "SmootherSelector", "ProgressCheckerSelector", "PathHandlerSelector"}) {
-    to.addAction(manifest(id), chooseDefault);
-  }
 }
 
 }  // namespace bt

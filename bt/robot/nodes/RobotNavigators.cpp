@@ -1,0 +1,68 @@
+#include <string>
+#include <string_view>
+
+#include "bt/robot/RobotNodes.h"
+
+/// Actions of Nav2 that ask a navigator: another tree, on the same servers
+/// (nav2_behavior_tree/plugins/action/navigate_*_action.cpp).
+namespace bt {
+namespace {
+
+using base::NodeStatus;
+using State = RobotOutcome::State;
+
+/// Ports 0: goal or goals, 1: tree; out 2: error code, 3: error text.
+template <RobotAction action>
+NodeStatus begin(LeafContext& leaf) {
+  RobotRequest request;
+  request.path = pathOf(leaf, 0);
+  request.tree = leaf.text(1).value_or("");
+  robotOf(leaf).begin(action, request);
+  return NodeStatus::Running;
+}
+
+template <RobotAction action>
+NodeStatus await(LeafContext& leaf) {
+  const RobotOutcome outcome = robotOf(leaf).outcome(action);
+  if (outcome.state == State::Running) {
+    return NodeStatus::Running;
+  }
+  leaf.set<int>(2, outcome.errorCode);
+  leaf.set<std::string_view>(3, outcome.errorText);
+  return outcome.state == State::Failed ? NodeStatus::Failure : NodeStatus::Success;
+}
+
+template <RobotAction action>
+void end(LeafContext& leaf) {
+  robotOf(leaf).cancel(action);
+}
+
+constexpr const char* kNodes = R"(
+Action NavigateToPose|Navigation|Drives to a pose by another tree.
+goal any needed suggest {goal}|Where to.
+behavior_tree text default|File of the tree; empty: default_nav_to_pose_bt_xml, or Nav2's own.
+error_code_id int output suggest {error_code}|Why it failed, 0: it did not (since Jazzy).
+error_msg text output suggest {error_msg}|Why it failed, in words (since Kilted).
+server_name text|Accepted; there is one such server.
+server_timeout int default 20|Accepted; servers answer immediately here.
+Action NavigateThroughPoses|Navigation|Drives through several poses by another tree.
+goals any needed suggest {goals}|Where to, in order.
+behavior_tree text default|File of the tree; empty: default_nav_through_poses_bt_xml, or Nav2's own.
+error_code_id error_msg server_name server_timeout
+)";
+
+template <RobotAction action>
+void add(NodeLibrary& to, const NodeManifest& manifest) {
+  to.addStateful(manifest, {begin<action>, await<action>, end<action>});
+}
+
+}  // namespace
+
+void addRobotNavigators(NodeLibrary& to);
+void addRobotNavigators(NodeLibrary& to) {
+  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  add<RobotAction::NavigateToPose>(to, *nodes.find("NavigateToPose"));
+  add<RobotAction::NavigateThroughPoses>(to, *nodes.find("NavigateThroughPoses"));
+}
+
+}  // namespace bt

@@ -1,0 +1,113 @@
+#include "bt/robot/RobotNodes.h"
+
+/// Control nodes of Nav2 since Lyrical that go on where they were
+/// (nav2_behavior_tree/plugins/control).
+namespace bt {
+namespace {
+
+using base::NodeStatus;
+
+/// Port 0: the child that is next, which the blackboard keeps (in, out). Children one after the
+/// other from that one on; a failure or a halt leaves the number as it is.
+NodeStatus persistentSequence(ParentContext& node) {
+  const int count = node.childCount();
+  int child = node.getOr<int>(0, 0);
+  if (child < 0 || child > count) {
+    return node.fault("current_child_idx is no number of a child");
+  }
+  bool isSkipped = true;
+  while (child < count) {
+    const NodeStatus status = node.tickChild(child);
+    if (status != NodeStatus::Success && status != NodeStatus::Skipped) {
+      return status;
+    }
+    isSkipped = isSkipped && status == NodeStatus::Skipped;
+    node.set<int>(0, ++child);
+  }
+  node.set<int>(0, 0);
+  return isSkipped ? NodeStatus::Skipped : NodeStatus::Success;
+}
+
+// PauseResumeController. Children 0: while it goes on; optional 1: while it is paused, 2: once when
+// it is paused, 3: once when it goes on.
+
+enum class PauseState : int { Resumed, Paused, OnPause, OnResume };
+struct PauseMemory {
+  PauseState state;
+  int pauses, resumes;  // calls of the services that have been heeded
+};
+
+/// How often the service of a port has been called by now.
+int callsOf(const ParentContext& node, int port) {
+  return robotOf(node).lastMessage(node.text(port).value_or("")).number;
+}
+
+/// A call for another state than the present one has no effect, as in Nav2.
+void heedCalls(ParentContext& node, PauseMemory& memory) {
+  const int pauses = callsOf(node, 0), resumes = callsOf(node, 1);
+  const bool isPaused = pauses > memory.pauses, isResumed = resumes > memory.resumes;
+  memory.pauses = pauses;
+  memory.resumes = resumes;
+  if (isPaused && memory.state == PauseState::Resumed) {
+    memory.state = PauseState::OnPause;
+  } else if (isResumed && memory.state == PauseState::Paused) {
+    memory.state = PauseState::OnResume;
+  } else {
+    return;
+  }
+  for (int child = 0; child < node.childCount(); ++child) {
+    node.resetChild(child);
+  }
+}
+
+/// The state that follows when the child of a state has succeeded.
+PauseState after(PauseState state) {
+  if (state == PauseState::OnPause) {
+    return PauseState::Paused;
+  }
+  return state == PauseState::OnResume ? PauseState::Resumed : state;
+}
+
+NodeStatus pauseResume(ParentContext& node) {
+  auto& memory = node.memory<PauseMemory>();
+  heedCalls(node, memory);
+  const int child = static_cast<int>(memory.state);
+  const bool isThere = child < node.childCount();
+  const NodeStatus status = isThere ? node.tickChild(child) : NodeStatus::Success;
+  const bool isOver = status != NodeStatus::Running && status != NodeStatus::Idle;
+  if (isOver && (memory.state == PauseState::Resumed || status == NodeStatus::Failure)) {
+    memory.state = PauseState::Resumed;
+    return status;
+  }
+  if (!isOver) {
+    return status;
+  }
+  if (isThere) {
+    node.resetChild(child);
+  }
+  memory.state = after(memory.state);
+  return NodeStatus::Running;
+}
+
+void forgetPause(ParentContext& node) {
+  node.memory<PauseMemory>().state = PauseState::Resumed;
+}
+
+constexpr const char* kNodes = R"(
+Control PersistentSequence|Navigation|Runs its children one after the other and goes on, after a failure or a halt, where it was (since Lyrical).
+current_child_idx int inout default 0 suggest {current_child_idx}|Number of the child that is next, from 0.
+Control PauseResumeController children 1 4|Navigation|Runs its first child, unless a service has paused it; then the second one. The third one runs when it is paused, the fourth one when it goes on (since Lyrical).
+pause_service_name text needed suggest /pause|Service that pauses it (nav2_topics of the robot).
+resume_service_name text needed suggest /resume|Service that lets it go on (nav2_topics of the robot).
+)";
+
+}  // namespace
+
+void addRobotPausing(NodeLibrary& to);
+void addRobotPausing(NodeLibrary& to) {
+  const NodeCatalogue nodes = nodesOf(kNodes, NodeOrigin::Ours);
+  to.addControl(*nodes.find("PersistentSequence"), {persistentSequence, nullptr});
+  to.addControl<PauseMemory>(*nodes.find("PauseResumeController"), {pauseResume, forgetPause});
+}
+
+}  // namespace bt
