@@ -133,6 +133,8 @@ bool isTold(const sim2d::Event& event) {
       return true;
     case sim2d::EventKind::Arrived:
     case sim2d::EventKind::Replan:
+    case sim2d::EventKind::Dock:
+    case sim2d::EventKind::Battery:
       return event.hasId && event.id < 0;
     default:
       return false;

@@ -21,7 +21,7 @@ bool isTaken(const sim2d::Scenario& scenario, const std::string& name) {
                        [&name](const auto& entity) { return entity.name == name; });
   };
   return has(scenario.humans) || has(scenario.robots) || has(scenario.obstacles) ||
-         has(scenario.doors) || has(scenario.areas);
+         has(scenario.doors) || has(scenario.areas) || has(scenario.docks);
 }
 
 /// The first that takes part; null: none does.

@@ -195,7 +195,7 @@ void WindowActions::makeLayers() {
             toggle(tr("&Robots"), &CanvasOptions::robots),
             toggle(tr("&Goals"), &CanvasOptions::goals),
             toggle(tr("&Obstacles and doors"), &CanvasOptions::obstacles),
-            toggle(tr("&Areas"), &CanvasOptions::areas),
+            toggle(tr("&Areas and docks"), &CanvasOptions::areas),
             toggle(tr("Gro&ups"), &CanvasOptions::groups)};
   snapToPoints = toggle(tr("Snap to p&oints"), &CanvasOptions::snapToPoints, Qt::Key_S, "snap",
                         tr("Corners, ends and centres of other things hold what is drawn"));

@@ -69,7 +69,7 @@ class EntityItem : public CanvasItem {
 };
 
 std::unique_ptr<EntityItem> makeEntityItem(const MapScene& scene, EntityId id);
-/// Obstacles, doors and areas: outlines in the plane.
+/// Obstacles, doors, areas and docks: outlines in the plane.
 std::unique_ptr<EntityItem> makeShapeItem(const MapScene& scene, EntityId id);
 
 /// Marker of a robot's own goal point.

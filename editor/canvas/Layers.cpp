@@ -206,7 +206,8 @@ void SelectionLayer::paintFrame(QPainter& painter, const Entity& entity,
     painter.drawPolyline(frame);
   } else if (frame.size() > 2) {
     painter.drawPolygon(frame);
-  } else if (kindOf(entity) == EntityKind::Human || kindOf(entity) == EntityKind::Robot) {
+  } else if (kindOf(entity) == EntityKind::Human || kindOf(entity) == EntityKind::Robot ||
+             kindOf(entity) == EntityKind::Dock) {
     const double radius = mapScene().figureRadius(entity) + 4.0 / pixelsPerMetreOf(painter);
     painter.drawEllipse(toScene(*positionOf(entity)), radius, radius);
   }

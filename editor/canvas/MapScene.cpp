@@ -38,9 +38,10 @@ enum Depth {
 
 Depth depthOf(EntityKind kind) {
   static const std::map<EntityKind, Depth> kDepths = {
-      {EntityKind::Area, AreaDepth},    {EntityKind::Obstacle, ObstacleDepth},
-      {EntityKind::Door, DoorDepth},    {EntityKind::Robot, RobotDepth},
-      {EntityKind::Human, PersonDepth}, {EntityKind::Goal, GoalDepth}};
+      {EntityKind::Area, AreaDepth},         {EntityKind::Dock, AreaDepth},
+      {EntityKind::Obstacle, ObstacleDepth}, {EntityKind::Door, DoorDepth},
+      {EntityKind::Robot, RobotDepth},       {EntityKind::Human, PersonDepth},
+      {EntityKind::Goal, GoalDepth}};
   return kDepths.at(kind);
 }
 
@@ -374,6 +375,7 @@ bool MapScene::isShown(EntityId id) const {
     case EntityKind::Door:
       return options_.obstacles;
     case EntityKind::Area:
+    case EntityKind::Dock:
       return options_.areas;
     default:
       return true;

@@ -145,6 +145,9 @@ double MapScene::bodyRadius(const Entity& entity) const {
     const sim2d::ResolvedHuman person = resolvedPerson(scenario, *human);
     return ownRadius(person).value_or(person.radius);
   }
+  if (std::holds_alternative<sim2d::Dock>(entity)) {
+    return 0.3;  // of the square that stands for a robot in it
+  }
   if (const auto* robot = std::get_if<sim2d::Robot>(&entity)) {
     return sim2d::resolveRobot(scenario, *robot, -1).radius;
   }

@@ -12,6 +12,7 @@ namespace {
 constexpr double kSignPx = 16.0;       // of what an area does
 constexpr double kSignInsetPx = 14.0;  // its middle from the corner
 constexpr double kLabelGapPx = 6.0;    // of the name from the edges
+constexpr double kDockSide = 0.6;      // of the square that stands for a robot in it [m]
 constexpr double kLeastSignPx = 12.0;  // areas that are smaller on the screen show none
 
 double distanceToOutline(const Vec2& point, const sim2d::Outline& outline) {
@@ -23,7 +24,7 @@ double distanceToOutline(const Vec2& point, const sim2d::Outline& outline) {
   return nearest;
 }
 
-/// Obstacles, doors and areas: outlines in the plane.
+/// Obstacles, doors, areas and docks: outlines in the plane.
 class ShapeItem : public EntityItem {
  public:
   using EntityItem::EntityItem;
@@ -68,6 +69,9 @@ class ShapeItem : public EntityItem {
       case EntityKind::Area:
         paintArea(*painter);
         break;
+      case EntityKind::Dock:
+        paintDock(*painter);
+        break;
       default:
         setInk(*painter, screenPen(*painter, theme().color(Role::ObstacleEdge), 1.2),
                theme().color(Role::ObstacleFill));
@@ -89,6 +93,8 @@ class ShapeItem : public EntityItem {
       outlines_ = sim2d::outlinesOf(*door);
     } else if (const auto* area = std::get_if<sim2d::Area>(&value_)) {
       outlines_ = {sim2d::polygonOutline(area->points)};
+    } else if (const auto* dock = std::get_if<sim2d::Dock>(&value_)) {
+      outlines_ = {sim2d::boxOutline(dock->pose, kDockSide, kDockSide)};
     }
     path_ = QPainterPath();
     path_.setFillRule(Qt::WindingFill);
@@ -129,6 +135,30 @@ class ShapeItem : public EntityItem {
     arc.arcTo(box, startDeg, 90.0);
     painter.setPen(screenPen(painter, theme().color(Role::ObstacleEdge, 0.6), 1.0, Qt::DotLine));
     painter.drawPath(arc);
+  }
+
+  /// The place of the robot, an arrow in its direction and the contact plate in front of it; a
+  /// flash where it is charged.
+  void paintDock(QPainter& painter) const {
+    const auto& dock = std::get<sim2d::Dock>(value_);
+    const double half = 0.5 * kDockSide;
+    const auto at = [&](double ahead, double left) {
+      return toScene(dock.pose.toWorld(Vec2(ahead * half, left * half)));
+    };
+    const bool strong = isHovered() || isSelectedEntity();
+    setInk(painter,
+           screenPen(painter, theme().color(Role::ObstacleEdge), strong ? 1.5 : 1.0, Qt::DashLine),
+           theme().color(Role::Accent, strong ? 0.15 : 0.08));
+    painter.drawPath(path_);
+    painter.setPen(screenPen(painter, theme().color(Role::ObstacleEdge), 3.0));
+    painter.drawLine(at(1.0, 0.6), at(1.0, -0.6));
+    setInk(painter, screenPen(painter, theme().color(Role::Accent), 1.5));
+    if (dock.kind == sim2d::DockKind::Charging) {
+      painter.drawPolyline(QPolygonF({at(0.7, -0.1), at(0.0, 0.3), at(0.0, -0.3), at(-0.7, 0.1)}));
+    } else {
+      painter.drawPolyline(QPolygonF({at(0.2, 0.4), at(0.6, 0.0), at(0.2, -0.4)}));
+      painter.drawLine(at(-0.6, 0.0), at(0.6, 0.0));
+    }
   }
 
   void paintArea(QPainter& painter) const {

@@ -47,6 +47,7 @@ std::optional<Vec2> pointNear(const MapScene& scene, const CanvasMouse& mouse,
   offerAll(scenario.areas);
   offerAll(scenario.goals);
   offerAll(scenario.robots);
+  offerAll(scenario.docks);
   offer(wish.more);
   return nearest;
 }

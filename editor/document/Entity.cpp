@@ -21,6 +21,7 @@ double* headingIn(Entity& entity) {
                                  const bool isBox = obstacle.kind == sim2d::ObstacleKind::Box;
                                  return isBox ? &obstacle.pose.heading : nullptr;
                                },
+                               [](sim2d::Dock& dock) { return &dock.pose.heading; },
                                [](auto&) { return static_cast<double*>(nullptr); }},
                     entity);
 }
@@ -38,9 +39,9 @@ void changePoints(Entity& entity, Change&& change) {
 }  // namespace
 
 EntityKind kindOf(const Entity& entity) {
-  static constexpr EntityKind kKinds[] = {EntityKind::Human,    EntityKind::Robot, EntityKind::Goal,
-                                          EntityKind::Obstacle, EntityKind::Door,  EntityKind::Area,
-                                          EntityKind::Scenario};
+  static constexpr EntityKind kKinds[] = {
+      EntityKind::Human, EntityKind::Robot, EntityKind::Goal, EntityKind::Obstacle,
+      EntityKind::Door,  EntityKind::Area,  EntityKind::Dock, EntityKind::Scenario};
   return kKinds[entity.index()];
 }
 
@@ -95,8 +96,8 @@ QString displayName(const Entity& entity) {
 }
 
 QString kindName(EntityKind kind) {
-  static const char* const kWords[] = {"",     "scenario", "person", "robot",
-                                       "goal", "obstacle", "door",   "area"};
+  static const char* const kWords[] = {"",         "scenario", "person", "robot", "goal",
+                                       "obstacle", "door",     "area",   "dock"};
   return QString::fromLatin1(kWords[static_cast<int>(kind)]);
 }
 
@@ -124,6 +125,7 @@ std::vector<Vec2*> pointsIn(Entity& entity) {
                  [](sim2d::Robot& robot) { return Points{&robot.start.position}; },
                  [](sim2d::GlobalGoal& goal) { return Points{&goal.position}; },
                  [](sim2d::Obstacle& obstacle) { return Points{&obstacle.pose.position}; },
+                 [](sim2d::Dock& dock) { return Points{&dock.pose.position}; },
                  [](sim2d::Door& door) {
                    return Points{&door.from, &door.to};
                  },

@@ -24,7 +24,7 @@ constexpr EntityId kSettingsId{EntityKind::Scenario, 0};
 
 /// Anything that can be edited: a value, compared by content.
 using Entity = std::variant<sim2d::Human, sim2d::Robot, sim2d::GlobalGoal, sim2d::Obstacle,
-                            sim2d::Door, sim2d::Area, ScenarioSettings>;
+                            sim2d::Door, sim2d::Area, sim2d::Dock, ScenarioSettings>;
 
 /// What happened to one entity, or to all of them (another file). Receivers read the new value from
 /// the document.
@@ -66,7 +66,7 @@ std::vector<Vec2*> pointsIn(Entity& entity);
 std::vector<Vec2> pointsOf(const Entity& entity);
 /// Where it is on the map (centre of its points); nothing for the settings.
 std::optional<Vec2> positionOf(const Entity& entity);
-std::optional<double> headingOf(const Entity& entity);  // people, robots, boxes
+std::optional<double> headingOf(const Entity& entity);  // people, robots, boxes, docks
 /// Shifted by `delta` [m]; a robot takes its own goal point along only when `withGoal`.
 Entity moved(Entity entity, const Vec2& delta, bool withGoal = false);
 /// With another heading [rad]; unchanged when it has none.

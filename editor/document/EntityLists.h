@@ -15,7 +15,8 @@ template <class T, class S>
 auto& listOf(S& scenario) {
   using List = std::conditional_t<std::is_const_v<S>, const std::vector<T>, std::vector<T>>;
   return std::get<List&>(std::tie(scenario.humans, scenario.goals, scenario.robots,
-                                  scenario.obstacles, scenario.doors, scenario.areas));
+                                  scenario.obstacles, scenario.doors, scenario.areas,
+                                  scenario.docks));
 }
 
 /// Calls `visitor` with the list of that kind; `otherwise` is returned for kinds without a list.

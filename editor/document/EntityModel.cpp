@@ -25,7 +25,7 @@ const std::array<Group, 5>& groups() {
   static const std::array<Group, 5> kGroups = {{
       {QT_TRANSLATE_NOOP("EntityModel", "People"), {EntityKind::Human}},
       {QT_TRANSLATE_NOOP("EntityModel", "Goals"), {EntityKind::Goal}},
-      {QT_TRANSLATE_NOOP("EntityModel", "Robots"), {EntityKind::Robot}},
+      {QT_TRANSLATE_NOOP("EntityModel", "Robots"), {EntityKind::Robot, EntityKind::Dock}},
       {QT_TRANSLATE_NOOP("EntityModel", "Obstacles"), {EntityKind::Obstacle, EntityKind::Door}},
       {QT_TRANSLATE_NOOP("EntityModel", "Areas"), {EntityKind::Area}},
   }};
@@ -48,6 +48,9 @@ QString placeOf(const Entity& entity) {
 }
 
 QString shapeIcon(const Entity& entity) {
+  if (kindOf(entity) == EntityKind::Dock) {
+    return QStringLiteral("tool-dock");
+  }
   const auto* obstacle = std::get_if<sim2d::Obstacle>(&entity);
   if (obstacle == nullptr) {
     return QStringLiteral("tool-door");

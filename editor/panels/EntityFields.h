@@ -83,6 +83,8 @@ decltype(auto) partOf(AnyEntity& entity) {
     return (std::get<sim2d::Robot>(entity).odometryNoise);
   } else if constexpr (std::is_same_v<T, sim2d::LocalizationSettings>) {
     return (std::get<sim2d::Robot>(entity).localization);
+  } else if constexpr (std::is_same_v<T, sim2d::BatterySettings>) {
+    return (std::get<sim2d::Robot>(entity).battery);
   } else if constexpr (std::is_same_v<T, sim2d::DesktopSettings>) {
     return (std::get<ScenarioSettings>(entity).desktop);
   } else if constexpr (std::is_same_v<T, sim2d::VariationSettings>) {
@@ -105,6 +107,8 @@ std::string rowName(const std::string& key) {
     return "odometry_noise." + key;
   } else if constexpr (std::is_same_v<T, sim2d::LocalizationSettings>) {
     return "localization." + key;
+  } else if constexpr (std::is_same_v<T, sim2d::BatterySettings>) {
+    return "battery." + key;
   } else {
     return key;
   }

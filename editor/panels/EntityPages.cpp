@@ -8,6 +8,7 @@ namespace editor {
 namespace {
 
 using sim2d::Area;
+using sim2d::Dock;
 using sim2d::Door;
 using sim2d::Obstacle;
 using sim2d::ObstacleKind;
@@ -171,6 +172,19 @@ class AreaPage : public PropertyPage {
   }
 };
 
+class DockPage : public PropertyPage {
+ public:
+  explicit DockPage(ScenarioDocument& document) : PropertyPage(document) {
+    FormSection* section = addSection(tr("Dock"));
+    addName(section);
+    addListed(section);
+    addField<Dock>(section, "kind", inWords({tr("Charges robots"), tr("Parking place")}));
+    addPosition(section);
+    addRow(section, headingField(), {});
+    addNewFields<Dock>({"x", "y", "h"});
+  }
+};
+
 }  // namespace
 
 std::map<EntityKind, PropertyPage*> entityPages(ScenarioDocument& document, const Theme& theme) {
@@ -182,6 +196,7 @@ std::map<EntityKind, PropertyPage*> entityPages(ScenarioDocument& document, cons
           {EntityKind::Obstacle, new ObstaclePage(document)},
           {EntityKind::Door, new DoorPage(document)},
           {EntityKind::Area, new AreaPage(document)},
+          {EntityKind::Dock, new DockPage(document)},
           {EntityKind::Scenario, new SettingsPage(document)}};
 }
 

@@ -220,6 +220,7 @@ QPixmap PropertyPanel::picture(const Entity& entity) const {
         return painter.goalIcon(QString::fromStdString(nameOf(entity)), kPictureSize);
       case EntityKind::Obstacle:
       case EntityKind::Door:
+      case EntityKind::Dock:
         return themedIcon(shapeIcon(entity), theme_);
       case EntityKind::Area:
         return themedIcon(QStringLiteral("tool-area"), theme_);

@@ -187,6 +187,7 @@ RobotPage::RobotPage(ScenarioDocument& document, const sim2d::FieldTables& table
   addPart<sim2d::LidarSettings>(tr("Lidar"), tables);
   addPart<sim2d::OdometrySettings>(tr("Errors of odometry"), tables);
   addPart<sim2d::LocalizationSettings>(tr("Localisation"), tables);
+  addPart<sim2d::BatterySettings>(tr("Battery"), tables);
   addNewFields<Robot>({"goals", "footprint_x", "footprint_y"});
 }
 

@@ -36,7 +36,10 @@ const Telling& tellingOf(EventKind kind) {
        {EventMark::Pin, QT_TR_NOOP("%1: navigation succeeded, %2")}},
       {EventKind::NavigationFailed, {EventMark::Cross, QT_TR_NOOP("%1: navigation failed, %2")}},
       {EventKind::Door, {EventMark::Ring, QT_TR_NOOP("Door %2")}},
-      {EventKind::Stop, {EventMark::None, QT_TR_NOOP("The run ends: %2")}}};
+      {EventKind::Stop, {EventMark::None, QT_TR_NOOP("The run ends: %2")}},
+      {EventKind::Dock, {EventMark::Diamond, QT_TR_NOOP("%1: %2")}},
+      {EventKind::Photo, {EventMark::Diamond, QT_TR_NOOP("%1 takes a photo at %2")}},
+      {EventKind::Battery, {EventMark::Diamond, QT_TR_NOOP("%1: battery %2")}}};
   return kTellings.at(kind);
 }
 

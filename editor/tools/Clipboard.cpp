@@ -108,6 +108,9 @@ struct Renaming {
       }
       add(moved(area, delta));
     }
+    for (const sim2d::Dock& dock : copied.docks) {
+      add(moved(dock, delta));
+    }
   }
 
   void add(Entity value, bool isChosen = true) {

@@ -5,7 +5,7 @@
 #include "editor/tools/Drawing.h"
 #include "editor/tools/ToolRegistry.h"
 
-// People and robots.
+// People, robots and docks.
 namespace editor {
 
 namespace {
@@ -174,11 +174,34 @@ class RobotTool : public PlacingTool {
   EntityId waitsForGoal_;  // the robot whose start was just set
 };
 
+class DockTool : public PlacingTool {
+ public:
+  using PlacingTool::PlacingTool;
+
+  QString statusText() const override {
+    return isPlacing() ? tr("Drag to where a docked robot heads · Esc cancels")
+                       : tr("Click where a docked robot stands; drag to set its heading");
+  }
+
+ protected:
+  Entity somebodyAt(const Vec2& place, const CanvasMouse&) const override {
+    sim2d::Dock dock;
+    dock.key = ghostOf(EntityKind::Dock);
+    dock.pose = {place, lastHeading()};
+    return dock;
+  }
+
+  void place(const Entity& value) override {
+    document().setSelection({pushAdd(document(), value)});
+  }
+};
+
 }  // namespace
 
 void addPlaceTool(ToolRegistry& to) {
   to.add<PersonTool>({20, QObject::tr("Person"), QStringLiteral("tool-person"), Qt::Key_P});
   to.add<RobotTool>({130, QObject::tr("Robot"), QStringLiteral("tool-robot"), Qt::Key_B});
+  to.add<DockTool>({135, QObject::tr("Dock"), QStringLiteral("tool-dock"), Qt::Key_U});
 }
 
 }  // namespace editor

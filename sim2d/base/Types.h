@@ -57,7 +57,7 @@ struct Twist2 {
 
 /// What a message, a command or a selection is about. `key` is unique within one loaded scenario
 /// for its whole life and is not written to files; 0 is "none".
-enum class EntityKind { None, Scenario, Human, Robot, Goal, Obstacle, Door, Area };
+enum class EntityKind { None, Scenario, Human, Robot, Goal, Obstacle, Door, Area, Dock };
 struct EntityId {
   EntityKind kind = EntityKind::None;
   int key = 0;

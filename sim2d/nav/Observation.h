@@ -2,9 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "sim2d/map/NavigationMap.h"
+#include "sim2d/nav/Battery.h"
 #include "sim2d/nav/Body.h"
 
 /// What a robot knows when it decides. World frame, SI, radians.
@@ -33,6 +36,13 @@ struct TrackedBody {
   double radius = 0.35;          // [m]
 };
 
+/// A dock of the scenario: the pose of a robot that has driven in with its nose first.
+struct DockPlace {
+  std::string name;
+  Pose2 pose;  // [m], [rad]
+  bool isCharging = true;
+};
+
 /// The world as it was when the step began, as far as the robot's sensors tell. Pointers are valid
 /// during the call.
 struct Observation {
@@ -44,6 +54,9 @@ struct Observation {
   double goalRadius = 0.2;                    // arrived = centre inside [m]
   double time = 0.0, dt = 0.05;               // [s]
   std::vector<TrackedBody> bodies;            // people, then other robots, by id
+  std::optional<BatteryState> battery;        // none: it never runs low
+  std::vector<DockPlace> docks;               // those that its dock detector sees, by odometry
+  std::optional<BodyTwist> teleop;            // command of a person, for assisted teleoperation
   const LaserScan* scan = nullptr;            // null: no lidar, or not turned yet
   const Obstacles* obstacles = nullptr;       // walls of the known map; never null
   const NavigationMap* navigation = nullptr;  // routes over them; never null

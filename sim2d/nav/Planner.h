@@ -52,6 +52,13 @@ struct DrivingTree {
   std::vector<base::NodeStatus> statuses;  // beside them
 };
 
+/// Something that a planner did and that belongs into the record of a run.
+struct PlannerEvent {
+  enum class Kind : std::uint8_t { Dock, Photo };
+  Kind kind = Kind::Dock;
+  std::string text;  // "docked dock1", "1.00 2.00 0.50"
+};
+
 constexpr const char* kNav2Planner = "nav2";
 
 /// Files and values of the planner `nav2`; empty: Nav2's own.
@@ -108,6 +115,11 @@ class Planner {
   virtual bool wantsMap() const { return false; }
   /// The known map: that of the file with the obstacles that are drawn, doors open. Problems of it.
   virtual base::Diagnostics takeMap(const OccupancyGrid& /*map*/) { return {}; }
+  /// It wants `Observation::teleop`: commands of a person are its input instead of replacing its
+  /// own.
+  virtual bool wantsTeleop() const { return false; }
+  /// Events since the last call, for the record: what was done, see EventKind::Photo and Dock.
+  virtual std::vector<PlannerEvent> takeEvents() { return {}; }
   /// The behaviour tree that drives it, where one does; null: none does.
   virtual const DrivingTree* tree() const { return nullptr; }
   /// What a manifest should tell beside the parameters, as JSON; empty: nothing.
@@ -128,6 +140,8 @@ struct PlannerSetup {
   std::string command;  // the program of an external planner, see `commandWords`
   std::string folder;   // where relative files begin; empty: the current one
   CodeUse code = CodeUse::Refused;
+  std::vector<DockPlace> docks;                    // of the scenario, in its order
+  std::vector<std::pair<std::string, int>> names;  // of people and robots, with their ids
   base::StopFlagPtr stop =
       std::make_shared<const base::StopFlag>();  // ends waits, by base::Stopped
 };

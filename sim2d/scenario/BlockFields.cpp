@@ -7,7 +7,7 @@
 #include "sim2d/scenario/FieldMaking.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
-// Robots, obstacles, doors and areas: the things that have a map of their own in our block.
+// Robots, obstacles, doors, areas and docks: the things that have a map of their own in our block.
 namespace sim2d {
 namespace {
 
@@ -316,7 +316,8 @@ Fields<Robot> bodyFields() {
           sensorField("odometry_noise", &Robot::odometryNoise,
                       "Errors of its odometry, which add up; absent: none"),
           sensorField("localization", &Robot::localization,
-                      "Errors and corrections of its localiser (AMCL); absent: none")};
+                      "Errors and corrections of its localiser (AMCL); absent: none"),
+          sensorField("battery", &Robot::battery, "Its battery; absent: it never runs low")};
 }
 
 }  // namespace
@@ -367,6 +368,21 @@ Fields<Door> doorFields() {
           field("open", &Door::open, "Open at the start", {"At the start"}).orElse(true),
           field("toggles", &Door::toggles, "It opens or closes at each of these times",
                 {"Changes at"}, "s", base::kTime)};
+}
+
+Fields<Dock> dockFields() {
+  const auto centre = [](auto& of) -> auto& {
+    return of.pose.position;
+  };
+  return {field("kind", &Dock::kind, "Whether robots are charged there", {"Kind"})
+              .words({"charging", "parking"})
+              .required(),
+          place<Dock>("x", "Centre of a docked robot", "X", centre, 0),
+          place<Dock>("y", "Centre of a docked robot", "Y", centre, 1),
+          FieldOf<Dock>("h", "Heading of a robot that docks with its nose first", {"Heading"},
+                        "rad", base::kHeading)
+              .keptAt([](auto& of) -> auto& { return of.pose.heading; })
+              .orElse(0.0)};
 }
 
 Fields<Area> areaFields() {

@@ -114,6 +114,9 @@ class BlockReader {
     if (isWordOf<Area>(kind, reading_.tables)) {
       return base::EntityKind::Area;
     }
+    if (isWordOf<Dock>(kind, reading_.tables)) {
+      return base::EntityKind::Dock;
+    }
     if (node.find("x1") != nullptr && node.find("x2") != nullptr) {
       return base::EntityKind::Door;
     }

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "sim2d/nav/Battery.h"
 #include "sim2d/nav/Lidar.h"
 #include "sim2d/nav/Localization.h"
 #include "sim2d/nav/Odometry.h"
@@ -70,6 +71,7 @@ struct ResolvedRobot {
   DetectorParameters detector = idealDetector();
   OdometryParameters odometry;
   LocalizationParameters localization;
+  BatteryParameters battery;
 };
 
 /// The configuration modes and draws of social-force factors and reactions, by (seed, agent,

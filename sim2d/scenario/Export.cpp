@@ -150,6 +150,7 @@ class Exporter {
     lose("what was drawn as obstacle", namesOf(scenario().obstacles));
     lose("the door", namesOf(scenario().doors));
     lose("the area", namesOf(scenario().areas));
+    lose("the dock", namesOf(scenario().docks));
     for (const Human& human : scenario().humans) {
       const std::string keys = ownKeysOf(human);
       if (human.listed && !keys.empty()) {

@@ -80,10 +80,11 @@ KeyTable tableOf(std::string title, std::string path, const FieldTables& tables)
 }  // namespace
 
 const FieldTables& fieldTables() {
-  static const FieldTables kTables(
-      scenarioFields(), humanFields(), behaviorFields(), personFields(), robotFields(),
-      lidarFields(), detectorFields(), odometryFields(), localizationFields(), obstacleFields(),
-      doorFields(), areaFields(), settingsFields(), variationFields(), metricsFields());
+  static const FieldTables kTables(scenarioFields(), humanFields(), behaviorFields(),
+                                   personFields(), robotFields(), lidarFields(), detectorFields(),
+                                   odometryFields(), localizationFields(), batteryFields(),
+                                   obstacleFields(), doorFields(), areaFields(), dockFields(),
+                                   settingsFields(), variationFields(), metricsFields());
   return kTables;
 }
 
@@ -132,7 +133,7 @@ const std::set<std::string>& loaderKeys() {
 const std::set<std::string>& blockKeys() {
   // "map": a menu of HuNavSim searches the whole text for that key
   static const std::set<std::string> kKeys = keysWith<DesktopSettings>(
-      {"format", "map", "robots", "obstacles", "doors", "areas", "metrics"});
+      {"format", "map", "robots", "obstacles", "doors", "areas", "docks", "metrics"});
   return kKeys;
 }
 
@@ -156,9 +157,11 @@ std::vector<KeyTable> keyTables(const FieldTables& tables) {
       tableOf<DetectorSettings>("The `detector` of a robot", "ROBOT.detector.", tables),
       tableOf<OdometrySettings>("The `odometry_noise` of a robot", "ROBOT.odometry_noise.", tables),
       tableOf<LocalizationSettings>("The `localization` of a robot", "ROBOT.localization.", tables),
+      tableOf<BatterySettings>("The `battery` of a robot", "ROBOT.battery.", tables),
       tableOf<Obstacle>("An obstacle", "OBSTACLE.", tables),
       tableOf<Door>("A door", "DOOR.", tables),
-      tableOf<Area>("An area", "AREA.", tables)};
+      tableOf<Area>("An area", "AREA.", tables),
+      tableOf<Dock>("A dock", "DOCK.", tables)};
 }
 
 std::string keysMarkdown(const FieldTables& tables) {

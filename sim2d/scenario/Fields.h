@@ -26,15 +26,14 @@ using base::ParameterValue;
 /// What counts in a run for a T whose keys may be absent.
 struct NothingResolved {};
 template <class T>
-using Resolved =
-    std::conditional_t<std::is_same_v<T, Robot> || std::is_same_v<T, LidarSettings> ||
-                           std::is_same_v<T, DetectorSettings> ||
-                           std::is_same_v<T, OdometrySettings> ||
-                           std::is_same_v<T, LocalizationSettings>,
-                       ResolvedRobot,
-                       std::conditional_t<std::is_same_v<T, Human> || std::is_same_v<T, Behavior> ||
-                                              std::is_same_v<T, PersonExtension>,
-                                          ResolvedHuman, NothingResolved>>;
+using Resolved = std::conditional_t<
+    std::is_same_v<T, Robot> || std::is_same_v<T, LidarSettings> ||
+        std::is_same_v<T, DetectorSettings> || std::is_same_v<T, OdometrySettings> ||
+        std::is_same_v<T, LocalizationSettings> || std::is_same_v<T, BatterySettings>,
+    ResolvedRobot,
+    std::conditional_t<std::is_same_v<T, Human> || std::is_same_v<T, Behavior> ||
+                           std::is_same_v<T, PersonExtension>,
+                       ResolvedHuman, NothingResolved>>;
 
 /// One key of a T: its description and its place in the plain struct.
 template <class T>
@@ -79,9 +78,9 @@ using Fields = std::vector<Field<T>>;
 struct FieldTables
     : std::tuple<Fields<ScenarioSettings>, Fields<Human>, Fields<Behavior>, Fields<PersonExtension>,
                  Fields<Robot>, Fields<LidarSettings>, Fields<DetectorSettings>,
-                 Fields<OdometrySettings>, Fields<LocalizationSettings>, Fields<Obstacle>,
-                 Fields<Door>, Fields<Area>, Fields<DesktopSettings>, Fields<VariationSettings>,
-                 Fields<MetricsSettings>> {
+                 Fields<OdometrySettings>, Fields<LocalizationSettings>, Fields<BatterySettings>,
+                 Fields<Obstacle>, Fields<Door>, Fields<Area>, Fields<Dock>,
+                 Fields<DesktopSettings>, Fields<VariationSettings>, Fields<MetricsSettings>> {
   using tuple::tuple;
 };
 const FieldTables& fieldTables();

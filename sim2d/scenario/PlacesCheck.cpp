@@ -294,6 +294,8 @@ bool checkCoordinates(const Scenario& scenario, CheckReport& report) {
   });
   forEachListed(scenario.doors, [&](const Door& door) { points({door.from, door.to}, door); });
   forEachListed(scenario.areas, [&](const Area& area) { points(area.points, area); });
+  forEachListed(scenario.docks,
+                [&](const Dock& dock) { isGood = checkPose(dock.pose, dock, report) && isGood; });
   return isGood;
 }
 

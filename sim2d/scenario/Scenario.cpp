@@ -56,8 +56,8 @@ std::vector<UnknownKeys> restOf(const VariationSettings& of) {
   return unknown;
 }
 auto restOf(const Scenario& of) {
-  return std::tie(of.goals, of.humans, of.robots, of.obstacles, of.doors, of.areas, of.desktop,
-                  of.otherNodes);
+  return std::tie(of.goals, of.humans, of.robots, of.obstacles, of.doors, of.areas, of.docks,
+                  of.desktop, of.otherNodes);
 }
 
 }  // namespace
@@ -134,10 +134,12 @@ template bool operator==(const LidarSettings&, const LidarSettings&);
 template bool operator==(const DetectorSettings&, const DetectorSettings&);
 template bool operator==(const OdometrySettings&, const OdometrySettings&);
 template bool operator==(const LocalizationSettings&, const LocalizationSettings&);
+template bool operator==(const BatterySettings&, const BatterySettings&);
 template bool operator==(const Robot&, const Robot&);
 template bool operator==(const Obstacle&, const Obstacle&);
 template bool operator==(const Door&, const Door&);
 template bool operator==(const Area&, const Area&);
+template bool operator==(const Dock&, const Dock&);
 template bool operator==(const VariationSettings&, const VariationSettings&);
 template bool operator==(const MetricsSettings&, const MetricsSettings&);
 template bool operator==(const DesktopSettings&, const DesktopSettings&);

@@ -147,6 +147,16 @@ struct LocalizationSettings {
   UnknownKeys unknown;
 };
 
+/// The `battery` of a robot; without capacity it never runs low.
+struct BatterySettings {
+  std::optional<double> capacity;                   // [Wh]
+  std::optional<double> level;                      // at the start, 0 to 1
+  std::optional<double> idlePower, motionPower;     // [W]
+  std::optional<double> chargePower;                // [W], at a dock
+  std::optional<double> emptyVoltage, fullVoltage;  // [V]
+  UnknownKeys unknown;
+};
+
 struct Robot : Named {
   std::optional<std::string> type, planner;
   std::optional<std::string> command;  // the program of planner `external`
@@ -165,6 +175,7 @@ struct Robot : Named {
   DetectorSettings detector;
   OdometrySettings odometryNoise;
   LocalizationSettings localization;
+  BatterySettings battery;
 };
 
 enum class ObstacleKind { Box, Circle, Polygon, Wall };
@@ -192,6 +203,13 @@ struct Area : Named {
   std::optional<double> rate;       // [1/s]
   std::optional<double> from, until;
   std::optional<int> count;
+};
+
+enum class DockKind { Charging, Parking };
+/// Where robots dock: the place of a robot that has driven in with its nose first.
+struct Dock : Named {
+  DockKind kind = DockKind::Charging;
+  Pose2 pose;
 };
 
 /// Key `metrics` of the block. `from`, `until` as written ("goal", "time 5.0", "event contact").
@@ -269,6 +287,7 @@ struct Environment : ScenarioSettings {
   std::vector<Obstacle> obstacles;  // idem
   std::vector<Door> doors;
   std::vector<Area> areas;
+  std::vector<Dock> docks;
   UnknownKeys unknown;     // beside the known global keys of hunav_loader
   UnknownKeys otherNodes;  // further nodes of the file
 };
@@ -292,6 +311,7 @@ void forEachKind(Visit visit) {
   visit(base::EntityKind::Obstacle, &Scenario::obstacles);
   visit(base::EntityKind::Door, &Scenario::doors);
   visit(base::EntityKind::Area, &Scenario::areas);
+  visit(base::EntityKind::Dock, &Scenario::docks);
 }
 
 /// Calls `visit` with the kind of what each list holds, and the list.

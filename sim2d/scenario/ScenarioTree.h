@@ -37,9 +37,11 @@ Fields<LidarSettings> lidarFields();
 Fields<DetectorSettings> detectorFields();
 Fields<OdometrySettings> odometryFields();
 Fields<LocalizationSettings> localizationFields();
+Fields<BatterySettings> batteryFields();
 Fields<Obstacle> obstacleFields();
 Fields<Door> doorFields();
 Fields<Area> areaFields();
+Fields<Dock> dockFields();
 Fields<DesktopSettings> settingsFields();
 Fields<VariationSettings> variationFields();
 Fields<MetricsSettings> metricsFields();
@@ -162,6 +164,7 @@ void forEachBlockList(S& scenario, Visit visit) {
   visit("obstacles", base::EntityKind::Obstacle, scenario.obstacles);
   visit("doors", base::EntityKind::Door, scenario.doors);
   visit("areas", base::EntityKind::Area, scenario.areas);
+  visit("docks", base::EntityKind::Dock, scenario.docks);
 }
 
 /// The keys of one thing, those that we do not know last; null when there are none.

@@ -303,6 +303,7 @@ Scenario withoutDefaults(Scenario scenario, const FieldTables& tables) {
         dropDefaults(each.detector, desktop, tables);
         dropDefaults(each.odometryNoise, desktop, tables);
         dropDefaults(each.localization, desktop, tables);
+        dropDefaults(each.battery, desktop, tables);
       }
     }
   });

@@ -4,7 +4,8 @@
 #include "sim2d/scenario/FieldMaking.h"
 #include "sim2d/scenario/ScenarioTree.h"
 
-// What a robot senses with: the maps `lidar`, `detector`, `odometry_noise` and `localization`.
+// What a robot senses with and lives on: the maps `lidar`, `detector`, `odometry_noise`,
+// `localization` and `battery`.
 namespace sim2d {
 namespace {
 
@@ -85,6 +86,16 @@ FieldOf<LocalizationSettings> correctionRateField() {
             [](const LocalizationSettings& of, const DesktopSettings& /*desktop*/) {
               return ParameterValue(usualCorrectionRate(of));
             });
+}
+
+FieldOf<BatterySettings> batteryNumber(std::string key, MaybeNumber<BatterySettings> member,
+                                       double BatteryParameters::*parameter, std::string help,
+                                       std::string unit, Range range) {
+  const auto access = [parameter](auto& of) -> auto& {
+    return of.battery.*parameter;
+  };
+  return field(std::move(key), member, std::move(help), {{}, 2}, std::move(unit), range)
+      .resolvedAt(access);
 }
 
 /// Noisy places make noisy velocities, unless the file says otherwise.
@@ -260,6 +271,36 @@ Fields<LocalizationSettings> localizationFields() {
                          kTurnError)};
 }
 
+Fields<BatterySettings> batteryFields() {
+  using Keys = BatterySettings;
+  using Parameters = BatteryParameters;
+  constexpr Range kPower{0.0, 1e5};  // [W]
+  constexpr Range kVoltage{0.0, 1000.0, true};
+  const Parameters usual;
+  return {
+      batteryNumber("capacity", &Keys::capacity, &Parameters::capacity,
+                    "Energy that it stores; without it the battery never runs low", "Wh",
+                    {0.0, 1e6, true}),
+      batteryNumber("level", &Keys::level, &Parameters::level, "Charge at the start", "", kShare)
+          .orElse(usual.level),
+      batteryNumber("idle_power", &Keys::idlePower, &Parameters::idlePower,
+                    "Power that it gives while the robot stands", "W", kPower)
+          .orElse(usual.idlePower),
+      batteryNumber("motion_power", &Keys::motionPower, &Parameters::motionPower,
+                    "Additional power at top speed or top turn rate; in proportion below", "W",
+                    kPower)
+          .orElse(usual.motionPower),
+      batteryNumber("charge_power", &Keys::chargePower, &Parameters::chargePower,
+                    "Power that it takes at a charging dock", "W", kPower)
+          .orElse(usual.chargePower),
+      batteryNumber("empty_voltage", &Keys::emptyVoltage, &Parameters::emptyVoltage,
+                    "Voltage when it is empty", "V", kVoltage)
+          .orElse(usual.emptyVoltage),
+      batteryNumber("full_voltage", &Keys::fullVoltage, &Parameters::fullVoltage,
+                    "Voltage when it is full; linear in between", "V", kVoltage)
+          .orElse(usual.fullVoltage)};
+}
+
 void takeLidarOf(const RobotType& type, ResolvedRobot& to) {
   const RobotLidar lidar = type.lidar.value_or(*robotTypes().front().lidar);
   to.lidar.beams = type.lidar ? lidar.beams : 0;
@@ -280,6 +321,7 @@ void resolveSensors(const Robot& from, ResolvedRobot& to) {
   resolveFields(from.detector, to);
   resolveFields(from.odometryNoise, to);
   resolveFields(from.localization, to);
+  resolveFields(from.battery, to);
   if (to.detectorKind == DetectorKind::GroundTruth) {
     to.detector = groundTruth();
   }

@@ -105,9 +105,12 @@ enum class EventKind {  // in the order of the file
   NavigationSucceeded,
   NavigationFailed,
   Door,
-  Stop
+  Stop,
+  Dock,
+  Photo,
+  Battery
 };
-constexpr int kEventKinds = 16;
+constexpr int kEventKinds = 19;
 const char* eventKindName(EventKind kind);  // "enter" …
 std::optional<EventKind> eventKindOf(std::string_view name);
 

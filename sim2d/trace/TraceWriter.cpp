@@ -24,7 +24,10 @@ constexpr std::array<const char*, kEventKinds> kEventNames = {"enter",
                                                               "navigation_succeeded",
                                                               "navigation_failed",
                                                               "door",
-                                                              "stop"};
+                                                              "stop",
+                                                              "dock",
+                                                              "photo",
+                                                              "battery"};
 
 /// `ofPerson`: writes the group and state of a row.
 template <class OfPerson>

@@ -9,6 +9,7 @@
 #include "sim2d/nav/Teleop.h"
 #include "sim2d/trace/Arrival.h"
 #include "sim2d/world/GoalEnding.h"
+#include "sim2d/world/RobotBatteries.h"
 
 namespace sim2d {
 namespace {
@@ -95,6 +96,9 @@ void RobotDrive::observe(const FrozenWorld& world, std::size_t robot) {
   observation_.dt = world.model.dt;
   observation_.bodies = sensors_.bodies(robot);
   observation_.scan = sensors_.scan(robot);
+  observation_.battery = batteryOf(constants, now);
+  observation_.docks = docksSeen(world.model.docks, now.pose, observation_.pose);
+  observation_.teleop.reset();
   observation_.obstacles = &world.obstacles;
   observation_.navigation = &world.navigation;
 }
@@ -188,6 +192,13 @@ void RobotDrive::watch(Planner& planner) const {
   planner.watch(isWatched && watch_->costs, isWatched && watch_->ways);
 }
 
+void RobotDrive::takeEvents(std::size_t robot, int id, WorldState& state) {
+  for (PlannerEvent& event : planners_[robot]->takeEvents()) {
+    const bool isPhoto = event.kind == PlannerEvent::Kind::Photo;
+    state.emit(isPhoto ? EventKind::Photo : EventKind::Dock, id, std::move(event.text));
+  }
+}
+
 /// Goals that its planner drove through, all but the last one.
 void RobotDrive::passGoals(std::size_t robot, const ResolvedRobot& constants, WorldState& state) {
   RobotState& now = state.robots[robot];
@@ -217,10 +228,15 @@ const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, Worl
     const RobotState& now = state.robots[i];
     BodyTwist wanted;
     bool isAsked = false;
-    if (const auto steered = steered_.find(i); steered != steered_.end()) {
+    const auto steered = steered_.find(i);
+    const bool isSteered = steered != steered_.end();
+    if (isSteered && !planners_[i]->wantsTeleop()) {
       wanted = steered->second;
     } else if (wantsToBeAsked(*planners_[i], robot, now, state.time)) {
       observe(world, i);
+      if (isSteered) {
+        observation_.teleop = steered->second;
+      }
       watch(*planners_[i]);
       wanted = ask(i, robot.name);
       isAsked = true;
@@ -230,8 +246,12 @@ const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, Worl
       if (planners_[i]->takeRelocalization()) {
         sensors_.relocalize(i);
       }
+      takeEvents(i, robot.id, state);
       passGoals(i, robot, state);
       noteEnd(i);
+    }
+    if (robot.battery.exists() && now.battery <= 0.0) {
+      wanted = {};  // it has no power
     }
     noteTree(i, robot.id, isAsked);
     addSenses(i, isAsked);

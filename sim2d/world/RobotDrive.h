@@ -64,6 +64,7 @@ class RobotDrive {
   void addSenses(std::size_t robot, bool isAsked);
   void addPlanner(RobotSenses& senses, const Planner& planner) const;
   void watch(Planner& planner) const;
+  void takeEvents(std::size_t robot, int id, WorldState& state);
   void passGoals(std::size_t robot, const ResolvedRobot& constants, WorldState& state);
   void noteEnd(std::size_t robot);
   /// Into `observation_`: what the robot knows.

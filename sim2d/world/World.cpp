@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim2d/world/RobotBatteries.h"
 #include "sim2d/world/StepBuffers.h"
 #include "sim2d/world/WorldInside.h"
 
@@ -79,6 +80,7 @@ void RunningWorld::addRobotBodies() {
     RobotState start;
     start.pose = robot.start;
     start.pose.heading = base::wrapToPi(robot.start.heading);
+    start.battery = robot.battery.level;
     state_.robots.push_back(start);
     // Lonely until it comes near something.
     physics_.addBody({start.pose, robot.radius, robot.mass, robot.footprint, false, false, true});
@@ -235,6 +237,7 @@ bool RunningWorld::step(const StepInputs& inputs) {
 void RunningWorld::afterMotion() {
   goals_.afterMotion(model_, state_, intents_);
   robots_.afterMotion(model_, state_);
+  updateBatteries(model_, state_);
   progress_.update(model_, state_, *navigation_, willDoorToggle());
   finishRounds();
   for (std::size_t i = 0; i < model_.people.size(); ++i) {

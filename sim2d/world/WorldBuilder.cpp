@@ -153,6 +153,25 @@ void giveParameters(const ResolvedRobot& robot, const std::vector<base::Paramete
   }
 }
 
+std::vector<DockPlace> docksOf(const WorldModel& model) {
+  std::vector<DockPlace> docks;
+  docks.reserve(model.docks.size());
+  for (const Dock* const dock : model.docks) {
+    docks.push_back({dock->name, dock->pose, dock->kind == DockKind::Charging});
+  }
+  return docks;
+}
+
+/// People and robots that take part, with the ids of their tracks.
+std::vector<std::pair<std::string, int>> namesOf(const Scenario& scenario) {
+  std::vector<std::pair<std::string, int>> names;
+  forEachListed(scenario.humans,
+                [&](const Human& human) { names.emplace_back(human.name, human.id); });
+  int id = 0;
+  forEachListed(scenario.robots, [&](const Robot& robot) { names.emplace_back(robot.name, --id); });
+  return names;
+}
+
 /// Null when there is a problem.
 std::shared_ptr<Planner> makePlanner(const WorldSetup& world, const WorldModel& model,
                                      const ResolvedRobot& robot, EntityId key, ProblemsOf& found,
@@ -180,6 +199,8 @@ std::shared_ptr<Planner> makePlanner(const WorldSetup& world, const WorldModel& 
   setup.folder = world.folder;
   setup.code = world.code;
   setup.stop = world.stop;
+  setup.docks = docksOf(model);
+  setup.names = namesOf(*world.scenario);
   const base::Result<std::shared_ptr<Planner>> planner = entry->make(setup);
   for (const base::Diagnostic& diagnostic : planner.diagnostics()) {
     ProblemsOf(key, {}, problems).add(diagnostic);
@@ -257,6 +278,7 @@ void fillModel(const WorldSetup& setup, WorldParts& parts, base::Diagnostics& pr
       model.doors.push_back(&door);
     }
   }
+  forEachListed(model.environment->docks, [&](const Dock& dock) { model.docks.push_back(&dock); });
   for (const GlobalGoal& goal : scenario.goals) {
     model.globalGoals.emplace(goal.id, goal.position);
   }

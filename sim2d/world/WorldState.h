@@ -77,6 +77,7 @@ struct WorldModel {
   std::map<int, Vec2> globalGoals;        // where a body fits
   std::vector<const Door*> doors;         // listed ones
   std::vector<const Area*> areas;         // listed ones
+  std::vector<const Dock*> docks;         // listed ones
   std::map<std::string, Human> patterns;  // whom the people of sources are like, by name
 
   int lastId = 0;  // the greatest given; people from sources and copies get the ones after it
@@ -96,6 +97,8 @@ struct RobotState {
   /// with planners that end goals themselves.
   double endedAt = -1.0;
   std::vector<GoalEnd> goalEnds{};  // results of those planners, oldest first
+  double battery = 1.0;          // charge, 0 to 1; of robots with a battery
+  bool isCharging = false;
 };
 
 /// Where the robot drives to; none: nowhere (any more).

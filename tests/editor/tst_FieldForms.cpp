@@ -31,7 +31,8 @@ EntityKind kindOfKeys() {
   if constexpr (std::is_same_v<T, sim2d::Robot> || std::is_same_v<T, sim2d::LidarSettings> ||
                 std::is_same_v<T, sim2d::DetectorSettings> ||
                 std::is_same_v<T, sim2d::OdometrySettings> ||
-                std::is_same_v<T, sim2d::LocalizationSettings>) {
+                std::is_same_v<T, sim2d::LocalizationSettings> ||
+                std::is_same_v<T, sim2d::BatterySettings>) {
     return EntityKind::Robot;
   } else if constexpr (std::is_same_v<T, sim2d::Obstacle>) {
     return EntityKind::Obstacle;
@@ -39,6 +40,8 @@ EntityKind kindOfKeys() {
     return EntityKind::Door;
   } else if constexpr (std::is_same_v<T, sim2d::Area>) {
     return EntityKind::Area;
+  } else if constexpr (std::is_same_v<T, sim2d::Dock>) {
+    return EntityKind::Dock;
   } else {
     return std::is_same_v<T, std::tuple_element_t<0, Settings>> ||
                    std::is_same_v<T, std::tuple_element_t<1, Settings>> ||
@@ -106,9 +109,11 @@ std::vector<Case> allCases() {
   addCases<sim2d::DetectorSettings>(cases);
   addCases<sim2d::OdometrySettings>(cases);
   addCases<sim2d::LocalizationSettings>(cases);
+  addCases<sim2d::BatterySettings>(cases);
   addCases<sim2d::Obstacle>(cases);
   addCases<sim2d::Door>(cases);
   addCases<sim2d::Area>(cases);
+  addCases<sim2d::Dock>(cases);
   addCases<sim2d::DesktopSettings>(cases);
   addCases<sim2d::MetricsSettings>(cases);
   return cases;
@@ -142,6 +147,10 @@ sim2d::Scenario oneOfEach() {
   area.kind = sim2d::AreaKind::Source;
   area.points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}};
   scenario.areas = {area};
+  sim2d::Dock dock;
+  dock.key = {EntityKind::Dock, 6};
+  dock.name = "dock";
+  scenario.docks = {dock};
   return scenario;
 }
 
@@ -157,6 +166,8 @@ editor::EntityId idOfKind(EntityKind kind) {
       return {kind, 4};
     case EntityKind::Area:
       return {kind, 5};
+    case EntityKind::Dock:
+      return {kind, 6};
     default:
       return editor::kSettingsId;
   }
@@ -216,9 +227,11 @@ class FieldFormsTest : public QObject {
     findRows<sim2d::DetectorSettings>(missing, withoutHelp);
     findRows<sim2d::OdometrySettings>(missing, withoutHelp);
     findRows<sim2d::LocalizationSettings>(missing, withoutHelp);
+    findRows<sim2d::BatterySettings>(missing, withoutHelp);
     findRows<sim2d::Obstacle>(missing, withoutHelp);
     findRows<sim2d::Door>(missing, withoutHelp);
     findRows<sim2d::Area>(missing, withoutHelp);
+    findRows<sim2d::Dock>(missing, withoutHelp);
     findRows<sim2d::DesktopSettings>(missing, withoutHelp);
     findRows<sim2d::MetricsSettings>(missing, withoutHelp);
     QCOMPARE(missing.join(QStringLiteral(" ")), QString());

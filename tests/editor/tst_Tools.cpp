@@ -207,6 +207,33 @@ class ToolsTest : public QObject, private CanvasTester {
     QVERIFY((document_.human(person(5))->goals == std::vector<int>{3}));
   }
 
+  void dock_placedMovedTurnedAndDeleted_isOneCommandEach() {
+    document_.load(sim2d::Scenario());
+    document_.setMap(small::room());
+    use("Dock");
+    drag(Vec2(3.0, 3.0), Vec2(3.0, 4.0));
+    QCOMPARE(document_.scenario().docks.size(), std::size_t{1});
+    const sim2d::Dock placed = document_.scenario().docks.front();
+    QCOMPARE(placed.name, std::string("dock1"));
+    QVERIFY((placed.pose.position - Vec2(3.0, 3.0)).norm() < 0.05);
+    QVERIFY(std::abs(placed.pose.heading - 0.5 * base::kPi) < 0.05);
+    QVERIFY(placed.kind == sim2d::DockKind::Charging);
+    const sim2d::ScenarioReading saved =
+        sim2d::readScenarioText(sim2d::writeScenario(document_.scenario()), "dock.yaml");
+    QVERIFY(!base::hasErrors(saved.diagnostics));
+    QCOMPARE(saved.scenario.docks.size(), std::size_t{1});
+    QVERIFY(saved.scenario.docks.front().pose == placed.pose);
+    use("Select");
+    drag(Vec2(3.0, 3.0), Vec2(5.0, 3.0));
+    QVERIFY((document_.scenario().docks.front().pose.position - Vec2(5.0, 3.0)).norm() < 0.05);
+    QTest::keyClick(window(), Qt::Key_Delete);
+    QVERIFY(document_.scenario().docks.empty());
+    QCOMPARE(document_.undoStack().count(), 3);
+    document_.undoStack().undo();
+    document_.undoStack().undo();
+    QVERIFY(document_.scenario().docks.front() == placed);
+  }
+
   void robot_startThenGoal_areTwoCommands() {
     document_.load(sim2d::Scenario());
     document_.setMap(small::room());

@@ -41,6 +41,9 @@ class RandomScenario {
     for (int i = upTo(2), listed = upTo(i); i > 0; --i, --listed) {
       scenario.areas.push_back(area(i, listed > 0));
     }
+    for (int i = upTo(2), listed = upTo(i); i > 0; --i, --listed) {
+      scenario.docks.push_back(dock(i, listed > 0));
+    }
     scenario.desktop = desktop();
     scenario.unknown = unknown();
     if (flip()) {
@@ -203,10 +206,24 @@ class RandomScenario {
     to.detector = detector();
     to.odometryNoise = odometry();
     to.localization = localization();
+    to.battery = battery();
     to.unknown = unknown();
     return to;
   }
   double share() { return upTo(10) / 10.0; }
+  sim2d::BatterySettings battery() {
+    sim2d::BatterySettings to;
+    if (flip()) {
+      return to;
+    }
+    maybe(to.level, [&] { return share(); });
+    for (auto* value : {&to.capacity, &to.idlePower, &to.motionPower, &to.chargePower,
+                        &to.emptyVoltage, &to.fullVoltage}) {
+      maybe(*value, [&] { return size(); });
+    }
+    to.unknown = unknown();
+    return to;
+  }
   sim2d::LidarSettings lidar() {
     sim2d::LidarSettings to;
     if (flip()) {
@@ -315,6 +332,15 @@ class RandomScenario {
     maybe(to.from, [&] { return flip() ? 0.0 : size(); });
     maybe(to.until, [&] { return size(); });
     maybe(to.count, [&] { return upTo(100); });
+    to.unknown = unknown();
+    return to;
+  }
+  sim2d::Dock dock(int number, bool listed) {
+    sim2d::Dock to;
+    to.name = "dock" + std::to_string(number);
+    to.listed = listed;
+    to.kind = static_cast<sim2d::DockKind>(upTo(1));
+    to.pose = {point(), share()};
     to.unknown = unknown();
     return to;
   }
