@@ -1,11 +1,16 @@
 #include "bt/robot/Nav2Errors.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
+#include "bt/robot/SubNavigation.h"
 #include "sim2d/nav/nav2/control/Controller.h"
+#include "sim2d/nav/nav2/docking/DockingServer.h"
+#include "sim2d/nav/nav2/docking/FollowingServer.h"
 #include "sim2d/nav/nav2/global/GlobalPlanner.h"
 #include "sim2d/nav/nav2/global/PathSmoother.h"
+#include "sim2d/nav/nav2/route/Route.h"
 
 namespace bt {
 namespace {
@@ -68,6 +73,51 @@ CodeText behaviorText(RobotAction action, int code) {
   return {"UNKNOWN", "the behavior failed"};
 }
 
+constexpr int kNoTreeToPose =
+    navigationCode(RobotAction::NavigateToPose, NavigationError::FailedToLoadTree);
+constexpr int kNoTreeThroughPoses =
+    navigationCode(RobotAction::NavigateThroughPoses, NavigationError::FailedToLoadTree);
+
+struct CodeRow {
+  int code;
+  const char *name, *message;
+};
+
+constexpr std::array<CodeRow, 18> kOtherCodes = {
+    {{static_cast<int>(RouteError::TfError), "TF_ERROR", "the frames are not connected"},
+     {static_cast<int>(RouteError::NoValidGraph), "NO_VALID_GRAPH", "there is no graph"},
+     {static_cast<int>(RouteError::IndeterminantNodes), "INDETERMINANT_NODES_ON_GRAPH",
+      "start or goal is not on the graph"},
+     {static_cast<int>(RouteError::Timeout), "TIMEOUT", "the search took too long"},
+     {static_cast<int>(RouteError::NoValidRoute), "NO_VALID_ROUTE",
+      "the graph has no route to the goal"},
+     {static_cast<int>(RouteError::OperationFailed), "OPERATION_FAILED", "an operation failed"},
+     {static_cast<int>(RouteError::InvalidEdgeScorerUse), "INVALID_EDGE_SCORER_USE",
+      "an edge lacks what a scorer needs"},
+     {static_cast<int>(DockError::DockNotInDb), "DOCK_NOT_IN_DB", "there is no such dock"},
+     {static_cast<int>(DockError::DockNotValid), "DOCK_NOT_VALID", "the type of dock is unknown"},
+     {static_cast<int>(DockError::FailedToStage), "FAILED_TO_STAGE",
+      "the robot did not reach the staging pose"},
+     {static_cast<int>(DockError::FailedToDetectDock), "FAILED_TO_DETECT_DOCK",
+      "the dock was not detected"},
+     {static_cast<int>(DockError::FailedToControl), "FAILED_TO_CONTROL",
+      "there is no valid command"},
+     {static_cast<int>(DockError::FailedToCharge), "FAILED_TO_CHARGE", "charging did not begin"},
+     {static_cast<int>(DockError::Timeout), "TIMEOUT", "docking took too long"},
+     {static_cast<int>(FollowError::FailedToDetectObject), "FAILED_TO_DETECT_OBJECT",
+      "the object was not detected"},
+     {static_cast<int>(FollowError::FailedToControl), "FAILED_TO_CONTROL",
+      "there is no valid command"},
+     {kNoTreeToPose, "FAILED_TO_LOAD_BEHAVIOR_TREE", "there is no such tree"},
+     {kNoTreeThroughPoses, "FAILED_TO_LOAD_BEHAVIOR_TREE", "there is no such tree"}}};
+
+CodeText otherText(int code) {
+  const auto* const row = std::find_if(kOtherCodes.begin(), kOtherCodes.end(),
+                                       [code](const CodeRow& each) { return each.code == code; });
+  return row == kOtherCodes.end() ? CodeText{"UNKNOWN", "it failed"}
+                                  : CodeText{row->name, row->message};
+}
+
 CodeText textOf(const ActionFailure& failure) {
   if (failure.errorCode == 0) {
     return {"NOT_AVAILABLE", "it is not among the server's plugins"};
@@ -85,14 +135,37 @@ CodeText textOf(const ActionFailure& failure) {
     case RobotAction::BackUp:
     case RobotAction::DriveOnHeading:
     case RobotAction::Wait:
+    case RobotAction::AssistedTeleop:
       return behaviorText(failure.action, failure.errorCode);
+    case RobotAction::NavigateToPose:
+    case RobotAction::NavigateThroughPoses:
+    case RobotAction::ComputeRoute:
+    case RobotAction::ComputeAndTrackRoute:
+    case RobotAction::DockRobot:
+    case RobotAction::UndockRobot:
+    case RobotAction::FollowObject:
+      return otherText(failure.errorCode);
   }
   return {"UNKNOWN", ""};
 }
 
 const char* serverOf(RobotAction action) {
-  static constexpr std::array<const char*, kRobotActions> kNames = {
-      "planner", "planner", "controller", "smoother", "spin", "backup", "drive_on_heading", "wait"};
+  static constexpr std::array<const char*, kRobotActions> kNames = {"planner",
+                                                                    "planner",
+                                                                    "controller",
+                                                                    "smoother",
+                                                                    "spin",
+                                                                    "backup",
+                                                                    "drive_on_heading",
+                                                                    "wait",
+                                                                    "navigate_to_pose",
+                                                                    "navigate_through_poses",
+                                                                    "route",
+                                                                    "route",
+                                                                    "assisted_teleop",
+                                                                    "docking",
+                                                                    "undocking",
+                                                                    "following"};
   return kNames.at(static_cast<std::size_t>(action));
 }
 

@@ -92,7 +92,7 @@ void noteSubTree(const NodeSpec& node, NavigatorTree& to) {
   }
 }
 
-/// Tells of nodes that are not in the branch, always fail, or have one answer.
+/// Warns of nodes and ports that the branch does not have.
 void lookAtNodes(const NodeSpec& node, const std::string& file, Distro distro, NavigatorTree& to) {
   const unsigned distros = distrosOfNode(node.id);
   to.isThroughPoses = to.isThroughPoses || node.id == "ComputePathThroughPoses";
@@ -104,23 +104,9 @@ void lookAtNodes(const NodeSpec& node, const std::string& file, Distro distro, N
   }
   lookAtPorts(node, file, distro, to);
   noteSubTree(node, to);
-  const std::string unsupported(unsupportedNode(node.id)), constant(constantNode(node.id));
-  if (!unsupported.empty()) {
-    to.unsupported.push_back(node.id + ": " + unsupported);
-    to.problems.push_back(
-        base::warning("nav2.node-unsupported", {node.id, unsupported}, file, node.line));
-  }
-  if (!constant.empty()) {
-    to.constants.push_back(node.id + ": " + constant);
-  }
   for (const NodeSpec& child : node.children) {
     lookAtNodes(child, file, distro, to);
   }
-}
-
-void sortOnce(std::vector<std::string>& words) {
-  std::sort(words.begin(), words.end());
-  words.erase(std::unique(words.begin(), words.end()), words.end());
 }
 
 }  // namespace
@@ -187,8 +173,6 @@ NavigatorTree loadNavigatorTree(const std::string& file, const Nav2Parameters& p
   for (const auto& [id, entry] : table->entries) {
     lookAtNodes(entry.tree.root, entry.file, parameters.distro, tree);
   }
-  sortOnce(tree.constants);
-  sortOnce(tree.unsupported);
   tree.program = program ? *program : nullptr;
   return tree;
 }
@@ -303,8 +287,6 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
   base::append(loaded.problems, tree.problems);
   loadSubTrees(tree, folder, shipped, loaded);
   loaded.program = std::move(tree.program);
-  loaded.constants = std::move(tree.constants);
-  loaded.unsupported = std::move(tree.unsupported);
   loaded.isThroughPoses = tree.isThroughPoses;
   if (choice.tree.empty()) {
     loadThrough(folder, shipped, loaded);

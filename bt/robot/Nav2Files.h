@@ -38,8 +38,7 @@ std::string nav2TreeFile(const std::string& named, const std::string& folder,
 /// A navigator tree by itself: its nodes in that branch, ports, references.
 struct NavigatorTree {
   std::shared_ptr<const Program> program;  // null: with errors
-  std::vector<std::string> constants, unsupported;
-  bool isThroughPoses = false;  // it plans through several goals
+  bool isThroughPoses = false;             // it plans through several goals
   /// Trees that its nodes NavigateToPose and NavigateThroughPoses ask for, by the port
   /// behavior_tree; empty: the default one.
   std::set<std::string> toPose, throughPoses;
@@ -68,10 +67,8 @@ struct Nav2Loaded {
   std::string paramsFile, treeFile;
   sim2d::nav2::Nav2Parameters parameters;
   std::shared_ptr<const Program> program;
-  std::vector<std::string> constants;    // nodes of the tree with one answer here, and which
-  std::vector<std::string> unsupported;  // nodes that always fail here, and why
-  bool isThroughPoses = false;           // the tree plans through several goals
-  std::string throughFile;               // drives several goals where no tree is chosen
+  bool isThroughPoses = false;  // the tree plans through several goals
+  std::string throughFile;      // drives several goals where no tree is chosen
   NavigatorTree through;
   NavigatorTrees subTrees;                // that nodes of the tree ask for
   std::vector<std::string> subTreeFiles;  // and their files

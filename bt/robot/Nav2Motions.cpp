@@ -21,7 +21,7 @@ std::size_t placeOf(RobotAction action) {
 
 }  // namespace
 
-const std::array<RobotAction, 4>& Nav2Servers::behaviorActions() {
+const std::array<RobotAction, 5>& Nav2Servers::behaviorActions() {
   return Motions::kActions;
 }
 
@@ -33,7 +33,8 @@ Nav2Servers::Motions::Motions(const Nav2Parameters& parameters,
                               const sim2d::nav2::Polygon& footprint)
     : distro_(parameters.distro),
       isThere_{parameters.behaviors.hasSpin, parameters.behaviors.hasBackUp,
-               parameters.behaviors.hasDriveOnHeading, parameters.behaviors.hasWait},
+               parameters.behaviors.hasDriveOnHeading, parameters.behaviors.hasWait,
+               parameters.behaviors.hasAssistedTeleop},
       behaviors_(parameters.behaviors.server, parameters.behaviors.backUp,
                  parameters.behaviors.driveOnHeading),
       smoother_(parameters.velocitySmoother) {
@@ -59,6 +60,10 @@ bool Nav2Servers::Motions::begin(RobotAction action, const RobotRequest& request
       behaviors_.driveOnHeading({request.amount, request.speed, request.timeAllowance}, step.time,
                                 pose);
       break;
+    case RobotAction::AssistedTeleop:
+      behaviors_.assistedTeleop(request.timeAllowance, step.time);
+      teleop_ = {};
+      break;
     default:
       behaviors_.wait(request.amount, step.time);
   }
@@ -83,9 +88,11 @@ std::optional<RobotOutcome> Nav2Servers::Motions::takeOutcome(RobotAction action
 
 /// Its twist, and that it has ended.
 void Nav2Servers::Motions::runBehavior(const Step& step, std::optional<BodyTwist>& command) {
+  teleop_ = step.observation.teleop.value_or(teleop_);
   const std::optional<BehaviorStep> done =
       behaviors_.update({step.time, step.observation.pose, step.local.published(),
-                         step.local.footprint().corners, !ignoresCollisions_});
+                         step.local.footprint().corners, !ignoresCollisions_},
+                        teleop_);
   if (!done || !running_) {
     return;
   }

@@ -15,8 +15,9 @@ namespace bt {
 /// the smoother.
 class Nav2Servers::Motions {
  public:
-  static constexpr std::array<RobotAction, 4> kActions = {
-      RobotAction::Spin, RobotAction::BackUp, RobotAction::DriveOnHeading, RobotAction::Wait};
+  static constexpr std::array<RobotAction, 5> kActions = {
+      RobotAction::Spin, RobotAction::BackUp, RobotAction::DriveOnHeading, RobotAction::Wait,
+      RobotAction::AssistedTeleop};
   static bool isOne(RobotAction action);
 
   /// What is looked at in a step.
@@ -35,6 +36,7 @@ class Nav2Servers::Motions {
   void cancel(RobotAction action);
   /// Service toggle of the collision monitor: off, it passes commands on as they are.
   void monitorCollisions(bool isOn) { isMonitored_ = isOn; }
+  bool isRunning(RobotAction action) const { return running_ == action; }
   /// What came of the behaviour that began last, once it has ended.
   std::optional<RobotOutcome> takeOutcome(RobotAction action);
   /// `command`: what a controller published in this step, if it did; the command for the wheels.
@@ -55,7 +57,8 @@ class Nav2Servers::Motions {
   RobotAction ended_ = RobotAction::Wait;
   bool stops_ = false;                      // a behaviour was cancelled
   std::optional<sim2d::BodyTwist> direct_;  // of a behaviour that bypasses the smoother
-  sim2d::BodyTwist sent_;                   // by the smoother, holds
+  sim2d::BodyTwist teleop_;  // the last command of a person while AssistedTeleop runs
+  sim2d::BodyTwist sent_;    // by the smoother, holds
 };
 
 }  // namespace bt

@@ -13,6 +13,7 @@
 #include "bt/robot/Nav2Route.h"
 #include "bt/robot/Nav2Servers.h"
 #include "bt/robot/Nav2Shown.h"
+#include "bt/robot/Nav2Waypoints.h"
 
 namespace bt {
 namespace {
@@ -35,12 +36,28 @@ base::ParameterTable<Nav2Latencies> latencyTable() {
   return table;
 }
 
+/// Parameters of the planner that are not Nav2's.
+struct Nav2Options {
+  Nav2Latencies latencies;
+  double waypointTasks = 0.0;
+};
+
+base::ParameterTable<Nav2Options> optionTable() {
+  base::ParameterTable<Nav2Options> table;
+  table.include(&Nav2Options::latencies, latencyTable());
+  table.addCount(&Nav2Options::waypointTasks, "waypoint_tasks", {0.0, 1.0},
+                 "1: several goals are driven to one by one, with the task of waypoint_follower at "
+                 "each.");
+  return table;
+}
+
 class Nav2Planner final : public sim2d::Planner {
  public:
-  Nav2Planner(const sim2d::PlannerSetup& setup, Nav2Loaded loaded, const Nav2Latencies& latencies)
+  Nav2Planner(const sim2d::PlannerSetup& setup, Nav2Loaded loaded, const Nav2Options& options)
       : setup_(setup),
         loaded_(std::move(loaded)),
-        latencies_(latencies),
+        latencies_(options.latencies),
+        waypoints_(loaded_.parameters.waypointFollower, options.waypointTasks > 0.0),
         tree_(std::make_unique<TreeState>(loaded_.program)),
         driving_{loaded_.program->paths(), {}} {
     driving_.statuses.resize(static_cast<std::size_t>(loaded_.program->nodeCount()),
@@ -51,7 +68,8 @@ class Nav2Planner final : public sim2d::Planner {
   base::Diagnostics takeMap(const sim2d::OccupancyGrid& map) override {
     auto servers = Nav2Servers::make({loaded_.parameters, setup_.body, map, latencies_, setup_.seed,
                                       setup_.robotId, loaded_.masks.local, loaded_.masks.global,
-                                      loaded_.topics, loaded_.subTrees, loaded_.graph.graph});
+                                      loaded_.topics, loaded_.subTrees, loaded_.graph.graph,
+                                      setup_.docks, setup_.names});
     base::Diagnostics problems;
     for (const base::Diagnostic& problem : servers.diagnostics()) {
       problems.push_back(base::problem(problem.severity, "nav2.drive",
@@ -72,12 +90,12 @@ class Nav2Planner final : public sim2d::Planner {
     }
     hasScan_ = true;
     servers_->sense(observation);
-    end_.reset();
-    if (std::exchange(orders_, observation.orders) != observation.orders || isDone_ ||
-        !route_.goesOnWith(observation.goal, observation.goalsAfter)) {
-      beginRun(observation);
+    takeGoal(observation);
+    if (isWaiting_) {
+      rest();
+    } else {
+      tick();
     }
-    tick();
     if (const TreeFault* const fault = tree_->fault()) {
       return base::error("nav2.tree", {setup_.robot, fault->path + ": " + fault->message});
     }
@@ -132,6 +150,16 @@ class Nav2Planner final : public sim2d::Planner {
   bool takeRelocalization() override {
     return servers_ != nullptr && servers_->takeRelocalization();
   }
+  bool wantsTeleop() const override { return servers_ != nullptr && servers_->wantsTeleop(); }
+  std::vector<sim2d::PlannerEvent> takeEvents() override {
+    std::vector<sim2d::PlannerEvent> events = std::exchange(photos_, {});
+    if (servers_ != nullptr) {
+      for (std::string& text : servers_->takeDockEvents()) {
+        events.push_back({sim2d::PlannerEvent::Kind::Dock, std::move(text)});
+      }
+    }
+    return events;
+  }
   std::size_t takePassedGoals() override { return route_.takePassed(); }
   bool endsGoals() const override { return true; }
   std::optional<sim2d::NavigationEnd> takeEnd() override {
@@ -146,8 +174,36 @@ class Nav2Planner final : public sim2d::Planner {
  private:
   TickInput input() { return {step_, setup_.dt, static_cast<NavigatorHost*>(servers_.get())}; }
 
+  /// Another goal is another run of the tree, once the task at the one before is done.
+  void takeGoal(const Observation& observation) {
+    end_.reset();
+    const bool isOrder = std::exchange(orders_, observation.orders) != observation.orders;
+    const bool isNew =
+        isOrder || isDone_ || !route_.goesOnWith(observation.goal, observation.goalsAfter);
+    const bool isReached = isNew && !isOrder && !route_.isEmpty() && !hasFailed_;
+    if (isReached && !isWaiting_ && waypoints_.isOn()) {
+      reach(observation);
+      tree_->halt(input());
+      servers_->restart();
+      isWaiting_ = true;
+    }
+    if (isNew && (isOrder || !waypoints_.isBusy(observation.time))) {
+      beginRun(observation);
+      isWaiting_ = false;
+    }
+  }
+
+  void reach(const Observation& observation) {
+    if (std::optional<std::string> photo = waypoints_.reach(observation.time, observation.pose)) {
+      photos_.push_back({sim2d::PlannerEvent::Kind::Photo, *std::move(photo)});
+    }
+  }
+
+  void rest() { std::fill(driving_.statuses.begin(), driving_.statuses.end(), NodeStatus::Idle); }
+
   void beginRun(const Observation& observation) {
-    if (route_.isEmpty() && !observation.goalsAfter.empty() && loaded_.through.program != nullptr) {
+    if (!waypoints_.isOn() && route_.isEmpty() && !observation.goalsAfter.empty() &&
+        loaded_.through.program != nullptr) {
       driveThrough();
     }
     route_.begin(observation.pose, observation.goal, observation.goalsAfter,
@@ -161,15 +217,13 @@ class Nav2Planner final : public sim2d::Planner {
     tree_->set(loaded_.program->hostSlot(2), 0);
     tree_->set(loaded_.program->hostSlot(3),
                static_cast<int>(addPending(*servers_, route_.poses())));
-    isDone_ = false;
+    isDone_ = hasFailed_ = false;
   }
 
   /// From the first goal on by the tree for routes.
   void driveThrough() {
     loaded_.program = loaded_.through.program;
     loaded_.treeFile = loaded_.throughFile;
-    loaded_.constants = loaded_.through.constants;
-    loaded_.unsupported = loaded_.through.unsupported;
     loaded_.isThroughPoses = true;
     tree_ = std::make_unique<TreeState>(loaded_.program);
     driving_.paths = loaded_.program->paths();
@@ -190,7 +244,8 @@ class Nav2Planner final : public sim2d::Planner {
     driving_.statuses.assign(tree_->statuses().begin(), tree_->statuses().end());
     followGoals(status);
     isDone_ = status == NodeStatus::Success || status == NodeStatus::Failure;
-    if (status == NodeStatus::Failure) {
+    hasFailed_ = status == NodeStatus::Failure;
+    if (hasFailed_) {
       servers_->countTreeFailure();
     }
     if (isDone_) {
@@ -237,6 +292,7 @@ class Nav2Planner final : public sim2d::Planner {
   sim2d::PlannerSetup setup_;
   Nav2Loaded loaded_;
   Nav2Latencies latencies_;
+  Nav2Waypoints waypoints_;
   std::unique_ptr<TreeState> tree_;
   sim2d::DrivingTree driving_;
   std::unique_ptr<Nav2Servers> servers_;
@@ -245,7 +301,9 @@ class Nav2Planner final : public sim2d::Planner {
   std::int64_t step_ = 0;                    // ticks
   int orders_ = 0;                           // as of the observation before
   std::optional<sim2d::NavigationEnd> end_;  // of the last tick
-  bool isDone_ = false, hasScan_ = false;
+  std::vector<sim2d::PlannerEvent> photos_;
+  bool isDone_ = false, hasFailed_ = false, hasScan_ = false;
+  bool isWaiting_ = false;  // at a goal, for its task
   bool watchesCosts_ = false, watchesWays_ = false;
   mutable ShownCosts localCosts_, globalCosts_;
 };
@@ -267,8 +325,8 @@ base::Diagnostics costmapErrors(const Nav2Loaded& loaded) {
 
 base::Result<std::shared_ptr<sim2d::Planner>> makeNav2(const sim2d::PlannerSetup& setup,
                                                        const Nav2Folders& shipped) {
-  Nav2Latencies latencies;
-  latencyTable().set(latencies, setup.parameters);
+  Nav2Options options;
+  optionTable().set(options, setup.parameters);
   Nav2Loaded loaded = loadNav2(setup.nav2, setup.folder, setup.robot, shipped);
   base::Diagnostics problems = loaded.problems;
   base::append(problems, loaded.wrongValues);
@@ -279,7 +337,7 @@ base::Result<std::shared_ptr<sim2d::Planner>> makeNav2(const sim2d::PlannerSetup
     return problems;
   }
   return {std::shared_ptr<sim2d::Planner>(
-              std::make_shared<Nav2Planner>(setup, std::move(loaded), latencies)),
+              std::make_shared<Nav2Planner>(setup, std::move(loaded), options)),
           std::move(problems)};
 }
 
@@ -287,7 +345,7 @@ base::Result<std::shared_ptr<sim2d::Planner>> makeNav2(const sim2d::PlannerSetup
 
 void addNav2(sim2d::PlannerRegistry& to, const Nav2Folders& shipped) {
   to.add(
-      sim2d::kNav2Planner, latencyTable().specs(),
+      sim2d::kNav2Planner, optionTable().specs(),
       [shipped](const sim2d::PlannerSetup& setup) { return makeNav2(setup, shipped); },
       "Nav2 without ROS: your own nav2_params.yaml and navigator tree.");
 }

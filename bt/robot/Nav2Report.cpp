@@ -127,8 +127,6 @@ std::string nav2Report(const Nav2Loaded& loaded, const Nav2Counts& counts,
   json["distro_reasons"] = parameters.distroReasons;
   json["params"] = loaded.paramsFile;
   json["tree"] = loaded.treeFile;
-  json["tree_nodes_with_one_answer"] = loaded.constants;
-  json["tree_nodes_that_fail"] = loaded.unsupported;
   json["plugins"] = pluginsJson(parameters);
   json["treated_as"] = replacedJson(parameters, loaded.problems);
   json["left_out"] = leftOutJson(loaded.problems);

@@ -114,6 +114,7 @@ void Nav2Servers::route() {
     tracked.progress.route = 0;
     tracked.errorCode = static_cast<int>(feedback.plan.error);
     tracked.errorText = feedback.plan.text;
+    noteFailure(RobotAction::ComputeAndTrackRoute, tracked.errorCode);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bt/robot/Nav2Docking.h"
 #include "bt/robot/Nav2Motions.h"
 #include "sim2d/base/Math.h"
 #include "sim2d/nav/Motion.h"
@@ -105,6 +106,7 @@ base::Diagnostics Nav2Servers::build() {
   }
   motions_ = std::make_unique<Motions>(parameters, local_->footprint().corners);
   routes_ = std::make_unique<RouteServer>(parameters.route, setup_.graph);
+  docking_ = std::make_unique<Docking>(*this);
   return problems;
 }
 
@@ -156,7 +158,9 @@ BodyTwist Nav2Servers::act() {
   planIfAsked(RobotAction::ComputePathThroughPoses);
   smoothIfAsked();
   control();
-  const BodyTwist wanted = motions_->drive({inLocal(), *inOdom_, *local_, time_}, command_);
+  const std::optional<BodyTwist> docking = docking_->drive();
+  const BodyTwist driven = motions_->drive({inLocal(), *inOdom_, *local_, time_}, command_);
+  const BodyTwist wanted = docking.value_or(driven);
   for (const RobotAction action : Motions::kActions) {
     if (const auto outcome = motions_->takeOutcome(action)) {
       result(action) = *outcome;
@@ -197,8 +201,19 @@ void Nav2Servers::restart() {
   for (const RobotAction action : Motions::kActions) {
     motions_->cancel(action);
   }
+  for (const RobotAction action : Docking::kActions) {
+    docking_->cancel(action);
+  }
   hasPlanned_ = false;
   lastFailure_.reset();
+}
+
+bool Nav2Servers::wantsTeleop() const {
+  return motions_->isRunning(RobotAction::AssistedTeleop);
+}
+
+std::vector<std::string> Nav2Servers::takeDockEvents() {
+  return docking_->takeEvents();
 }
 
 // ---- actions --------------------------------------------------------------------
@@ -221,6 +236,10 @@ void Nav2Servers::begin(RobotAction action, const RobotRequest& request) {
     } else {
       controllers_->follow(std::move(goal));
     }
+    return;
+  }
+  if (Docking::isOne(action)) {
+    docking_->begin(action, request);
     return;
   }
   if (Motions::isOne(action)) {
@@ -274,6 +293,8 @@ void Nav2Servers::cancel(RobotAction action) {
       controllers_->cancel();
       isCancelling_ = true;
     }
+  } else if (Docking::isOne(action)) {
+    docking_->cancel(action);
   } else if (Motions::isOne(action)) {
     motions_->cancel(action);
   } else if (action == RobotAction::ComputeAndTrackRoute) {

@@ -42,8 +42,8 @@ struct Nav2Counts {
   int clears = 0;            // of costmaps
   int cutCommands = 0;       // steps in which the robot's limits left less of a command
   int treeFailures = 0;      // runs of the tree that gave a goal up
-  std::map<std::string, int> planReasons{};    // planFailures by their reasons
-  std::map<std::string, int> actionReasons{};  // other actions that failed, by their reasons
+  std::map<std::string, int> planReasons{};          // planFailures by their reasons
+  std::map<std::string, int> actionReasons{};        // other actions that failed, by their reasons
   std::vector<sim2d::nav2::RouteEvent> routeEvents;  // of the route server's operations
 };
 
@@ -63,6 +63,8 @@ class Nav2Servers final : public NavigatorHost {
     NavigatorTopics topics{};                              // what is published in the run
     NavigatorTrees trees{};                                // that nodes of the tree ask for
     sim2d::nav2::RouteGraph graph{};                       // of the route server
+    std::vector<sim2d::DockPlace> docks{};                 // of the scenario
+    std::vector<std::pair<std::string, int>> names{};      // of bodies that it may follow
   };
   /// Problems of the costmaps, at the lines of the file's values.
   static base::Diagnostics costmapProblems(const Setup& setup);
@@ -82,7 +84,11 @@ class Nav2Servers final : public NavigatorHost {
   void setGoal(PathId goal) { goal_ = goal; }
   /// A new run of the tree begins: nothing is asked for any more.
   void restart();
-  static const std::array<RobotAction, 4>& behaviorActions();
+  static const std::array<RobotAction, 5>& behaviorActions();
+  /// Commands of a person are wanted: AssistedTeleop runs.
+  bool wantsTeleop() const;
+  /// Of docking: "docked dock1" …, since the last call.
+  std::vector<std::string> takeDockEvents();
   /// Whether the controller keeps what it weighs, for display.
   void watchWays(bool wanted) { watchesWays_ = wanted; }
 
@@ -106,6 +112,7 @@ class Nav2Servers final : public NavigatorHost {
   // NavigatorHost
   sim2d::nav2::Distro distro() const override { return setup_.parameters.distro; }
   base::Pose2 pose() const override { return observation_->pose; }
+  std::optional<sim2d::BatteryState> battery() const override { return observation_->battery; }
   double speed() const override;
   double goalReachedTolerance() const override {
     return setup_.parameters.btNavigator.goalReachedTol;
@@ -141,6 +148,7 @@ class Nav2Servers final : public NavigatorHost {
     bool isWaiting = false;
     double waitsSince = -1.0;  // for a current costmap [s]
   };
+  class Docking;  // docking and following server
   class Motions;  // behaviours, velocity smoother, collision monitor
 
   explicit Nav2Servers(Setup setup);
@@ -188,6 +196,7 @@ class Nav2Servers final : public NavigatorHost {
   std::unique_ptr<Motions> motions_;
   std::unique_ptr<sim2d::nav2::RouteServer> routes_;
   std::map<std::string, int> heardServices_;  // of the route server: calls so far, by name
+  std::unique_ptr<Docking> docking_;
   sim2d::nav2::ControlledShape shape_;
 
   const sim2d::Observation* observation_ = nullptr;

@@ -8,9 +8,11 @@
 
 #include "bt/robot/NumberedStore.h"
 #include "bt/robot/PathStore.h"
+#include "sim2d/nav/Battery.h"
 #include "sim2d/nav/Body.h"
 #include "sim2d/nav/nav2/Nav2Key.h"
 #include "sim2d/nav/nav2/control/TrackingError.h"
+#include "sim2d/nav/nav2/docking/DockingServer.h"
 
 /// What the nodes of a navigator tree ask for: Nav2's servers, without their messages.
 namespace bt {
@@ -28,9 +30,18 @@ enum class RobotAction : std::uint8_t {
   NavigateToPose,
   NavigateThroughPoses,
   ComputeRoute,
-  ComputeAndTrackRoute
+  ComputeAndTrackRoute,
+  AssistedTeleop,
+  DockRobot,
+  UndockRobot,
+  FollowObject
 };
-constexpr std::size_t kRobotActions = 12;
+constexpr std::size_t kRobotActions = 16;
+
+/// What FollowObject follows.
+struct FollowedObject {
+  std::string topic, frame;  // the frame counts if there is one
+};
 
 /// What a request says; which members count depends on the action.
 struct RobotRequest {
@@ -47,6 +58,8 @@ struct RobotRequest {
   std::string tree;                // of a navigation: its tree by name; empty: the default one
   bool usesPoses = true;           // of a route: `path` and `start` count, else the ids of nodes
   std::uint32_t startId = 0, goalId = 0;
+  sim2d::nav2::DockGoal dock{};  // of DockRobot and UndockRobot; its pose is that of `path`
+  FollowedObject object{};       // of FollowObject
 };
 
 /// How far a robot has come on a route; ids of nodes and edges of the graph, 0 where there is none.
@@ -64,10 +77,11 @@ struct RobotOutcome {
   int errorCode = 0;      // Nav2's: 0 none, 100 … controller, 200 … planner, 500 … smoother
   std::string errorText;  // why it failed, in words; empty: it did not
   PathId path = 0;        // planned or smoothed
-  double duration = 0.0;  // of smoothing, or of following a route [s]
+  double duration = 0.0;  // of smoothing, of following a route or an object [s]
   bool wasCompleted = true;  // smoothing
   int lastReached = -1;      // index of the last goal that a path through poses leads to
   RouteProgress progress;    // of a route
+  int retries = 0;           // of docking
 };
 
 /// What a service does to the layers of a costmap that can be cleared.
@@ -124,9 +138,10 @@ class NavigatorHost {
   virtual base::Pose2 pose() const = 0;             // [m], [rad]
   virtual double speed() const = 0;                 // smoothed, of the odometry [m/s]
   virtual double goalReachedTolerance() const = 0;  // [m]
-  virtual PathId newestGoal() const = 0;            // what a moving goal is now
-  virtual double time() const = 0;                  // of the simulation [s]
-  virtual sim2d::BodyTwist motion() const = 0;      // the last reading of the odometry
+  virtual std::optional<sim2d::BatteryState> battery() const { return std::nullopt; }
+  virtual PathId newestGoal() const = 0;        // what a moving goal is now
+  virtual double time() const = 0;              // of the simulation [s]
+  virtual sim2d::BodyTwist motion() const = 0;  // the last reading of the odometry
   /// Change of the forward speed between the last two readings of the odometry [m/s²].
   virtual double acceleration() const = 0;
   /// By the global costmap, from the pose nearest to the robot on.

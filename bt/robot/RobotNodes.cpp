@@ -20,7 +20,7 @@ struct NodeFact {
   unsigned distros;
 };
 /// Of those that are not in all branches.
-constexpr std::array<NodeFact, 31> kLater = {{{"NonblockingSequence", kSinceLyrical},
+constexpr std::array<NodeFact, 33> kLater = {{{"NonblockingSequence", kSinceLyrical},
                                               {"ValidatePath", kSinceLyrical},
                                               {"IsPathValid", kUntilKilted},
                                               {"IsGoalNearby", kSinceLyrical},
@@ -50,39 +50,16 @@ constexpr std::array<NodeFact, 31> kLater = {{{"NonblockingSequence", kSinceLyri
                                               {"IsWithinPathTrackingBounds", kSinceLyrical},
                                               {"ToggleCollisionMonitor", kSinceLyrical},
                                               {"PauseResumeController", kSinceLyrical},
-                                              {"PersistentSequence", kSinceLyrical}}};
-
-struct NodeReason {
-  std::string_view id, why;
-};
-constexpr std::array<NodeReason, 3> kUnsupported = {
-    {{"AssistedTeleop", "nobody steers here"},
-     {"DockRobot", "there are no docks here"},
-     {"UndockRobot", "there are no docks here"}}};
-constexpr std::array<NodeReason, 2> kConstant = {
-    {{"IsBatteryLow", "FAILURE: batteries are full here"},
-     {"IsBatteryCharging", "FAILURE: batteries are full here"}}};
-
-template <class Facts>
-auto factOf(const Facts& facts, std::string_view id) {
-  return std::find_if(facts.begin(), facts.end(), [id](const auto& fact) { return fact.id == id; });
-}
+                                              {"PersistentSequence", kSinceLyrical},
+                                              {"FollowObject", kSinceLyrical},
+                                              {"CancelFollowObject", kSinceLyrical}}};
 
 }  // namespace
 
 unsigned distrosOfNode(std::string_view id) {
-  const auto* const fact = factOf(kLater, id);
+  const auto* const fact = std::find_if(kLater.begin(), kLater.end(),
+                                        [id](const NodeFact& each) { return each.id == id; });
   return fact == kLater.end() ? kEveryDistro : fact->distros;
-}
-
-std::string_view unsupportedNode(std::string_view id) {
-  const auto* const reason = factOf(kUnsupported, id);
-  return reason == kUnsupported.end() ? std::string_view() : reason->why;
-}
-
-std::string_view constantNode(std::string_view id) {
-  const auto* const reason = factOf(kConstant, id);
-  return reason == kConstant.end() ? std::string_view() : reason->why;
 }
 
 }  // namespace bt

@@ -20,11 +20,6 @@ inline NodeLibrary robotNodes() {
 /// In which of Nav2's branches a node exists, as `sim2d::nav2::isIn` takes it; those of
 /// BehaviorTree.CPP in all.
 unsigned distrosOfNode(std::string_view id);
-/// A node that is read and always fails, as there is nothing here that it could ask: docking,
-/// teleoperation. Empty: it works. Else why.
-std::string_view unsupportedNode(std::string_view id);
-/// A condition that has one answer here, as nothing here makes the other one true. Empty: it looks.
-std::string_view constantNode(std::string_view id);
 
 inline NavigatorHost& robotOf(const LeafContext& leaf) {
   return leaf.host<NavigatorHost>();

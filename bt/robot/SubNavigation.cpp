@@ -66,6 +66,7 @@ void Nav2Servers::beginNavigation(RobotAction action, const RobotRequest& reques
     outcome.state = State::Failed;
     outcome.errorCode = navigationCode(action, error);
     outcome.errorText = std::move(why);
+    noteFailure(action, outcome.errorCode);
   };
   if (isNavigating_) {
     refuse(result(action), NavigationError::Unknown,
@@ -100,6 +101,7 @@ void Nav2Servers::navigate() {
     navigated_.state = State::Failed;
     navigated_.errorCode = navigationCode(navigation_->action(), NavigationError::Unknown);
     navigated_.errorText = navigation_->fault();
+    noteFailure(navigation_->action(), navigated_.errorCode);
   }
   if (status == NodeStatus::Success || status == NodeStatus::Failure) {
     endNavigation();

@@ -366,7 +366,6 @@ constexpr ProblemText kTexts[] = {
      "no controller is configured (controller_plugins of controller_server): this file holds only "
      "{nodes}"},
     {"nav2.node-of-others", "{node} is a node of {distros}: {distro} does not have it"},
-    {"nav2.node-unsupported", "{node} always fails here: {why}", kSubstitution},
     {"nav2.port-of-others",
      "port '{port}' of {node} is one of {distros}: {distro} does not have it"},
     {"nav2.no-graph", "graph_filepath: there is no file '{file}' beside the parameter file"},

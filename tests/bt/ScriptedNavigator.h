@@ -43,7 +43,7 @@ class Scripted : public bt::NavigatorHost {
   bt::PathId goal = 0;
   int recoveries = 0;
   long long step = 0;
-  double nextLength = 10.0;  // [m] of the paths that are planned
+  double nextLength = 10.0;                             // [m] of the paths that are planned
   double braking = 0.0;                                 // acceleration [m/s²]
   Path collisions;                                      // of a path that is not valid
   std::map<double, std::optional<std::uint8_t>> costs;  // by x of the pose; absent: 0
@@ -80,9 +80,9 @@ class Scripted : public bt::NavigatorHost {
     return topics.lastOf(topic, time());
   }
   void begin(RobotAction action, const bt::RobotRequest& request) override {
-    static const char* const kNames[] = {"plan",    "through",       "follow",  "smooth",
-                                         "spin",    "backup",        "heading", "wait",
-                                         "to-pose", "through-poses", "route",   "track"};
+    static const char* const kNames[] = {
+        "plan",    "through",       "follow", "smooth", "spin",   "backup", "heading", "wait",
+        "to-pose", "through-poses", "route",  "track",  "teleop", "dock",   "undock",  "object"};
     log.push_back(kNames[static_cast<int>(action)]);
     steps_[action] = step;
     last = request;

@@ -148,7 +148,6 @@ void Nav2NodesTest::eachNode_hasItsKindAndBranches() {
   const bt::NodeManifest* const node = library.catalogue().find(id.toStdString());
   QVERIFY2(node != nullptr, "there is no such node");
   QCOMPARE(std::string(bt::nodeKindName(node->kind)), declared.kind);
-  QVERIFY(bt::unsupportedNode(node->id).empty() && bt::constantNode(node->id).empty());
   for (const Distro distro : kEachDistro) {
     const bool isThere = declared.ports.at(static_cast<std::size_t>(distro)) != "-";
     QVERIFY2(isIn(bt::distrosOfNode(node->id), distro) == isThere, distroTitle(distro));

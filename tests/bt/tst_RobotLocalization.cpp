@@ -16,7 +16,6 @@ class RobotLocalizationTest : public QObject {
   void reinitialize_withLocalizer_asksForIt();
   void frameNames_ofFiles_data();
   void frameNames_ofFiles();
-  void nodes_areNeitherConstantNorUnsupported();
 };
 
 namespace {
@@ -134,13 +133,6 @@ void RobotLocalizationTest::frameNames_ofFiles() {
            (std::vector<std::string>{"base_foot", "base_footprint", "base_link", "front_laser"}));
   QVERIFY(names.canTransform(map, "front_laser", true));
   QVERIFY(!names.canTransform(odom, "scan", true));
-}
-
-void RobotLocalizationTest::nodes_areNeitherConstantNorUnsupported() {
-  for (const char* id :
-       {"InitialPoseReceived", "TransformAvailable", "ReinitializeGlobalLocalization"}) {
-    QVERIFY(bt::constantNode(id).empty() && bt::unsupportedNode(id).empty());
-  }
 }
 
 QTEST_APPLESS_MAIN(RobotLocalizationTest)

@@ -88,6 +88,27 @@ std::map<std::string, Place> nodePlaces() {
         "following_server"}) {
     places[node] = {std::string(node) + ":\n  ros__parameters:\n", std::string(node) + "."};
   }
+  places["costmap_filter_info_server"] = {
+      "costmap_filter_info_server:\n  ros__parameters:\n    filter_info_topic: it\n",
+      "costmap_filter_info_server."};
+  const std::string docks =
+      "docking_server:\n  ros__parameters:\n    dock_plugins: [It]\n    It:\n      plugin: "
+      "\"opennav_docking::";
+  places["simple_charging_dock"] = {docks + "SimpleChargingDock\"\n", "docking_server.It.", 6};
+  places["simple_non_charging_dock"] = {docks + "SimpleNonChargingDock\"\n", "docking_server.It.",
+                                        6};
+  places["dock_instance"] = {"docking_server:\n  ros__parameters:\n    docks: [It]\n    It:\n",
+                             "docking_server.It.", 6};
+  for (const auto& [component, task] : {std::pair("wait_at_waypoint", "WaitAtWaypoint"),
+                                        std::pair("photo_at_waypoint", "PhotoAtWaypoint"),
+                                        std::pair("input_at_waypoint", "InputAtWaypoint")}) {
+    places[component] = {
+        std::string(
+            "waypoint_follower:\n  ros__parameters:\n    waypoint_task_executor_plugin: It\n"
+            "    It:\n      plugin: \"nav2_waypoint_follower::") +
+            task + "\"\n",
+        "waypoint_follower.It.", 6};
+  }
   places["costmap"] = {"local_costmap:\n  local_costmap:\n    ros__parameters:\n", "local_costmap.",
                        6};
   return places;

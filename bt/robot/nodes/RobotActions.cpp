@@ -246,10 +246,6 @@ NodeStatus clearCostmap(LeafContext& leaf) {
   return robot.clear(request) ? NodeStatus::Success : NodeStatus::Failure;
 }
 
-NodeStatus unsupported(LeafContext& /*leaf*/) {
-  return NodeStatus::Failure;
-}
-
 constexpr const char* kNodes = R"(
 server_name text|No servers by name here.
 server_timeout int default 20|No servers to wait for here.
@@ -326,16 +322,6 @@ Action CancelDriveOnHeading|Navigation|Ends DriveOnHeading.
 server_name server_timeout
 Action CancelWait|Navigation|Ends Wait.
 server_name server_timeout
-Action CancelAssistedTeleop|Navigation|There is no such thing to end here.
-server_name server_timeout
-Action AssistedTeleop|Navigation|Needs somebody who steers: fails here.
-time_allowance is_recovery error_code_id server_name server_timeout error_msg
-Action DockRobot|Navigation|No docks here: fails.
-dock_id text|Not looked at.
-dock_type text|Not looked at.
-error_code_id server_name server_timeout error_msg
-Action UndockRobot|Navigation|No docks here: fails.
-dock_type error_code_id server_name server_timeout error_msg
 )";
 
 template <RobotAction action, class Node>
@@ -378,10 +364,6 @@ void addRobotActions(NodeLibrary& to) {
   to.addAction(manifest("CancelBackUp"), cancelNow<RobotAction::BackUp>);
   to.addAction(manifest("CancelDriveOnHeading"), cancelNow<RobotAction::DriveOnHeading>);
   to.addAction(manifest("CancelWait"), cancelNow<RobotAction::Wait>);
-  for (const char* id :
-       {"CancelAssistedTeleop", "AssistedTeleop", "DockRobot", "UndockRobot"}) {
-    to.addAction(manifest(id), unsupported);
-  }
 }
 
 }  // namespace bt

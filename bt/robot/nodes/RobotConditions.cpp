@@ -206,12 +206,6 @@ Condition GoalReached|Navigation|The robot is at the goal (goal_reached_tol).
 goal any needed suggest {goal}|The goal.
 robot_base_frame global_frame
 Condition IsStuck|Navigation|The robot was stopped at once by something.
-Condition IsBatteryLow|Navigation|The battery is low: never here.
-min_battery number default 0.0|Not looked at.
-battery_topic text default /battery_status|No topics here.
-is_voltage bool default false|Not looked at.
-Condition IsBatteryCharging|Navigation|The battery is charging: never here.
-battery_topic
 Condition AreErrorCodesPresent|Navigation|The code is one of these.
 error_code int default {error_code}|The code.
 error_codes_to_check text needed suggest 0|The codes, with ';' between them.
@@ -249,8 +243,6 @@ void addRobotConditions(NodeLibrary& to) {
   to.addRemembering<PlaceMemory>(manifest("DistanceTraveled"), distanceTraveled);
   to.addCondition(manifest("GoalReached"), goalReached);
   to.addCondition(manifest("IsStuck"), isStuck);
-  to.addCondition(manifest("IsBatteryLow"), constant<NodeStatus::Failure>);
-  to.addCondition(manifest("IsBatteryCharging"), constant<NodeStatus::Failure>);
   to.addCondition(manifest("AreErrorCodesPresent"), errorCodesPresent);
   to.addCondition(manifest("WouldAControllerRecoveryHelp"), recoveryHelps<kOfController>);
   to.addCondition(manifest("WouldAPlannerRecoveryHelp"), recoveryHelps<kOfPlanner>);

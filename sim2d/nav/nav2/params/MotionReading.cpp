@@ -73,7 +73,7 @@ void readBehavior(NodeReader& node, const std::string& name, BehaviorSettings& t
       to.hasWait = true;
       break;
     case 4:
-      node.know(name + ".", "nobody steers here");
+      to.hasAssistedTeleop = true;
       break;
     default: {
       std::vector<std::string> known;

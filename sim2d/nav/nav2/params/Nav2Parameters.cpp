@@ -10,6 +10,8 @@
 #include "sim2d/nav/nav2/control/ControllerServer.h"
 #include "sim2d/nav/nav2/params/CostmapReading.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
+#include "sim2d/nav/nav2/params/DockingReading.h"
+#include "sim2d/nav/nav2/params/MaskReading.h"
 #include "sim2d/nav/nav2/params/MotionReading.h"
 #include "sim2d/nav/nav2/params/OldNames.h"
 #include "sim2d/nav/nav2/params/PluginBlocks.h"
@@ -46,6 +48,10 @@ class FileReader {
     readNavigator();
     to_.frames = frameNamesOf(file_, options_.robot);
     readRoutes();
+    readDocking(
+        to_, [this](const std::string& node) { return reader(node); }, file_);
+    readMasks(
+        to_, [this](const std::string& node) { return reader(node); }, file_);
     lookAtOthers();
   }
 

@@ -8,6 +8,7 @@
 #include "sim2d/base/Result.h"
 #include "sim2d/nav/nav2/Nav2Block.h"
 #include "sim2d/nav/nav2/costmap/CostmapParameters.h"
+#include "sim2d/nav/nav2/docking/DockingParameters.h"
 #include "sim2d/nav/nav2/global/GlobalPlanners.h"
 #include "sim2d/nav/nav2/global/PathSmoother.h"
 #include "sim2d/nav/nav2/params/BtNavigator.h"
@@ -17,6 +18,7 @@
 #include "sim2d/nav/nav2/servers/Behaviors.h"
 #include "sim2d/nav/nav2/servers/CollisionMonitor.h"
 #include "sim2d/nav/nav2/servers/VelocitySmoother.h"
+#include "sim2d/nav/nav2/servers/WaypointTasks.h"
 
 /// A `nav2_params.yaml` as a whole: every server with its plugins.
 namespace sim2d::nav2 {
@@ -25,7 +27,8 @@ namespace sim2d::nav2 {
 struct BehaviorSettings {
   BehaviorParameters server;
   DriveParameters backUp, driveOnHeading;
-  bool hasSpin = false, hasBackUp = false, hasDriveOnHeading = false, hasWait = false;
+  bool hasSpin = false, hasBackUp = false, hasDriveOnHeading = false, hasWait = false,
+       hasAssistedTeleop = false;
 };
 
 struct Nav2Parameters {
@@ -46,6 +49,9 @@ struct Nav2Parameters {
   BtNavigatorParameters btNavigator;
   FrameNames frames;
   RouteSettings route;     // Nav2's defaults where the file has no route_server
+  DockingServerParameters dockingServer;
+  FollowingServerParameters followingServer;
+  std::optional<WaypointFollowerParameters> waypointFollower;  // none: not in the file
   std::string held;        // nodes of the file: "amcl, map_server"
   bool isPartial = false;  // has no controller, so it cannot drive a robot by itself
 

@@ -1,0 +1,259 @@
+#include "bt/robot/Nav2Docking.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "sim2d/base/Text.h"
+
+namespace bt {
+namespace {
+
+using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
+using sim2d::BodyTwist;
+using sim2d::TrackedBody;
+using State = RobotOutcome::State;
+
+constexpr double kReplanPeriod = 1.0;  // [s], as in Nav2's default tree
+constexpr int kMostFailures = 6;       // of plans and drives to a staging pose, idem
+
+/// The first one of a list of plugins in the file.
+std::string firstOf(const Nav2Parameters& parameters, const char* list, const char* usual) {
+  const auto names = controllerValue<std::vector<std::string>>(parameters, list, {usual});
+  return names.empty() ? std::string() : names.front();
+}
+
+RobotRequest followRequest(const Nav2Parameters& parameters, PathId path) {
+  RobotRequest request;
+  request.path = path;
+  request.server = firstOf(parameters, "controller_plugins", "FollowPath");
+  request.goalChecker = firstOf(parameters, "goal_checker_plugins", "goal_checker");
+  return request;
+}
+
+/// The body that a frame or topic names: "anna", "3", "/anna/pose". Nothing: none does.
+std::optional<int> namedBody(const std::string& text,
+                             const std::vector<std::pair<std::string, int>>& names) {
+  for (const std::string& part : base::split(text, '/')) {
+    for (const auto& [name, id] : names) {
+      if (part == name) {
+        return id;
+      }
+    }
+    if (const auto number = base::parseInt(part)) {
+      return static_cast<int>(*number);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool Nav2Servers::Docking::isOne(RobotAction action) {
+  return std::find(kActions.begin(), kActions.end(), action) != kActions.end();
+}
+
+Nav2Servers::Docking::Docking(Nav2Servers& servers)
+    : servers_(servers),
+      docking_(servers.parameters().dockingServer, servers.distro(), servers.setup_.docks),
+      following_(servers.parameters().followingServer, servers.distro()) {}
+
+void Nav2Servers::Docking::begin(RobotAction action, const RobotRequest& request) {
+  docking_.cancel();
+  following_.cancel();
+  endStaging();
+  if (running_ && *running_ != action && servers_.result(*running_).state == State::Running) {
+    servers_.result(*running_).state = State::Cancelled;
+  }
+  running_ = action;
+  held_.reset();
+  const double time = servers_.time_;
+  if (action == RobotAction::DockRobot) {
+    DockGoal goal = request.dock;
+    const Path& pose = servers_.paths().get(request.path);
+    goal.pose = pose.empty() ? Pose2() : pose.front();
+    docking_.dock(goal, time);
+  } else if (action == RobotAction::UndockRobot) {
+    docking_.undock({request.dock.type, request.timeAllowance}, time);
+  } else {
+    object_ = request.object;
+    track_.reset();
+    following_.follow({request.timeAllowance, object_.frame.empty()}, time);
+  }
+}
+
+void Nav2Servers::Docking::cancel(RobotAction action) {
+  if (running_ != action) {
+    return;
+  }
+  docking_.cancel();
+  following_.cancel();
+  endStaging();
+  running_.reset();
+  held_ = BodyTwist();  // published once
+}
+
+DockView Nav2Servers::Docking::view() const {
+  return {servers_.observation_->pose, servers_.observation_->motion, servers_.local_->costmap(),
+          servers_.local_->footprint()};
+}
+
+std::optional<BodyTwist> Nav2Servers::Docking::drive() {
+  if (!running_) {
+    return std::exchange(held_, std::nullopt);
+  }
+  if (*running_ == RobotAction::FollowObject) {
+    driveFollowing();
+  } else {
+    driveDocking();
+  }
+  return running_ ? held_ : std::exchange(held_, std::nullopt);
+}
+
+void Nav2Servers::Docking::driveDocking() {
+  const StagingDrive staging = stagingPose_ ? stage(*stagingPose_) : StagingDrive::None;
+  const double frequency = docking_.parameters().controllerFrequency;
+  if (!servers_.isDue(frequency)) {
+    return;
+  }
+  const sim2d::Observation& seen = *servers_.observation_;
+  const DockingStep step = docking_.update(
+      {seen.time, std::max(seen.dt, 1.0 / frequency), view(), seen.docks, seen.battery, staging});
+  if (step.staging) {
+    stagingPose_ = step.staging;
+    held_.reset();
+  } else {
+    endStaging();
+    held_ = step.twist ? step.twist : held_;
+  }
+  if (!step.event.empty()) {
+    events_.push_back(step.event);
+  }
+  if (step.status == ServerStatus::Running) {
+    return;
+  }
+  RobotOutcome& outcome = end(step.status, static_cast<int>(docking_.code()), docking_.message());
+  outcome.retries = docking_.retries();
+}
+
+RobotOutcome& Nav2Servers::Docking::end(ServerStatus status, int errorCode,
+                                        const std::string& text) {
+  const RobotAction action = *std::exchange(running_, std::nullopt);
+  RobotOutcome& outcome = servers_.result(action);
+  outcome.state = status == ServerStatus::Succeeded ? State::Succeeded : State::Failed;
+  outcome.errorCode = errorCode;
+  outcome.errorText = text;
+  if (outcome.state == State::Failed) {
+    servers_.noteFailure(action, errorCode);
+  }
+  return outcome;
+}
+
+// ---- the drive to the staging pose -------------------------------------------------------------
+
+void Nav2Servers::Docking::planStaging() {
+  RobotRequest request;
+  request.path = staging_.goal;
+  const auto& planners = servers_.parameters().planners;
+  request.server = planners.empty() ? std::string() : planners.front().first;
+  servers_.begin(RobotAction::ComputePath, request);
+  staging_.isPlanning = true;
+  staging_.plannedAt = servers_.time_;
+}
+
+StagingDrive Nav2Servers::Docking::stage(const Pose2& pose) {
+  if (!staging_.isOn) {
+    staging_ = {};
+    staging_.isOn = true;
+    staging_.goal = servers_.paths().add({pose});
+    planStaging();
+    return StagingDrive::Running;
+  }
+  if (staging_.isPlanning) {
+    const RobotOutcome plan = servers_.outcome(RobotAction::ComputePath);
+    staging_.isPlanning = plan.state == State::Running;
+    staging_.failures += plan.state == State::Failed ? 1 : 0;
+    if (plan.state == State::Succeeded) {
+      servers_.begin(RobotAction::FollowPath, followRequest(servers_.parameters(), plan.path));
+      staging_.isFollowing = true;
+    }
+  }
+  if (staging_.isFollowing) {
+    const RobotOutcome drive = servers_.outcome(RobotAction::FollowPath);
+    if (drive.state == State::Succeeded) {
+      return StagingDrive::Arrived;
+    }
+    if (drive.state != State::Running) {
+      staging_.isFollowing = false;
+      ++staging_.failures;
+      servers_.clear({true, ClearRequest::Extent::Entire, 1.0, std::nullopt, {}});
+    }
+  }
+  if (staging_.failures > kMostFailures) {
+    return StagingDrive::Failed;
+  }
+  if (!staging_.isPlanning && servers_.time_ - staging_.plannedAt >= kReplanPeriod) {
+    planStaging();
+  }
+  return StagingDrive::Running;
+}
+
+void Nav2Servers::Docking::endStaging() {
+  stagingPose_.reset();
+  if (std::exchange(staging_.isOn, false)) {
+    servers_.cancel(RobotAction::ComputePath);
+    servers_.cancel(RobotAction::FollowPath);
+  }
+}
+
+// ---- following ---------------------------------------------------------------------------------
+
+/// The named body, else the person that was nearest when it was first seen.
+const TrackedBody* Nav2Servers::Docking::tracked() const {
+  const std::vector<TrackedBody>& bodies = servers_.observation_->bodies;
+  const auto named =
+      namedBody(object_.frame.empty() ? object_.topic : object_.frame, servers_.setup_.names);
+  const std::optional<int> wanted = named ? named : track_;
+  const auto found = std::find_if(bodies.begin(), bodies.end(), [&](const TrackedBody& body) {
+    return wanted && body.id == *wanted;
+  });
+  if (named || found != bodies.end()) {
+    return found == bodies.end() ? nullptr : &*found;
+  }
+  const Vec2 robot = servers_.observation_->pose.position;
+  const TrackedBody* nearest = nullptr;
+  for (const TrackedBody& body : bodies) {
+    const bool isNearer = nearest == nullptr || (body.position - robot).squaredNorm() <
+                                                    (nearest->position - robot).squaredNorm();
+    nearest = body.kind == sim2d::BodyKind::Person && isNearer ? &body : nearest;
+  }
+  return nearest;
+}
+
+std::optional<Pose2> Nav2Servers::Docking::object() {
+  const TrackedBody* const body = tracked();
+  if (body == nullptr) {
+    return std::nullopt;
+  }
+  track_ = body->id;
+  return Pose2{body->position, body->heading};
+}
+
+void Nav2Servers::Docking::driveFollowing() {
+  const double frequency = following_.parameters().controllerFrequency;
+  if (!servers_.isDue(frequency)) {
+    return;
+  }
+  const sim2d::Observation& seen = *servers_.observation_;
+  const FollowingStep step =
+      following_.update({seen.time, std::max(seen.dt, 1.0 / frequency), view(), object()});
+  held_ = step.twist ? step.twist : held_;
+  if (step.status == ServerStatus::Running) {
+    return;
+  }
+  RobotOutcome& outcome =
+      end(step.status, static_cast<int>(following_.code()), following_.message());
+  outcome.duration = following_.elapsedTime();
+}
+
+}  // namespace bt

@@ -1,0 +1,57 @@
+#include "sim2d/nav/nav2/docking/DockController.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim2d/base/Math.h"
+#include "sim2d/nav/nav2/control/SmoothControlLaw.h"
+#include "sim2d/nav/nav2/costmap/FootprintCost.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr double kAtTarget = 0.01;  // [m], where the simulation ends
+
+}  // namespace
+
+BodyTwist DockController::command(const DockView& view, const Pose2& target,
+                                  bool isBackward) const {
+  return gracefulCommand(law_, distro_, target, view.pose, isBackward);
+}
+
+bool DockController::isFree(const DockView& view, const Pose2& target, bool isDocking,
+                            bool isBackward) const {
+  if (!parameters_.usesCollisionDetection) {
+    return true;
+  }
+  const double dt = parameters_.simulationTimeStep;
+  const auto most = static_cast<int>(std::ceil(parameters_.projectionTime / dt));
+  const Vec2 spared = isDocking ? target.position : view.pose.position;
+  Pose2 pose = view.pose;
+  for (int i = 0; i < most; ++i) {
+    const BodyTwist twist = gracefulCommand(law_, distro_, target, pose, isBackward);
+    pose.position += twist.linear * dt * Vec2(base::cos(pose.heading), base::sin(pose.heading));
+    pose.heading = base::wrapToPi(pose.heading + twist.angular * dt);
+    const bool isTested = (pose.position - spared).norm() > parameters_.dockCollisionThreshold;
+    if (isTested && footprintCost(view.costmap, view.footprint.corners, pose) == kLethal) {
+      return false;
+    }
+    if ((target.position - pose.position).norm() <= kAtTarget) {
+      break;
+    }
+  }
+  return true;
+}
+
+BodyTwist DockController::rotation(double angle, double turnRate, double dt) const {
+  const double sign = angle > 0.0 ? 1.0 : -1.0;
+  const double reach = parameters_.rotationAcceleration * dt;
+  double omega = std::clamp(sign * parameters_.rotationSpeed, turnRate - reach, turnRate + reach);
+  const double stopping = std::sqrt(2.0 * parameters_.rotationAcceleration * std::fabs(angle));
+  if (std::fabs(omega) > stopping) {
+    omega = sign * stopping;
+  }
+  return {0.0, omega};
+}
+
+}  // namespace sim2d::nav2

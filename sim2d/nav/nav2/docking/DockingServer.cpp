@@ -1,0 +1,410 @@
+#include "sim2d/nav/nav2/docking/DockingServer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim2d/base/Math.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr double kBeyondDock = 0.25;    // [m], of the target of an approach behind the dock's pose
+constexpr double kDetectionGate = 1.0;  // [m], detections farther from the dock are of others
+
+Pose2 ahead(const Pose2& pose, double distance) {
+  return {pose.position + distance * Vec2(base::cos(pose.heading), base::sin(pose.heading)),
+          pose.heading};
+}
+
+Pose2 reversed(const Pose2& pose) {
+  return {pose.position, base::wrapToPi(pose.heading + base::kPi)};
+}
+
+DockingStep running(std::optional<BodyTwist> twist = std::nullopt) {
+  return {ServerStatus::Running, twist, std::nullopt, {}};
+}
+
+/// The first plugin for a kind of docks; its class with the defaults is added when there is none.
+std::string pluginFor(bool isCharging, std::vector<DockPluginParameters>& plugins) {
+  const auto found = std::find_if(
+      plugins.begin(), plugins.end(),
+      [isCharging](const DockPluginParameters& each) { return each.isCharger == isCharging; });
+  if (found != plugins.end()) {
+    return found->name;
+  }
+  DockPluginParameters usual;
+  usual.name = isCharging ? "simple_charging_dock" : "simple_non_charging_dock";
+  usual.isCharger = isCharging;
+  plugins.push_back(usual);
+  return usual.name;
+}
+
+}  // namespace
+
+DockingServer::DockingServer(DockingServerParameters parameters, Distro distro,
+                             const std::vector<DockPlace>& known)
+    : parameters_(std::move(parameters)),
+      distro_(distro),
+      controller_(parameters_, distro),
+      plugins_(parameters_.plugins),
+      docks_(parameters_.instances) {
+  for (const DockPlace& place : known) {
+    const bool isTaken = std::any_of(docks_.begin(), docks_.end(), [&](const DockInstance& dock) {
+      return dock.name == place.name;
+    });
+    if (!isTaken) {
+      docks_.push_back({place.name, pluginFor(place.isCharging, plugins_), "map", place.pose});
+    }
+  }
+  if (plugins_.empty()) {
+    pluginFor(true, plugins_);
+  }
+}
+
+Pose2 DockingServer::stagingPose(const DockPluginParameters& plugin, const Pose2& pose) {
+  const Pose2 place = ahead(pose, plugin.stagingXOffset);
+  return {place.position, base::wrapToPi(pose.heading + plugin.stagingYawOffset)};
+}
+
+Pose2 DockingServer::filtered(const Pose2& estimate, const Pose2& measured, double coef) {
+  const double turn = base::wrapToPi(measured.heading - estimate.heading);
+  return {estimate.position + coef * (measured.position - estimate.position),
+          base::wrapToPi(estimate.heading + coef * turn)};
+}
+
+const DockPluginParameters* DockingServer::pluginOf(const std::string& type) const {
+  if (type.empty() && plugins_.size() == 1) {
+    return &plugins_.front();
+  }
+  const auto found =
+      std::find_if(plugins_.begin(), plugins_.end(),
+                   [&](const DockPluginParameters& each) { return each.name == type; });
+  return found == plugins_.end() ? nullptr : &*found;
+}
+
+/// Jazzy has one direction for all docks; in Kilted that key may still be given; later each class
+/// has its own.
+bool DockingServer::isBackward() const {
+  if (distro_ <= Distro::Jazzy || (distro_ == Distro::Kilted && parameters_.hasDockBackwards)) {
+    return parameters_.dockBackwards;
+  }
+  return plugin_->isBackward();
+}
+
+void DockingServer::enter(Phase phase, double time) {
+  phase_ = phase;
+  since_ = time;
+}
+
+void DockingServer::dock(const DockGoal& goal, double time) {
+  goal_ = goal;
+  code_ = DockError::None;
+  message_.clear();
+  retries_ = 0;
+  isIn_ = false;
+  enter(Phase::BeforeStaging, time);
+}
+
+void DockingServer::undock(const UndockGoal& goal, double time) {
+  undock_ = goal;
+  code_ = DockError::None;
+  message_.clear();
+  retries_ = 0;
+  enter(Phase::BeforeUndocking, time);
+}
+
+DockingStep DockingServer::update(const DockingInput& input) {
+  switch (phase_) {
+    case Phase::Idle:
+      return {};
+    case Phase::BeforeStaging:
+      return prepare(input);
+    case Phase::Staging:
+      return stage(input);
+    case Phase::Perceiving:
+      return perceive(input);
+    case Phase::Rotating:
+      return rotate(input);
+    case Phase::Approaching:
+      return approach(input);
+    case Phase::WaitingForCharge:
+      return waitForCharge(input);
+    case Phase::Returning:
+      return goBack(input);
+    case Phase::BeforeUndocking:
+      return prepareUndocking(input);
+    case Phase::Undocking:
+      return leave(input);
+    case Phase::RotatingBack:
+      return afterLeaving(input);
+  }
+  return {};
+}
+
+// ---- what the robot knows of the dock
+// ------------------------------------------------------------
+
+bool DockingServer::isDocked(const DockingInput& input) const {
+  return (input.view.pose.position - dockPose_.position).norm() < plugin_->dockingThreshold;
+}
+
+bool DockingServer::isCharging(const DockingInput& input) const {
+  if (!plugin_->usesBatteryStatus || !input.battery) {
+    return isDocked(input);
+  }
+  return input.battery->current > plugin_->chargingThreshold;
+}
+
+bool DockingServer::isConnected(const DockingInput& input) const {
+  return isDocked(input) || (plugin_->isCharger && isCharging(input));
+}
+
+/// False: the dock is not seen. Without detection its known pose counts.
+bool DockingServer::refine(const DockingInput& input) {
+  if (!plugin_->usesDetection) {
+    return true;
+  }
+  const DockPlace* nearest = nullptr;
+  double least = kDetectionGate;
+  for (const DockPlace& place : input.seen) {
+    const double distance = (place.pose.position - dockPose_.position).norm();
+    if (distance <= least) {
+      least = distance;
+      nearest = &place;
+    }
+  }
+  if (nearest == nullptr) {
+    return detectedAt_ && input.time - *detectedAt_ <= plugin_->detectionTimeout;
+  }
+  const bool isNew = !detectedAt_ || input.time - *detectedAt_ > plugin_->detectionTimeout;
+  dockPose_ = isNew ? nearest->pose : filtered(dockPose_, nearest->pose, plugin_->filterCoef);
+  detectedAt_ = input.time;
+  return true;
+}
+
+// ---- docking -----------------------------------------------------------------------------------
+
+DockingStep DockingServer::prepare(const DockingInput& input) {
+  if (goal_.usesDockId) {
+    const auto found = std::find_if(docks_.begin(), docks_.end(), [&](const DockInstance& each) {
+      return each.name == goal_.dockId;
+    });
+    if (found == docks_.end()) {
+      return fail(DockError::DockNotInDb, "Dock ID '" + goal_.dockId + "' is not in the database!");
+    }
+    dock_ = *found;
+  } else {
+    dock_ = {"", goal_.type, "map", goal_.pose};
+  }
+  plugin_ = pluginOf(dock_.type);
+  if (plugin_ == nullptr) {
+    return fail(DockError::DockNotValid, "Dock type '" + dock_.type + "' is not valid!");
+  }
+  dockPose_ = dock_.pose;
+  detectedAt_.reset();
+  staging_ = stagingPose(*plugin_, dock_.pose);
+  if (isConnected(input)) {
+    return succeed("docked");
+  }
+  const double distance = (input.view.pose.position - staging_.position).norm();
+  if (!goal_.navigatesToStaging || distance < parameters_.dockPrestagingTolerance) {
+    enter(Phase::Perceiving, input.time);
+    return perceive(input);
+  }
+  enter(Phase::Staging, input.time);
+  DockingStep step = running();
+  step.staging = staging_;
+  return step;
+}
+
+DockingStep DockingServer::stage(const DockingInput& input) {
+  if (input.staging == StagingDrive::Failed || input.staging == StagingDrive::None) {
+    return fail(DockError::FailedToStage, "Failed to reach the staging pose");
+  }
+  if (input.staging == StagingDrive::Arrived) {
+    enter(Phase::Perceiving, input.time);
+    return running(BodyTwist());
+  }
+  if (elapsed(input) > goal_.maxStagingTime) {
+    return fail(DockError::FailedToStage, "Navigation to the staging pose timed out");
+  }
+  DockingStep step = running();
+  step.staging = staging_;
+  return step;
+}
+
+DockingStep DockingServer::perceive(const DockingInput& input) {
+  if (refine(input)) {
+    const bool rotates = plugin_->rotatesToDock && distro_ >= Distro::Kilted;
+    enter(rotates ? Phase::Rotating : Phase::Approaching, input.time);
+    return running(BodyTwist());
+  }
+  if (elapsed(input) > parameters_.initialPerceptionTimeout) {
+    return fail(DockError::FailedToDetectDock, "Failed initial dock detection");
+  }
+  return running();
+}
+
+std::optional<DockingStep> DockingServer::turnTo(const DockingInput& input, double heading) {
+  const double angle = base::wrapToPi(heading - input.view.pose.heading);
+  if (std::fabs(angle) < parameters_.rotationAngularTolerance) {
+    return std::nullopt;
+  }
+  if (elapsed(input) > parameters_.rotateToDockTimeout) {
+    return fail(DockError::FailedToControl, "Timed out rotating to dock");
+  }
+  return running(controller_.rotation(angle, input.view.motion.angular, input.dt));
+}
+
+DockingStep DockingServer::rotate(const DockingInput& input) {
+  if (const auto turning = turnTo(input, dockPose_.heading + base::kPi)) {
+    return *turning;
+  }
+  enter(Phase::Approaching, input.time);
+  return running(BodyTwist());
+}
+
+DockingStep DockingServer::approach(const DockingInput& input) {
+  if (isConnected(input)) {
+    enter(Phase::WaitingForCharge, input.time);
+    return waitForCharge(input);
+  }
+  // A robot that turned its back to the dock no longer sees it.
+  const bool looks = !(plugin_->rotatesToDock && distro_ >= Distro::Kilted);
+  if (looks && !refine(input)) {
+    return retry(input, DockError::FailedToDetectDock, "Failed dock detection");
+  }
+  const bool isBackward = this->isBackward();
+  Pose2 target = ahead(dockPose_, kBeyondDock);
+  target = isBackward ? reversed(target) : target;
+  if (!controller_.isFree(input.view, target, true, isBackward)) {
+    return retry(input, DockError::FailedToControl, "Failed to get control");
+  }
+  if (elapsed(input) > parameters_.dockApproachTimeout) {
+    return retry(input, DockError::FailedToControl,
+                 "Timed out approaching dock; dock nor charging detected");
+  }
+  return running(controller_.command(input.view, target, isBackward));
+}
+
+DockingStep DockingServer::waitForCharge(const DockingInput& input) {
+  if (!plugin_->isCharger || isCharging(input)) {
+    isIn_ = true;
+    return succeed("docked");
+  }
+  if (elapsed(input) > parameters_.waitChargeTimeout) {
+    return retry(input, DockError::FailedToCharge, "Timed out waiting for charge to start");
+  }
+  return running(BodyTwist());
+}
+
+std::optional<DockingStep> DockingServer::driveTo(const DockingInput& input, const Pose2& pose,
+                                                  bool isBackward) {
+  const Pose2& robot = input.view.pose;
+  const double distance = (robot.position - pose.position).norm();
+  const double turn = std::fabs(base::wrapToPi(robot.heading - pose.heading));
+  if (distance < parameters_.undockLinearTolerance && turn < parameters_.undockAngularTolerance) {
+    return std::nullopt;
+  }
+  if (!controller_.isFree(input.view, pose, false, isBackward)) {
+    return fail(DockError::FailedToControl, "Failed to get control");
+  }
+  return running(controller_.command(input.view, pose, isBackward));
+}
+
+DockingStep DockingServer::goBack(const DockingInput& input) {
+  const bool isBackward = this->isBackward();
+  const bool turned = plugin_->rotatesToDock && distro_ >= Distro::Kilted;
+  if (const auto driving = driveTo(input, turned ? reversed(staging_) : staging_, !isBackward)) {
+    const bool isLate = elapsed(input) > parameters_.dockApproachTimeout;
+    return isLate ? fail(DockError::FailedToControl, "Timed out resetting dock approach")
+                  : *driving;
+  }
+  enter(Phase::Approaching, input.time);
+  return running(BodyTwist());
+}
+
+// ---- undocking ---------------------------------------------------------------------------------
+
+/// The staging pose in front of the place where the robot is.
+DockingStep DockingServer::prepareUndocking(const DockingInput& input) {
+  const std::string type = undock_.type.empty() && isIn_ ? dock_.type : undock_.type;
+  plugin_ = pluginOf(type);
+  if (plugin_ == nullptr) {
+    return fail(DockError::DockNotValid, "No dock information to undock from!");
+  }
+  if (!isIn_) {  // it stood there from the start
+    const auto nearest = std::min_element(
+        docks_.begin(), docks_.end(), [&](const DockInstance& a, const DockInstance& b) {
+          return (a.pose.position - input.view.pose.position).squaredNorm() <
+                 (b.pose.position - input.view.pose.position).squaredNorm();
+        });
+    dock_ = nearest == docks_.end() ? DockInstance() : *nearest;
+    dockPose_ = dock_.pose;
+  }
+  if (!isConnected(input)) {
+    return succeed({});  // there is nothing to drive out of
+  }
+  const bool isBackward = this->isBackward();
+  const Pose2 docked = isBackward ? reversed(input.view.pose) : input.view.pose;
+  staging_ = ahead(docked, plugin_->stagingXOffset);
+  staging_.heading = base::wrapToPi(docked.heading + plugin_->stagingYawOffset);
+  if (plugin_->rotatesToDock && distro_ >= Distro::Kilted) {
+    staging_ = reversed(staging_);  // it turns round once it is out
+  }
+  enter(Phase::Undocking, input.time);
+  return leave(input);
+}
+
+DockingStep DockingServer::leave(const DockingInput& input) {
+  if (elapsed(input) > undock_.maxUndockingTime) {
+    return fail(DockError::FailedToControl, "Undocking timed out");
+  }
+  if (const auto driving = driveTo(input, staging_, !isBackward())) {
+    return *driving;
+  }
+  if (plugin_->rotatesToDock && distro_ >= Distro::Kilted) {
+    enter(Phase::RotatingBack, input.time);
+    return running(BodyTwist());
+  }
+  return afterLeaving(input);
+}
+
+DockingStep DockingServer::afterLeaving(const DockingInput& input) {
+  if (phase_ == Phase::RotatingBack) {
+    if (const auto turning = turnTo(input, staging_.heading + base::kPi)) {
+      return *turning;
+    }
+  }
+  if (plugin_->isCharger && isCharging(input)) {
+    return fail(DockError::FailedToControl, "Failed to control off dock, still charging");
+  }
+  isIn_ = false;
+  return succeed("undocked");
+}
+
+// ---- ends --------------------------------------------------------------------------------------
+
+DockingStep DockingServer::fail(DockError code, std::string message) {
+  code_ = code;
+  message_ = std::move(message);
+  phase_ = Phase::Idle;
+  return {ServerStatus::Failed, BodyTwist(), std::nullopt, {}};
+}
+
+DockingStep DockingServer::retry(const DockingInput& input, DockError code, std::string message) {
+  if (++retries_ > parameters_.maxRetries) {
+    return fail(code, std::move(message));
+  }
+  enter(Phase::Returning, input.time);
+  return running(BodyTwist());
+}
+
+DockingStep DockingServer::succeed(const std::string& event) {
+  phase_ = Phase::Idle;
+  const std::string name = dock_.name.empty() ? std::string() : " " + dock_.name;
+  return {ServerStatus::Succeeded, BodyTwist(), std::nullopt, event.empty() ? event : event + name};
+}
+
+}  // namespace sim2d::nav2

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "sim2d/nav/nav2/docking/DockingServer.h"
+
+/// Nav2's following_server (opennav_following): keeps a robot at a distance from an object that
+/// moves. Like DockingServer it keeps no clock and publishes nothing.
+namespace sim2d::nav2 {
+
+/// Error codes of the action FollowObject.
+enum class FollowError : std::uint16_t {
+  None = 0,
+  FailedToDetectObject = 1002,
+  FailedToControl = 1003,
+  Unknown = 1999
+};
+
+struct FollowGoal {
+  double maxDuration = 0.0;  // [s]; 0: until it is cancelled
+  bool isDetected = true;    // by a pose topic, whose poses are filtered; else by a frame
+};
+
+struct FollowingInput {
+  double time = 0.0, dt = 0.05;  // [s]
+  DockView view;
+  std::optional<Pose2> object;  // where it is seen now; none: it is not seen
+};
+
+struct FollowingStep {
+  ServerStatus status = ServerStatus::Idle;
+  std::optional<BodyTwist> twist;  // none: nothing is published
+};
+
+class FollowingServer {
+ public:
+  FollowingServer(const FollowingServerParameters& parameters, Distro distro)
+      : parameters_(parameters), controller_(parameters, distro) {}
+
+  void follow(const FollowGoal& goal, double time);
+  /// The robot stops: the caller commands zero.
+  void cancel() { isRunning_ = false; }
+  bool isRunning() const { return isRunning_; }
+  FollowingStep update(const FollowingInput& input);
+
+  // Of the action that ran last.
+  FollowError code() const { return code_; }
+  const std::string& message() const { return message_; }
+  double elapsedTime() const { return elapsed_; }  // [s]
+  const FollowingServerParameters& parameters() const { return parameters_; }
+
+  /// The pose at `distance` from the object on the line to the robot; its heading is the object's.
+  static Pose2 poseAtDistance(const Pose2& object, const Vec2& robot, double distance);
+
+ private:
+  bool detect(const FollowingInput& input);
+  FollowingStep drive(const FollowingInput& input);
+  FollowingStep search(const FollowingInput& input);
+  FollowingStep lose(const FollowingInput& input, FollowError code, std::string message);
+  FollowingStep end(ServerStatus status, FollowError code, std::string message);
+
+  FollowingServerParameters parameters_;
+  DockController controller_;
+  FollowGoal goal_;
+  bool isRunning_ = false, isSearching_ = false;
+  double begun_ = 0.0;                   // [s]
+  double elapsed_ = 0.0;                 // [s]
+  std::optional<Pose2> object_;          // as it was seen last
+  double seenAt_ = 0.0;                  // [s]; the start, until it was seen
+  std::optional<double> standingSince_;  // [s], of robot and object
+  double searchedSince_ = 0.0;           // [s]
+  double searchFrom_ = 0.0;              // [rad], heading of the robot when the search began
+  int side_ = 0;                         // of the search: 0 left, 1 right
+  int retries_ = 0;
+  FollowError code_ = FollowError::None;
+  std::string message_;
+};
+
+}  // namespace sim2d::nav2
