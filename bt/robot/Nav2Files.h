@@ -53,8 +53,7 @@ struct Nav2Masks {
 };
 Nav2Masks loadNav2Masks(const sim2d::nav2::Nav2Parameters& parameters);
 
-/// The graph that the route server names in graph_filepath, beside the parameter file: by its path,
-/// else by the last part of it.
+/// The graph that the route server names in graph_filepath.
 struct Nav2Graph {
   sim2d::nav2::RouteGraph graph;  // empty: none is named, or it has errors
   std::string file;

@@ -1,31 +1,18 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <variant>
 
 #include "bt/robot/Nav2Files.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/NamedFiles.h"
 
 // The graph of the route server.
 namespace bt {
 namespace {
 
-namespace fs = std::filesystem;
 using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
-
-/// Beside the parameter file; a path of a robot's computer by its last part. Empty: there is none.
-std::string graphFile(const std::string& named, const std::string& params) {
-  const fs::path folder = fs::path(params).parent_path();
-  for (const fs::path& file : {folder / named, folder / fs::path(named).filename()}) {
-    std::error_code none;
-    if (fs::is_regular_file(file, none)) {
-      return file.lexically_normal().string();
-    }
-  }
-  return {};
-}
 
 /// Each operation of the graph names a plugin of the class TriggerEvent.
 void checkOperations(const Nav2Parameters& parameters, Nav2Graph& to) {
@@ -57,10 +44,13 @@ Nav2Graph loadNav2Graph(const Nav2Parameters& parameters) {
   if (named.empty()) {
     return result;
   }
-  result.file = graphFile(named, parameters.file);
+  const NamedFile found =
+      findNamedFile(named, {std::filesystem::path(parameters.file).parent_path().string()});
+  result.file = found.file;
   if (result.file.empty()) {
     result.problems.push_back(placedInFile(
-        parameters, base::within("route_server", base::error("nav2.no-graph", {named}))));
+        parameters, base::within("route_server", namedFileMissing("graph_filepath", named, found,
+                                                                  "an empty graph"))));
     return result;
   }
   const base::Result<std::string> text = base::readTextFile(result.file);

@@ -6,6 +6,7 @@
 
 #include "bt/robot/Nav2Files.h"
 #include "sim2d/map/MapReader.h"
+#include "sim2d/nav/nav2/params/NamedFiles.h"
 
 namespace bt {
 namespace {
@@ -16,45 +17,58 @@ using sim2d::nav2::FilterMask;
 using sim2d::nav2::KeepoutFilterParameters;
 using sim2d::nav2::SpeedFilterParameters;
 
-/// Where a filter's mask lies and how it counts; empty: it names none.
-std::string maskOf(const CostmapPlugin& filter, FilterMask& mask) {
-  if (const auto* const keepout = std::get_if<KeepoutFilterParameters>(&filter.parameters)) {
-    return keepout->enabled ? keepout->maskFile : std::string();
+/// Where a filter's mask lies and how it counts.
+struct NamedMask {
+  std::string file;          // empty: none
+  bool isPublished = false;  // by a node, else named in the filter's block
+  FilterMask mask;
+};
+NamedMask maskOf(const CostmapPlugin& filter) {
+  const auto* const keepout = std::get_if<KeepoutFilterParameters>(&filter.parameters);
+  if (keepout != nullptr && keepout->enabled) {
+    return {keepout->maskFile, keepout->isMaskPublished, {}};
   }
   if (const auto* const binary = std::get_if<BinaryFilterParameters>(&filter.parameters)) {
+    FilterMask mask;
     mask.base = binary->maskBase;
     mask.multiplier = binary->maskMultiplier;
-    return binary->enabled ? binary->maskFile : std::string();
+    return {binary->enabled ? binary->maskFile : std::string(), binary->isMaskPublished, mask};
   }
   const auto* const speed = std::get_if<SpeedFilterParameters>(&filter.parameters);
   if (speed == nullptr || !speed->enabled) {
     return {};
   }
-  mask.base = speed->maskBase;
-  mask.multiplier = speed->maskMultiplier;
-  mask.isPercentage = speed->maskIsPercentage;
-  return speed->maskFile;
+  NamedMask named{speed->maskFile, speed->isMaskPublished, {}};
+  named.mask.base = speed->maskBase;
+  named.mask.multiplier = speed->maskMultiplier;
+  named.mask.isPercentage = speed->maskIsPercentage;
+  return named;
 }
 
 }  // namespace
 
 Nav2Masks loadNav2Masks(const sim2d::nav2::Nav2Parameters& parameters) {
-  namespace fs = std::filesystem;
   Nav2Masks masks;
   const auto load = [&](const std::vector<CostmapPlugin>& filters, sim2d::nav2::FilterMasks& to) {
     for (const CostmapPlugin& filter : filters) {
-      FilterMask mask;
-      const std::string named = maskOf(filter, mask);
-      if (named.empty()) {
+      NamedMask named = maskOf(filter);
+      if (named.file.empty()) {
         continue;
       }
-      const fs::path file = (fs::path(parameters.file).parent_path() / named).lexically_normal();
-      base::Result<sim2d::MapFile> map = sim2d::readMap(file.string(), {});
+      const std::string folder = std::filesystem::path(parameters.file).parent_path().string();
+      std::string file = sim2d::nav2::findNamedFile(named.file, {folder}).file;
+      if (file.empty() && named.isPublished) {  // a path of the robot's computer
+        masks.problems.push_back(
+            base::warning("nav2.mask-not-found", {filter.name, named.file}, parameters.file));
+        continue;
+      }
+      file = file.empty() ? (std::filesystem::path(folder) / named.file).string() : file;
+      base::Result<sim2d::MapFile> map = sim2d::readMap(file, {});
       base::append(masks.problems, map.diagnostics());
       if (map) {
-        mask.grid = std::move(map->grid);
-        masks.files.insert(masks.files.end(), {file.string(), map->imagePath});
-        to[filter.name] = std::move(mask);
+        named.mask.grid = std::move(map->grid);
+        masks.files.insert(masks.files.end(), {file, map->imagePath});
+        to[filter.name] = std::move(named.mask);
       }
     }
   };

@@ -30,11 +30,6 @@ std::int64_t addPending(NavigatorHost& host, const sim2d::nav2::Path& goals) {
   return host.waypoints().add(std::move(pending));
 }
 
-int navigationCode(RobotAction action, NavigationError error) {
-  const int code = static_cast<int>(error);
-  return code == 0 || action == RobotAction::NavigateToPose ? code : code + 100;
-}
-
 SubNavigation::SubNavigation(RobotAction action, std::shared_ptr<const Program> program,
                              PathId goals, std::int64_t waypoints)
     : action_(action), goals_(goals), tree_(std::move(program)) {

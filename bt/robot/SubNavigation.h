@@ -30,7 +30,10 @@ enum class NavigationError : std::uint16_t {
   Unknown = 9000,
   FailedToLoadTree = 9001,
 };
-int navigationCode(RobotAction action, NavigationError error);
+constexpr int navigationCode(RobotAction action, NavigationError error) {
+  const int code = static_cast<int>(error);
+  return code == 0 || action == RobotAction::NavigateToPose ? code : code + 100;
+}
 
 /// A navigation that a node of another tree has asked for: its own tree with its own blackboard, on
 /// the servers of the same host. One tree, one thread.

@@ -343,6 +343,9 @@ constexpr ProblemText kTexts[] = {
      "marked"},
     {"nav2.no-map", "{layer}: there is no map, it says nothing"},
     {"nav2.no-mask", "{layer}: has no mask, it does nothing", kSubstitution},
+    {"nav2.mask-not-found",
+     "{filter}: the mask '{file}' is neither there nor beside this file; the filter has no effect",
+     kSubstitution},
     {"nav2.data-type", "{layer}.{source}: data_type '{found}' counts as LaserScan", kSubstitution},
 
     // nav2_params.yaml and navigator trees.
@@ -368,7 +371,6 @@ constexpr ProblemText kTexts[] = {
     {"nav2.node-of-others", "{node} is a node of {distros}: {distro} does not have it"},
     {"nav2.port-of-others",
      "port '{port}' of {node} is one of {distros}: {distro} does not have it"},
-    {"nav2.no-graph", "graph_filepath: there is no file '{file}' beside the parameter file"},
     {"nav2.graph-operation",
      "the graph has an operation '{type}', which is not among the route server's operations: "
      "routes "

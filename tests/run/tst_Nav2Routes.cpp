@@ -24,6 +24,9 @@ class Nav2RoutesTest : public QObject {
   void keepout_isNotEntered();
   void speedMask_limitsTheSpeedWhereItLies();
   void mask_thatIsNotThere_isAnError();
+  void keepout_byTopics_isNotEntered();
+  void speedMask_byTopics_countsAsTheServerSays();
+  void mask_ofAServerThatIsNotThere_isAWarning();
 };
 
 namespace {
@@ -293,6 +296,72 @@ void Nav2RoutesTest::mask_thatIsNotThere_isAnError() {
   QVERIFY(base::hasErrors(found));
   QVERIFY(std::any_of(found.begin(), found.end(), [](const base::Diagnostic& problem) {
     return problem.file.find("nowhere.yaml") != std::string::npos;
+  }));
+}
+
+namespace {
+
+/// The nodes of nav2_map_server that publish a mask, as nav2_bringup's files have them.
+std::string maskServers(const std::string& kind, int type, const std::string& yaml,
+                        const std::string& values = {}) {
+  return kind + "_filter_mask_server:\n  ros__parameters:\n    topic_name: \"" + kind +
+         "_filter_mask\"\n    yaml_filename: \"" + yaml + "\"\n" + kind +
+         "_costmap_filter_info_server:\n  ros__parameters:\n    type: " + std::to_string(type) +
+         "\n    filter_info_topic: \"/" + kind + "_costmap_filter_info\"\n    mask_topic: \"/" +
+         kind + "_filter_mask\"\n" + values;
+}
+
+std::string withServers(const std::string& name, const std::string& kind, const std::string& plugin,
+                        const std::string& servers) {
+  const std::string path = withFilter(name, "      filters: [\"" + kind + "_filter\"]\n      " +
+                                                kind + "_filter:\n        plugin: \"" + plugin +
+                                                "\"\n        enabled: true\n"
+                                                "        filter_info_topic: \"" +
+                                                kind + "_costmap_filter_info\"\n");
+  base::writeFileAtomically(path, textOf(path) + servers);
+  return path;
+}
+
+}  // namespace
+
+/// A path of another computer: its last part lies beside the parameter file.
+void Nav2RoutesTest::keepout_byTopics_isNotEntered() {
+  const std::string scenario = planeWith("nav2_keepout_topics", "      goal: {x: 8.0, y: 0.0}\n");
+  maskFile("keepout_topic_mask", "trinary", 0, 254, {3.0, -3.0}, {5.0, 1.0});
+  const RouteDriven round = driveRoute(
+      scenario,
+      withServers(
+          "nav2_keepout_topics_params", "keepout", "nav2_costmap_2d::KeepoutFilter",
+          maskServers("keepout", 0, "$(find-pkg-share my_robot)/maps/keepout_topic_mask.yaml")));
+  QVERIFY2(round.hasArrived, round.problems.c_str());
+  double highest = 0.0;
+  for (const Vec2& place : round.places) {
+    highest = std::max(highest, std::abs(place.y()));
+  }
+  QVERIFY2(highest > 0.99, qPrintable(QString::number(highest)));
+}
+
+/// Nav2's example: base 100 and multiplier -1, so that 70 in the mask is 30 %.
+void Nav2RoutesTest::speedMask_byTopics_countsAsTheServerSays() {
+  const std::string scenario = planeWith("nav2_speed_topics", "      goal: {x: 8.0, y: 0.0}\n");
+  maskFile("speed_topic_mask", "raw", 70, 0, {3.0, -3.0}, {5.0, 3.0});
+  const RouteDriven driven = driveRoute(
+      scenario, withServers("nav2_speed_topics_params", "speed", "nav2_costmap_2d::SpeedFilter",
+                            maskServers("speed", 1, "speed_topic_mask.yaml",
+                                        "    base: 100.0\n    multiplier: -1.0\n")));
+  QVERIFY2(driven.hasArrived, driven.problems.c_str());
+  QVERIFY2(std::abs(speedAt(driven, {4.7, 0.0}) - 0.3) < 0.03,
+           qPrintable(QString::number(speedAt(driven, {4.7, 0.0}))));
+  QVERIFY(speedAt(driven, {2.0, 0.0}) > 0.9);
+}
+
+void Nav2RoutesTest::mask_ofAServerThatIsNotThere_isAWarning() {
+  const base::Diagnostics found =
+      app::checkNav2File(withServers("nav2_lost_mask", "keepout", "nav2_costmap_2d::KeepoutFilter",
+                                     maskServers("keepout", 0, "/home/robot/lost_mask.yaml")));
+  QVERIFY(!base::hasErrors(found));
+  QVERIFY(std::any_of(found.begin(), found.end(), [](const base::Diagnostic& problem) {
+    return problem.code == "nav2.mask-not-found";
   }));
 }
 

@@ -208,8 +208,10 @@ const std::vector<Nav2Key<KeepoutFilterParameters>>& keepoutFilterKeys() {
        "Whether a robot in a keep-out zone may drive out of it.", kSinceJazzy},
       {"lethal_override_cost", &P::lethalOverrideCost, "", "Cost of the zone while it does.",
        kSinceJazzy},
+      {"filter_info_topic", &P::filterInfoTopic, "",
+       "Topic of the costmap_filter_info_server whose mask counts."},
       {"mask_file", &P::maskFile, "",
-       "The mask, a map's YAML beside this file. A key of this program: Nav2 has topics."},
+       "The mask, a map's YAML beside this file. A key of this program, instead of the topic."},
   };
   return kKeys;
 }
@@ -218,8 +220,10 @@ const std::vector<Nav2Key<SpeedFilterParameters>>& speedFilterKeys() {
   using P = SpeedFilterParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
       {"enabled", &P::enabled, "", "Whether the filter takes part."},
+      {"filter_info_topic", &P::filterInfoTopic, "",
+       "Topic of the costmap_filter_info_server whose mask counts."},
       {"mask_file", &P::maskFile, "",
-       "The mask, a map's YAML beside this file. A key of this program: Nav2 has topics."},
+       "The mask, a map's YAML beside this file. A key of this program, instead of the topic."},
       {"mask_base", &P::maskBase, "",
        "Limit where the mask is 0 to 100: base + multiplier * value. A key of this program."},
       {"mask_multiplier", &P::maskMultiplier, "", "See mask_base. A key of this program."},
@@ -257,8 +261,7 @@ const std::vector<IdleKey>& idleLayerKeys() {
       {"unknown_threshold", "no voxels here: it counts as 15"},
       {"publish_voxel_map", "for displays of ROS"},
       {"num_threads", "costs do not depend on it", kSinceLyrical},
-      {"filter_info_topic", "no topics here: mask_file names the mask"},
-      {"mask_topic", "no topics here: mask_file names the mask"},
+      {"mask_topic", "filter_info_topic determines the mask"},
       {"speed_limit_topic", "the costmap passes its limit on"},
       {"enable_path_lookahead", "not re-implemented: only the cell of the robot counts",
        kSinceLyrical},

@@ -156,21 +156,27 @@ struct KeepoutFilterParameters {
   bool enabled = true;
   bool overrideLethalCost = false;
   int lethalOverrideCost = 252;
-  std::string maskFile;  // ours: the YAML of a map, relative to the file; empty: no mask
+  std::string filterInfoTopic;
+  std::string maskFile;          // the YAML of a map, relative to the file; empty: no mask
+  bool isMaskPublished = false;  // by a node of the file, on the topic
 };
 
 struct SpeedFilterParameters {
   bool enabled = true;
-  std::string maskFile;                         // ours, as above
-  double maskBase = 0.0, maskMultiplier = 1.0;  // ours: limit = base + multiplier * value
-  bool maskIsPercentage = true;                 // ours: of the full speed, else [m/s]
+  std::string filterInfoTopic;
+  std::string maskFile;  // as above
+  bool isMaskPublished = false;
+  double maskBase = 0.0, maskMultiplier = 1.0;  // limit = base + multiplier * value
+  bool maskIsPercentage = true;                 // of the full speed, else [m/s]
 };
 
 struct BinaryFilterParameters {
   bool enabled = true;
   bool defaultState = false;
-  double flipThreshold = 50.0;                  // of base + multiplier * value
-  std::string maskFile;                         // ours, as above
+  double flipThreshold = 50.0;  // of base + multiplier * value
+  std::string filterInfoTopic;
+  std::string maskFile;  // as above
+  bool isMaskPublished = false;
   double maskBase = 0.0, maskMultiplier = 1.0;  // ours, as above
 };
 

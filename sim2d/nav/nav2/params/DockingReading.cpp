@@ -10,6 +10,7 @@
 
 #include "sim2d/base/Ranges.h"
 #include "sim2d/base/yaml/YamlTree.h"
+#include "sim2d/nav/nav2/params/NamedFiles.h"
 #include "sim2d/nav/nav2/params/PluginBlocks.h"
 
 namespace sim2d::nav2 {
@@ -144,6 +145,19 @@ class DockDatabase {
   base::Diagnostics& problems_;
 };
 
+/// A path of another computer is looked for beside the parameter file `file`.
+void readDockDatabase(NodeReader& node, const std::string& file, base::Diagnostics& problems,
+                      DockingServerParameters& to) {
+  const std::string folder = std::filesystem::path(file).parent_path().string();
+  const NamedFile found = findNamedFile(to.dockDatabase, {folder});
+  if (found.file.empty()) {
+    node.tell("dock_database",
+              namedFileMissing("dock_database", to.dockDatabase, found, "no dock"));
+    return;
+  }
+  DockDatabase(found.file, problems).read(to);
+}
+
 DockingServerParameters readDockingServer(NodeReader node, const std::string& file, bool onlyKeys,
                                           base::Diagnostics& problems) {
   DockingServerParameters to =
@@ -156,12 +170,7 @@ DockingServerParameters readDockingServer(NodeReader node, const std::string& fi
   if (to.dockDatabase.empty()) {
     readDocks(node, to);
   } else if (!onlyKeys) {
-    namespace fs = std::filesystem;
-    const fs::path named = fs::path(file).parent_path() / to.dockDatabase;
-    const fs::path beside = fs::path(file).parent_path() / named.filename();
-    std::error_code none;
-    DockDatabase((fs::exists(named, none) ? named : beside).lexically_normal().string(), problems)
-        .read(to);
+    readDockDatabase(node, file, problems, to);
   }
   node.finish();
   return to;
