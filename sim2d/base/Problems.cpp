@@ -24,7 +24,8 @@ constexpr ProblemText kTexts[] = {
     {"scenario.goal-undefined", "goal {goal} is not defined"},
     {"scenario.unknown-word",
      "{key} '{found}' is unknown ({nearest?did you mean '%'? }known: {known})"},
-    {"scenario.map-name", "map '{found}' counts as '{map}' (no folder, no extension)"},
+    {"scenario.map-name", "map '{found}' counts as '{map}' (no folder, no extension)",
+     kSubstitution},
     {"scenario.nobody", "there is nobody in this scenario"},
     {"scenario.no-robot", "there is no robot: what is measured about it stays empty"},
     {"nav2.unknown-plugin",
@@ -64,7 +65,8 @@ constexpr ProblemText kTexts[] = {
      "{key} {found} is outside {low} to {high}, HuNavSim's loader will clamp it"},
     {"person.vel-too-high", "vel {found} is above 1.8, HuNavSim's loader will clamp it"},
     {"person.behavior-incomplete", "missing in behavior, so these count: {values}"},
-    {"person.skin-unknown", "skin {found} counts as {skin} (0 to {most} with {simulator})"},
+    {"person.skin-unknown", "skin {found} counts as {skin} (0 to {most} with {simulator})",
+     kSubstitution},
     {"person.no-init-pose", "without init_pose the start is 0, 0"},
     {"person.no-goals", "has no goals (HuNavSim's loader refuses that)"},
     {"person.wait-count", "wait needs one number for each of the {goals} goals, has {found}"},
@@ -84,11 +86,13 @@ constexpr ProblemText kTexts[] = {
     {"places.no-place",
      "{place} {point}: a body of radius {radius} fits neither there nor anywhere within "
      "1 m"},
-    {"places.moved",
-     "{place} {point}: a body of radius {radius} does not fit, a run takes {taken}"},
+    {"places.moved", "{place} {point}: a body of radius {radius} does not fit, a run takes {taken}",
+     kSubstitution},
     {"places.unknown-ground", "{place} {point}: the map does not know this place"},
-    {"places.no-way", "there is no way from the start to goal {goal} {point}, it is left out"},
-    {"places.no-way-to-point", "there is no way from the start to {place} {point}, it is left out"},
+    {"places.no-way", "there is no way from the start to goal {goal} {point}, it is left out",
+     kSubstitution},
+    {"places.no-way-to-point", "there is no way from the start to {place} {point}, it is left out",
+     kSubstitution},
     {"places.wall-on-way", "a wall stands in the straight line to {goal}"},
     {"places.wall-on-planned-way",
      "a wall stands in the straight line to {goal} (HuNavSim's people walk straight)"},
@@ -185,7 +189,8 @@ constexpr ProblemText kTexts[] = {
     {"tree.main-unknown", "there is no tree '{found}' to run{known? (there are: %)}"},
     {"tree.is-template",
      "{GOAL_SEQUENCE} is left over: a template, not a tree (generate the tree from it)"},
-    {"tree.template-ignored", "{GOAL_SEQUENCE} is left over and ignored: a template"},
+    {"tree.template-ignored", "{GOAL_SEQUENCE} is left over and ignored: a template",
+     kSubstitution},
     {"tree.placeholders",
      "a tree of HuNavSim 1.5, which expects {keys} from the behaviour of the agent"},
     {"tree.placeholders-filled",
@@ -218,7 +223,7 @@ constexpr ProblemText kTexts[] = {
     {"tree.script-not-read", "script '{source}' cannot be read from column {column} on"},
     {"tree.script-not-constant", "the script in '{port}' must be written out"},
     {"tree.regular-nav-missing",
-     "{path} is not there; our own is taken (HuNavSim refuses this tree)"},
+     "{path} is not there; our own is taken (HuNavSim refuses this tree)", kSubstitution},
     {"tree.no-person", "there is no person with the id {id}"},
     {"tree.no-goal", "there is no global goal {goal}"},
     {"tree.no-area", "there is no area '{area}'"},
@@ -237,8 +242,8 @@ constexpr ProblemText kTexts[] = {
 
     // Making a world.
     {"world.body-does-not-fit", "the body does not fit here nor within 1 m"},
-    {"world.body-moved", "the body does not fit, {taken} is used"},
-    {"world.start-taken", "{place} is taken by another body, {taken} is used"},
+    {"world.body-moved", "the body does not fit, {taken} is used", kSubstitution},
+    {"world.start-taken", "{place} is taken by another body, {taken} is used", kSubstitution},
     {"world.start-crowded",
      "{place} is taken by another body and no place is free within 1 m; they are pushed apart"},
     {"world.too-many-crowded",
@@ -249,8 +254,8 @@ constexpr ProblemText kTexts[] = {
     {"world.robot-too-far", "start or goal is not finite or beyond 1e6 m"},
     {"world.goal-too-far", "goal {goal} is not finite or beyond 1e6 m"},
     {"world.goal-unknown", "goal {goal} is not among global_goals"},
-    {"world.goal-out-of-reach", "no way to goal {goal}, it is left out"},
-    {"world.point-out-of-reach", "no way to {point}, it is left out"},
+    {"world.goal-out-of-reach", "no way to goal {goal}, it is left out", kSubstitution},
+    {"world.point-out-of-reach", "no way to {point}, it is left out", kSubstitution},
     {"world.bad-id", "id must be 0 or more"},
     {"world.id-taken", "id {id} is taken by '{other}'"},
     {"world.bad-body", "radius and mass must be above 0"},
@@ -341,6 +346,9 @@ constexpr ProblemText kTexts[] = {
     {"nav2.range-type",
      "{layer}: sensors here measure distances, which input_sensor_type FIXED refuses: nothing is "
      "marked"},
+    {"nav2.never-updated",
+     "0 Hz: as in Nav2 the costmap is never updated, and servers wait for it in vain"},
+    {"nav2.footprint-invalid", "footprint is not used ({why}): as in Nav2 robot_radius counts"},
     {"nav2.no-map", "{layer}: there is no map, it says nothing"},
     {"nav2.no-mask", "{layer}: has no mask, it does nothing", kSubstitution},
     {"nav2.mask-not-found",
@@ -351,6 +359,19 @@ constexpr ProblemText kTexts[] = {
     // nav2_params.yaml and navigator trees.
     {"nav2.read-late", "could not be read at first: {tree} is not among the inputs of the run"},
     {"nav2.no-parameters", "no parameters of ROS 2 in it (a node with ros__parameters)"},
+    {"nav2.template",
+     "'{braces}' is a template (Jinja, xacro, Helm), not YAML: fill it in before it is read"},
+    {"nav2.parameters-misspelt",
+     "'{found}' is read as ros__parameters: ROS 2 reads no other spelling of it", kSubstitution},
+    {"nav2.parameters-missing",
+     "'{found}' has no ros__parameters: its values are read as if they stood below it; ROS 2 "
+     "refuses such a file",
+     kSubstitution},
+    {"nav2.placeholder",
+     "{key}: '{found}' is a placeholder that launch files replace; the default {value} is used",
+     kSubstitution},
+    {"nav2.number-cut", "{key} {found} is taken as {used}: numbers here have an end",
+     kSubstitution},
     {"nav2.too-many-parameters",
      "more than {most} parameters, or more than {nodes} nodes with some"},
     {"nav2.value-too-long",
@@ -415,7 +436,12 @@ constexpr ProblemText kTexts[] = {
     {"nav2.no-footprint", "{key} needs a footprint, local_costmap has none: Nav2 does not start"},
     {"nav2.body-differs",
      "{key} reaches {reach} m from the centre, the body of robot '{robot}' {body} m: Nav2 avoids "
-     "obstacles with the former, contacts are computed with the latter"},
+     "obstacles with the former, contacts are computed with the latter (--nav2-body or the key "
+     "nav2_body: true takes the body from the file)"},
+    {"nav2.no-body",
+     "robot '{robot}': its body is not taken from {files}: local_costmap has no footprint and no "
+     "robot_radius",
+     kSubstitution},
     {"nav2.two-shapes", "both footprint and robot_radius are given: footprint counts"},
     {"nav2.scaling-differs",
      "{controller}.inflation_cost_scaling_factor is {found}, the inflation layer of local_costmap "
@@ -798,7 +824,7 @@ constexpr ProblemText kTexts[] = {
     {"run.nothing-to-compare", "--counterfactual: the scenario has no robot"},
     {"run.too-slow", "the simulation did not get to that time"},
     {"run.no-tree-files",
-     "no tree file for {people} ({names}): the tree of the behaviour is generated"},
+     "no tree file for {people} ({names}): the tree of the behaviour is generated", kSubstitution},
     {"run.unknown-leaf", "the tree has no leaf '{found}' that is scripted{nearest}"},
     {"run.tree-stops", "{reason} (the tree stops)"},
     {"run.not-measured", "the run cannot be measured"},
@@ -903,6 +929,7 @@ constexpr ProblemText kTexts[] = {
     // Command line.
     {"program.failed", "{said}"},
     {"option.wrong", "{said}"},
+    {"option.check-nothing", "nothing to check: name files, or parameter files with --nav2-params"},
     {"option.window-input", "the window opens files, not the standard input"},
     {"option.size", "--size takes WIDTHxHEIGHT, such as 1280x800"},
     {"option.scale", "--scale takes a number from 0.5 to 8"},
@@ -1127,6 +1154,14 @@ constexpr ProblemText kTexts[] = {
     {"yaml.too-many-people", "more than {most} people in agents: that is the most"},
     {"yaml.too-many-keys",
      "more than {most} keys in one map: that is the most, of people {people}"},
+    {"yaml.documents-merged",
+     "a second document (---): its nodes are read after those of the first, as ROS 2 does"},
+    {"yaml.alias-replaced",
+     "an alias (*name) is replaced by its value; ROS 2's own parser refuses aliases, launch tools "
+     "replace them"},
+    {"yaml.alias-without-value", "an alias (*name) without an anchor (&name) before it"},
+    {"yaml.too-many-aliases", "aliases (*name) stand for more than {most} values"},
+    {"yaml.merge-no-map", "the value of a merge key (<<) must be a map or a list of maps"},
     {"yaml.alias", "an alias (*name): ROS 2 does not read them, write the value"},
     {"yaml.key-no-word", "a list or map as a key"},
     {"yaml.key-too-long", "a key of {length} characters (is a quote missing?)"},
@@ -1141,7 +1176,7 @@ constexpr ProblemText kTexts[] = {
     {"yaml.no-text", "must be a text, found {found}"},
     {"yaml.control-character",
      "'{found}' contains a control character (line end, tab, zero byte …)"},
-    {"yaml.no-value", "no value (taken as absent)"},
+    {"yaml.no-value", "no value (taken as absent)", kSubstitution},
     {"yaml.missing", "is missing"},
     {"yaml.not-boolean", "{found} is neither true nor false"},
     {"yaml.not-number", "{found} is not a number"},
@@ -1165,7 +1200,7 @@ constexpr ProblemText kTexts[] = {
     {"scenario.goals-no-list", "must be a list of goal numbers"},
     {"scenario.foreign-behavior",
      "'{found}' is no behaviour of HuNavSim (walks as Regular, the word is kept)"},
-    {"scenario.empty-behavior", "an empty type counts as Regular"},
+    {"scenario.empty-behavior", "an empty type counts as Regular", kSubstitution},
     {"scenario.key-is-lost", "is lost when the scenario is saved"},
     {"scenario.nobody-listed", "nobody is listed"},
     {"scenario.agents-missing", "the list is missing{candidates? (agents could be: %)}"},
@@ -1184,7 +1219,7 @@ constexpr ProblemText kTexts[] = {
     {"scenario.curious-slowed",
      "a curious person of HuNavSim 1 slowed down from 1.8 m/s while coming near, now the speed is "
      "constant"},
-    {"scenario.bad-configuration", "{found} is none of 0 to 3 (taken as 0)"},
+    {"scenario.bad-configuration", "{found} is none of 0 to 3 (taken as 0)", kSubstitution},
     {"scenario.format-missing", "is missing in {node}"},
     {"scenario.format-newer", "{found} is newer than this program (it knows format {known})"},
     {"scenario.person-is-key", "a person may not have the name of a key of this block"},
@@ -1206,7 +1241,7 @@ constexpr ProblemText kTexts[] = {
     {"scenario.file-empty", "the file is empty: no node hunav_loader"},
     {"scenario.no-loader-node", "no scenario: the file holds no node hunav_loader"},
     {"scenario.no-node", "no node hunav_loader"},
-    {"scenario.other-node", "no node hunav_loader: '{found}' is read instead"},
+    {"scenario.other-node", "no node hunav_loader: '{found}' is read instead", kSubstitution},
     {"scenario.no-parameters", "no map ros__parameters under {node}"},
     {"scenario.only-parameters", "only ros__parameters may stand under {node}"},
     {"scenario.others-lost",
@@ -1248,7 +1283,9 @@ const ProblemText* problemText(std::string_view id) {
 Diagnostics withStrictSubstitutions(Diagnostics problems) {
   for (Diagnostic& each : problems) {
     const ProblemText* const text = problemText(each.code);
-    each.severity = text != nullptr && text->isSubstitution ? Severity::Error : each.severity;
+    const bool isWarning = each.severity == Severity::Warning;  // hints are of what is usual
+    each.severity =
+        isWarning && text != nullptr && text->isSubstitution ? Severity::Error : each.severity;
   }
   return problems;
 }

@@ -21,7 +21,7 @@ struct ProblemText {
 const std::vector<ProblemText>& problemTexts();
 const ProblemText* problemText(std::string_view id);  // nullptr = no such problem
 
-/// The same problems; warnings and hints whose text is marked as a substitution are errors.
+/// The same problems; warnings whose text is marked as a substitution are errors.
 Diagnostics withStrictSubstitutions(Diagnostics problems);
 
 }  // namespace base

@@ -71,7 +71,8 @@ Diagnostic repeatedKey(const std::string& name, const YamlNode& kept, const Yaml
 
 YamlNode parseYaml(std::string_view text, const std::string& file, RepeatedKeys rule,
                    Diagnostics& diagnostics) {
-  YamlNode root = parseWithRepeats(text, file, diagnostics);
+  YamlNode root =
+      parseYaml(text, file, YamlRules{true, rule == RepeatedKeys::LastCounts}, diagnostics);
   Merger(rule, file, diagnostics).merge(root);
   return root;
 }

@@ -11,7 +11,8 @@
 namespace base {
 
 enum class RepeatedKeys {
-  LastCounts,  // parameter files of ROS 2 (rcl_yaml_param_parser): maps are merged
+  LastCounts,  // parameter files of ROS 2 (rcl_yaml_param_parser): maps are merged, also those of
+               // several documents; aliases and merge keys are replaced, as launch tools do
   FirstCounts  // files that are read with yaml-cpp: maps of map_server, metadata of rosbag2
 };
 

@@ -1,13 +1,16 @@
 #include "sim2d/base/yaml/YamlTree.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/base/yaml/YamlAliases.h"
 #include "sim2d/base/yaml/YamlText.h"
 
 namespace base {
@@ -39,34 +42,38 @@ struct Stop {};
 /// Builds the tree from the parser's events.
 class TreeBuilder : public YAML::EventHandler {
  public:
-  TreeBuilder(const std::string& file, bool keepsRepeats, Diagnostics& diagnostics)
-      : file_(file), keepsRepeats_(keepsRepeats), diagnostics_(diagnostics) {}
+  TreeBuilder(const std::string& file, const YamlRules& rules, Diagnostics& diagnostics)
+      : file_(file), rules_(rules), diagnostics_(diagnostics) {}
 
   YamlNode root;
 
   void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
   void OnDocumentEnd() override {}
-  void OnNull(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override { add(nodeAt(mark)); }
-  void OnAlias(const YAML::Mark& mark, YAML::anchor_t /*anchor*/) override {
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { add(nodeAt(mark), anchor); }
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    if (rules_.isOfRos) {
+      add(aliases_.copyOf(anchor, nodeAt(mark), file_, diagnostics_));
+      return;
+    }
     YamlNode node = nodeAt(mark);
     report(node.line, node.column, "yaml.alias");
     add(std::move(node));
   }
-  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t /*anchor*/,
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
     YamlNode node = nodeAt(mark, scalarNode(value));
     node.quoted = tag == "!";
     setTag(node, tag);
-    add(std::move(node));
+    add(std::move(node), anchor);
   }
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t /*anchor*/,
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value /*style*/) override {
-    open(mark, tag, YamlNode::Kind::List);
+    open(mark, tag, YamlNode::Kind::List, anchor);
   }
   void OnSequenceEnd() override { close(); }
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t /*anchor*/,
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   YAML::EmitterStyle::value /*style*/) override {
-    open(mark, tag, YamlNode::Kind::Map);
+    open(mark, tag, YamlNode::Kind::Map, anchor);
   }
   void OnMapEnd() override { close(); }
 
@@ -76,6 +83,7 @@ class TreeBuilder : public YAML::EventHandler {
     YamlNode key;
     bool hasKey = false;
     bool isAgents = false;
+    YAML::anchor_t anchor = 0;  // 0: it has none
     std::map<std::string, int> keyLines;
   };
 
@@ -93,8 +101,10 @@ class TreeBuilder : public YAML::EventHandler {
   void report(int line, int column, std::string_view code, ProblemValues values = {}) {
     diagnostics_.push_back(error(code, std::move(values), file_, line, column));
   }
-  void open(const YAML::Mark& mark, const std::string& tag, YamlNode::Kind kind) {
+  void open(const YAML::Mark& mark, const std::string& tag, YamlNode::Kind kind,
+            YAML::anchor_t anchor) {
     Open entry;
+    entry.anchor = anchor;
     entry.node = nodeAt(mark, YamlNode(kind));
     setTag(entry.node, tag);
     entry.isAgents = kind == YamlNode::Kind::List && !open_.empty() && open_.back().hasKey &&
@@ -103,10 +113,17 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void close() {
     YamlNode node = std::move(open_.back().node);
+    const YAML::anchor_t anchor = open_.back().anchor;
     open_.pop_back();
-    add(std::move(node));
+    if (rules_.isOfRos && node.isMap()) {
+      replaceMergeKeys(node, file_, diagnostics_);
+    }
+    add(std::move(node), anchor);
   }
-  void add(YamlNode node) {
+  void add(YamlNode node, YAML::anchor_t anchor = 0) {
+    if (rules_.isOfRos && anchor != 0) {
+      aliases_.keep(anchor, node);
+    }
     if (open_.empty()) {
       root = std::move(node);
       return;
@@ -143,7 +160,7 @@ class TreeBuilder : public YAML::EventHandler {
       report(key.line, key.column, "yaml.key-no-word");
     } else if (key.text.size() > kLongestKey) {
       report(key.line, key.column, "yaml.key-too-long", {key.text.size()});
-    } else if (!keepsRepeats_) {
+    } else if (!rules_.keepsRepeats) {
       const auto found = parent.keyLines.emplace(key.text, key.line);
       if (!found.second) {
         report(key.line, key.column, "yaml.key-twice", {key.text, found.first->second});
@@ -154,21 +171,41 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   const std::string& file_;
-  bool keepsRepeats_;
+  const YamlRules& rules_;
   Diagnostics& diagnostics_;
   std::vector<Open> open_;
+  YamlAliases aliases_;
 };
 
+/// A document after the first: put after it where both are maps, as parameter files of ROS 2 are
+/// read; else an error.
+void takeDocument(YamlNode next, const std::string& file, const YamlRules& rules, YamlNode& root,
+                  Diagnostics& diagnostics) {
+  const bool isMerged =
+      rules.isOfRos && (root.isMap() || root.isNull()) && (next.isMap() || next.isNull());
+  diagnostics.push_back(problem(isMerged ? Severity::Warning : Severity::Error,
+                                isMerged ? "yaml.documents-merged" : "yaml.second-document", {},
+                                file, next.line, next.column));
+  if (isMerged && root.isNull()) {
+    root = std::move(next);
+  } else if (isMerged) {
+    std::move(next.items.begin(), next.items.end(), std::back_inserter(root.items));
+  }
+}
+
 void parseInto(TreeBuilder& builder, const std::string& text, const std::string& file,
-               Diagnostics& diagnostics) {
+               const YamlRules& rules, Diagnostics& diagnostics) {
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
     parser.HandleNextDocument(builder);
     YamlNode first = std::move(builder.root);
-    if (parser.HandleNextDocument(builder)) {
-      diagnostics.push_back(
-          error("yaml.second-document", {}, file, builder.root.line, builder.root.column));
+    builder.root = {};
+    while (parser.HandleNextDocument(builder)) {
+      takeDocument(std::exchange(builder.root, {}), file, rules, first, diagnostics);
+      if (!rules.isOfRos) {
+        break;
+      }
     }
     builder.root = std::move(first);
   } catch (const Stop&) {
@@ -273,32 +310,36 @@ YamlNode stringNode(const std::string& text) {
 
 namespace {
 
-YamlNode parsed(std::string_view text, const std::string& file, bool keepsRepeats,
-                Diagnostics& diagnostics) {
-  const std::string clean = normalised(text);
-  if (const int line = lineOfBinary(clean); line > 0) {
-    diagnostics.push_back(error("yaml.not-text", {}, file, line));
+/// Tabs are looked for before the parser, which has less to tell of them; in files of ROS only
+/// where it has failed, as tabs within brackets are valid.
+YamlNode parsedText(const std::string& clean, const std::string& file, const YamlRules& rules,
+                    Diagnostics& diagnostics) {
+  Diagnostics tabs, found;
+  findTabs(clean, file, tabs);
+  if (!tabs.empty() && !rules.isOfRos) {
+    append(diagnostics, tabs);
     return {};
   }
-  const std::size_t before = diagnostics.size();
-  findTabs(clean, file, diagnostics);
-  if (diagnostics.size() > before) {
-    return {};
-  }
-  TreeBuilder builder(file, keepsRepeats, diagnostics);
-  parseInto(builder, clean, file, diagnostics);
+  TreeBuilder builder(file, rules, found);
+  parseInto(builder, clean, file, rules, found);
+  append(diagnostics, hasErrors(found) && !tabs.empty() ? tabs : found);
   return std::move(builder.root);
 }
 
 }  // namespace
 
-YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
-  return parsed(text, file, false, diagnostics);
+YamlNode parseYaml(std::string_view text, const std::string& file, const YamlRules& rules,
+                   Diagnostics& diagnostics) {
+  const std::string clean = normalised(text);
+  if (const int line = lineOfBinary(clean); line > 0) {
+    diagnostics.push_back(error("yaml.not-text", {}, file, line));
+    return {};
+  }
+  return parsedText(clean, file, rules, diagnostics);
 }
 
-YamlNode parseWithRepeats(std::string_view text, const std::string& file,
-                          Diagnostics& diagnostics) {
-  return parsed(text, file, true, diagnostics);
+YamlNode parseYaml(std::string_view text, const std::string& file, Diagnostics& diagnostics) {
+  return parseYaml(text, file, YamlRules(), diagnostics);
 }
 
 std::string scalarText(const std::string& yaml) {
