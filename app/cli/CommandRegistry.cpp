@@ -188,6 +188,21 @@ void addAllowCode(CLI::App& command, bool& allowed) {
                    "Programs and libraries that the scenario names as planners may start");
 }
 
+void addStrict(CLI::App& command, bool& isStrict) {
+  command.add_flag("--strict", isStrict,
+                   "Errors instead of warnings where something is replaced, left out, or takes a "
+                   "default instead of what is written");
+}
+
+void addNav2Params(CLI::App& command, std::vector<std::string>& entries) {
+  command
+      .add_option("--nav2-params", entries,
+                  "With --planner nav2: a parameter file, a name of those shipped, or a value as "
+                  "ROS 2 takes it (FollowPath.max_vel_x:=0.3, NODE:NAME:=VALUE); repeated: later "
+                  "ones win")
+      ->allow_extra_args(false);
+}
+
 void addRunOptions(CLI::App& command, RunOptions& options) {
   command.add_option("--map", options.map,
                      "Map to use instead of the scenario's; none = open plane");
@@ -207,8 +222,10 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
   command.add_option("--robot-start", options.robotStart, "\"X Y HEADING\" (m, m, rad)");
   command.add_option("--robot-goal", options.robotGoal, "\"X Y\" (m)");
   command.add_option("--planner", options.planner, "How the robot plans: see list planners");
-  command.add_option("--nav2-params", options.nav2Params,
-                     "With --planner nav2: the parameter file, or a name of those shipped");
+  addNav2Params(command, options.nav2Params);
+  command.add_flag("--nav2-body", options.nav2Body,
+                   "With --planner nav2: radius or footprint of the robot are those of its "
+                   "parameter files");
   command.add_option("--nav2-tree", options.nav2Tree,
                      "With --planner nav2: the navigator's tree, or a name of those shipped");
   command.add_option(

@@ -96,6 +96,10 @@ CLI::Validator oneOf(const std::vector<std::string>& names);
 CLI::Option& addOutputFolder(CLI::App& command, std::string& folder, const std::string& help);
 /// The options of `run`, which the window has too.
 void addRunOptions(CLI::App& command, RunOptions& options);
+/// `--strict`, of commands that read what is checked.
+void addStrict(CLI::App& command, bool& isStrict);
+/// `--nav2-params`, as often as it is given.
+void addNav2Params(CLI::App& command, std::vector<std::string>& entries);
 /// One of them.
 void addAllowCode(CLI::App& command, bool& allowed);
 void addForce(CLI::App& command, bool& force);

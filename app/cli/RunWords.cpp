@@ -27,6 +27,7 @@ void addRunWords(CLI::App& command, RunOptions& options) {
                   "mcap: also a folder bag/ for ROS 2, Foxglove and PlotJuggler")
       ->check(oneOf({"mcap"}));
   addForce(command, options.force);
+  addStrict(command, options.strict);
   addLiveWords(command, options);
   command.add_flag("--totals", options.totals,
                    "Only manifest.json and the totals of metrics.json, for many long runs");

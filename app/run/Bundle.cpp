@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <utility>
 
 #include "app/run/DataPaths.h"
 #include "app/run/Echoes.h"
+#include "app/run/Nav2Body.h"
 #include "app/run/Nav2Robots.h"
 #include "app/run/PlannerFiles.h"
 #include "app/run/ProgramRegistries.h"
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/scenario/ScenarioCheck.h"
 #include "sim2d/scenario/ScenarioFile.h"
@@ -202,9 +205,38 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownF
   return bundle;
 }
 
-Verdict check(const Bundle& bundle, CheckDepth depth) {
+namespace {
+
+/// With the bodies that robots take from their Nav2 files.
+Bundle withBodies(const Bundle& bundle, base::Diagnostics& problems) {
+  Bundle shaped = bundle;
+  if (bundle.hasScenario()) {
+    base::Diagnostics found;
+    shaped.scenario = withNav2Bodies(bundle.scenario, bundle.path, found);
+    sim2d::addPlaces(found, bundle.lines, bundle.path);
+    base::append(problems, found);
+  }
+  return shaped;
+}
+
+/// What `--strict` makes of it: there is no run with substitutions.
+Verdict strict(Verdict verdict) {
+  verdict.problems = base::withStrictSubstitutions(std::move(verdict.problems));
+  verdict.worldRemarks = base::withStrictSubstitutions(std::move(verdict.worldRemarks));
+  if (base::hasErrors(verdict.worldRemarks)) {
+    base::append(verdict.problems, std::exchange(verdict.worldRemarks, {}));
+  }
+  if (!verdict.ok()) {
+    verdict.world.reset();
+    verdict.setup.reset();
+  }
+  return verdict;
+}
+
+Verdict checkBundle(const Bundle& given, CheckDepth depth) {
   Verdict verdict;
-  verdict.problems = bundle.remarks;
+  verdict.problems = given.remarks;
+  const Bundle bundle = withBodies(given, verdict.problems);
   verdict.wrongWords = bundle.wrongWords;
   if (!bundle.hasScenario() || base::hasErrors(bundle.wrongWords)) {
     return verdict;
@@ -237,6 +269,13 @@ Verdict check(const Bundle& bundle, CheckDepth depth) {
   const bool isRunnable = code.empty() || bundle.settings.code == sim2d::CodeUse::Allowed;
   checkWorld(bundle, isRunnable, std::move(setup), std::move(unread), verdict);
   return verdict;
+}
+
+}  // namespace
+
+Verdict check(const Bundle& bundle, CheckDepth depth) {
+  Verdict verdict = checkBundle(bundle, depth);
+  return bundle.settings.strict ? strict(std::move(verdict)) : std::move(verdict);
 }
 
 }  // namespace app

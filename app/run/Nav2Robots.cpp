@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <memory>
+#include <tuple>
 #include <utility>
 
 #include "app/run/DataPaths.h"
 #include "app/run/PlannerFiles.h"
+#include "bt/robot/Nav2ParamFiles.h"
 #include "bt/robot/Nav2Report.h"
 #include "bt/robot/Nav2Servers.h"
 #include "sim2d/nav/Planner.h"
-#include "sim2d/nav/nav2/params/ParameterFile.h"
 
 namespace app {
 
@@ -20,8 +21,8 @@ bool isNav2(const sim2d::Robot& robot) {
 }
 
 sim2d::Nav2Choice choiceOf(const sim2d::Robot& robot) {
-  return {robot.nav2Params.value_or(""), robot.nav2Tree.value_or(""), robot.nav2Distro,
-          robot.nav2Values, robot.nav2Topics.value_or("")};
+  return {robot.nav2Params, robot.nav2Tree.value_or(""), robot.nav2Distro, robot.nav2Values,
+          robot.nav2Topics.value_or("")};
 }
 
 bt::Nav2Loaded loadedFor(const sim2d::Robot& robot, const std::string& scenarioPath) {
@@ -88,8 +89,10 @@ base::Diagnostics unlistedNav2Trees(const sim2d::Scenario& scenario,
     }
     const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
     const std::string& tree = treeOf(robot, loaded);
-    if (isListed(loaded.paramsFile) && !tree.empty() && !isListed(tree)) {
-      unlisted.push_back(base::error("nav2.read-late", {tree}, loaded.paramsFile));
+    const bool areListed =
+        std::all_of(loaded.paramsFiles.begin(), loaded.paramsFiles.end(), isListed);
+    if (areListed && !loaded.paramsFiles.empty() && !tree.empty() && !isListed(tree)) {
+      unlisted.push_back(base::error("nav2.read-late", {tree}, loaded.paramsFiles.front()));
     }
   });
   return unlisted;
@@ -103,10 +106,9 @@ std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
       return;
     }
     const bt::Nav2Loaded loaded = loadedFor(robot, scenarioPath);
-    for (const std::string& file : {loaded.paramsFile, treeOf(robot, loaded)}) {
-      if (!file.empty()) {
-        files.push_back(file);
-      }
+    files.insert(files.end(), loaded.paramsFiles.begin(), loaded.paramsFiles.end());
+    if (const std::string& tree = treeOf(robot, loaded); !tree.empty()) {
+      files.push_back(tree);
     }
     files.insert(files.end(), loaded.masks.files.begin(), loaded.masks.files.end());
     files.insert(files.end(), loaded.subTreeFiles.begin(), loaded.subTreeFiles.end());
@@ -117,14 +119,35 @@ std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
   return files;
 }
 
-base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch) {
-  const auto file = sim2d::nav2::ParameterFile::read(path);
-  base::Diagnostics found = file.diagnostics();
-  if (!file) {
+namespace {
+
+/// Trees that the files name and that are not found.
+base::Diagnostics missingTrees(const sim2d::nav2::Nav2Parameters& parameters) {
+  base::Diagnostics missing;
+  const sim2d::nav2::BtNavigatorParameters& navigator = parameters.btNavigator;
+  for (const auto& [parameter, named, usual] :
+       {std::tuple("default_nav_to_pose_bt_xml", navigator.defaultNavToPoseBtXml,
+                   bt::kUsualNav2Tree),
+        std::tuple("default_nav_through_poses_bt_xml", navigator.defaultNavThroughPosesBtXml,
+                   bt::kUsualThroughTree)}) {
+    bt::nav2TreeOfParameter(parameters, parameter, named, usual, {}, shippedNav2(), missing);
+  }
+  return missing;
+}
+
+}  // namespace
+
+base::Diagnostics checkNav2Files(const std::vector<std::string>& entries, Nav2Branch branch) {
+  const bt::Nav2ParamFiles files(entries, {}, shippedNav2());
+  base::Diagnostics found = files.problems();
+  if (base::hasErrors(found)) {
     return found;
   }
-  const sim2d::nav2::Nav2Reading reading = readNav2Parameters(*file, {branch, {}});
+  base::Diagnostics wrong;
+  const sim2d::nav2::Nav2Reading reading = files.read({}, {branch, {}}, wrong);
+  base::append(found, wrong);
   base::append(found, reading.problems);
+  base::append(found, missingTrees(reading.parameters));
   base::append(found, bt::nav2Contradictions(reading.parameters, nullptr));
   const bt::Nav2Masks masks = bt::loadNav2Masks(reading.parameters);
   base::append(found, masks.problems);
@@ -137,7 +160,8 @@ base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch) {
                                                    : bt::Nav2Servers::costmapProblems(setup)) {
     const bool isReported =
         std::any_of(reported.begin(), reported.end(), [&](const base::Diagnostic& each) {
-          return each.code == problem.code && each.line == problem.line;
+          return each.code == problem.code && each.line == problem.line &&
+                 each.file == problem.file;
         });
     const bool isElsewhere = reading.parameters.isPartial && problem.line == 0;  // in another file
     if (!isReported && !isElsewhere && problem.code != "nav2.no-map") {  // scenarios name maps
@@ -146,6 +170,10 @@ base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch) {
   }
   base::append(found, bt::nav2Remarks(reading.parameters));
   return found;
+}
+
+base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch) {
+  return checkNav2Files({path}, branch);
 }
 
 base::Diagnostics checkNavigatorTree(const std::string& path, Nav2Branch branch) {

@@ -62,8 +62,10 @@ std::string nav2ValueProblem(const sim2d::Robot& robot, const std::string& scena
 
 using Nav2Branch = std::optional<sim2d::nav2::Distro>;
 
-/// A `nav2_params.yaml` by itself: everything that is wrong with it, and what deserves a word.
-/// Without a branch, it is guessed from the file.
+/// Parameter files and single values (`name:=value`) by themselves, read as one in their order:
+/// everything that is wrong, and what deserves a word. Without a branch, it is guessed from them.
+base::Diagnostics checkNav2Files(const std::vector<std::string>& entries, Nav2Branch branch = {});
+/// The same of one file.
 base::Diagnostics checkNav2File(const std::string& path, Nav2Branch branch = {});
 /// A navigator's tree alone. Without a branch, nodes of all branches are accepted.
 base::Diagnostics checkNavigatorTree(const std::string& path, Nav2Branch branch = {});

@@ -4,6 +4,7 @@
 
 #include "app/run/Nav2Robots.h"
 #include "app/run/PlannerFiles.h"
+#include "sim2d/base/Text.h"
 
 // Parameters of Nav2 as a form shows and changes them.
 namespace app {
@@ -13,8 +14,8 @@ namespace {
 using sim2d::nav2::KnownKey;
 
 bt::Nav2Loaded sheetLoaded(const sim2d::Robot& robot, const std::string& scenarioPath) {
-  const sim2d::Nav2Choice choice{robot.nav2Params.value_or(""), robot.nav2Tree.value_or(""),
-                                 robot.nav2Distro, robot.nav2Values};
+  const sim2d::Nav2Choice choice{robot.nav2Params, robot.nav2Tree.value_or(""), robot.nav2Distro,
+                                 robot.nav2Values};
   return bt::loadNav2Parameters(choice, folderOfPlanners(scenarioPath), robot.name, shippedNav2());
 }
 
@@ -31,7 +32,7 @@ bool names(const std::string& given, const Nav2Parameter& parameter) {
 Nav2Sheet nav2SheetOf(const sim2d::Robot& robot, const std::string& scenarioPath) {
   Nav2Sheet sheet;
   const bt::Nav2Loaded now = sheetLoaded(robot, scenarioPath);
-  sheet.file = now.paramsFile;
+  sheet.file = base::join(now.paramsFiles, ", ");
   sheet.problems = now.problems;
   sim2d::Robot plain = robot;
   plain.nav2Values.clear();

@@ -7,6 +7,7 @@
 
 #include "app/run/ProgramRegistries.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/ParameterFile.h"
 #include "sim2d/scenario/Fields.h"
 #include "sim2d/scenario/ScenarioFile.h"
 #include "sim2d/world/World.h"
@@ -98,8 +99,22 @@ base::Diagnostics checkOptions(const RunOptions& options) {
   return wrong;
 }
 
+/// Single values alone are put over the files of the scenario.
+void takeNav2Params(const std::vector<std::string>& given, sim2d::Robot& robot) {
+  const auto isSingle = [](const std::string& entry) {
+    return sim2d::nav2::parameterOverride(entry).has_value();
+  };
+  if (!std::all_of(given.begin(), given.end(), isSingle)) {
+    robot.nav2Params.clear();
+  }
+  for (const std::string& entry : given) {
+    robot.nav2Params.push_back(isSingle(entry) ? entry : fromHere(entry));
+  }
+}
+
 base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& options) {
-  const bool hasNav2 = options.nav2Params || options.nav2Tree || options.nav2Distro;
+  const bool hasNav2 =
+      !options.nav2Params.empty() || options.nav2Tree || options.nav2Distro || options.nav2Body;
   if (!options.robotStart && !options.robotGoal && !options.robot && !options.planner && !hasNav2) {
     return {};
   }
@@ -130,7 +145,8 @@ base::Diagnostics applyRobot(sim2d::Scenario& scenario, const RunOptions& option
   if (hasNav2 && robot.planner != sim2d::kNav2Planner) {
     return {base::error("option.nav2-without-planner")};
   }
-  robot.nav2Params = options.nav2Params ? fromHere(*options.nav2Params) : robot.nav2Params;
+  takeNav2Params(options.nav2Params, robot);
+  robot.nav2Body = options.nav2Body ? std::optional(true) : robot.nav2Body;
   robot.nav2Tree = options.nav2Tree ? fromHere(*options.nav2Tree) : robot.nav2Tree;
   if (options.nav2Distro) {
     sim2d::fieldOf<sim2d::Robot>("nav2_distro")->assign(robot, *options.nav2Distro);
@@ -165,7 +181,8 @@ base::Result<RunSettings> runSettingsOf(const RunOptions& options) {
     return wrong;
   }
   const sim2d::CodeUse code = options.allowCode ? sim2d::CodeUse::Allowed : sim2d::CodeUse::Refused;
-  return {RunSettings{*compatibility, options.threads, options.exact, code}, std::move(wrong)};
+  return {RunSettings{*compatibility, options.threads, options.exact, options.strict, code},
+          std::move(wrong)};
 }
 
 base::Diagnostics applyOptions(sim2d::Scenario& scenario, const RunOptions& options,

@@ -34,7 +34,9 @@ struct RunOptions {
   std::optional<double> duration, dt, stuckAfter;
   std::optional<std::string> stopOnCollision;  // none, people, any
   std::optional<std::string> model, robot, robotStart, robotGoal, planner;
-  std::optional<std::string> nav2Params, nav2Tree, nav2Distro;  // of the first robot
+  std::vector<std::string> nav2Params;  // of the first robot: files, and single values NAME:=VALUE
+  std::optional<std::string> nav2Tree, nav2Distro;  // idem
+  bool nav2Body = false;                            // idem: its body is that of its files
   int threads = 1;
   MetricsWords metrics;
   std::optional<int> recordEvery;
@@ -49,6 +51,7 @@ struct RunOptions {
   LiveWords live;
   GrootWords groot;
   bool allowCode = false;  // programs and libraries that the scenario names may start
+  bool strict = false;     // substitutions are errors
   bool force = false;      // files of others in the output folder may be replaced
   std::string record;      // "mcap": a rosbag2 folder too; empty: nothing more
   bool totals = false;  // manifest.json and metrics.json alone, nothing per step or behaviour type
@@ -59,6 +62,7 @@ struct RunSettings {
   sim2d::Compatibility compatibility;
   int threads = 1;
   bool exact = false;
+  bool strict = false;  // what is replaced, left out or taken by default is an error
   sim2d::CodeUse code = sim2d::CodeUse::LeftOut;  // then there are problems, but no world to run
 };
 /// Errors: what is wrong with the words of the command line (exit code 64).

@@ -117,11 +117,13 @@ sim2d::Scenario fixedPart(sim2d::Scenario scenario) {
     robot.planner = usual.planner;
     robot.command = usual.command;
     robot.plannerParameters = usual.plannerParameters;
-    robot.nav2Params = usual.nav2Params;
     robot.nav2Tree = usual.nav2Tree;
-    robot.nav2Distro = usual.nav2Distro;
     robot.nav2Topics = usual.nav2Topics;
-    robot.nav2Values = usual.nav2Values;
+    if (!robot.nav2Body.value_or(false)) {  // else they also say how large it is
+      robot.nav2Params = usual.nav2Params;
+      robot.nav2Distro = usual.nav2Distro;
+      robot.nav2Values = usual.nav2Values;
+    }
     robot.goal = usual.goal;
     robot.goalRadius = usual.goalRadius;
     robot.maxVel = usual.maxVel;

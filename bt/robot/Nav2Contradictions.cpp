@@ -85,6 +85,7 @@ class Contradictions {
         if (key.path == place && key.line > 0) {
           problem.line = key.line;
           problem.column = key.column;
+          problem.file = key.file;
         }
       }
     }
@@ -285,8 +286,8 @@ Diagnostics nav2Remarks(const Nav2Parameters& parameters) {
       idle[{key.path.substr(0, key.path.find('.')), key.why}].push_back(&key);
     } else if (key.use == KeyUse::OtherDistro) {
       remarks.push_back(base::warning("nav2.other-distro",
-                                      {key.path, key.why, distroTitle(parameters.distro)},
-                                      parameters.file, key.line, key.column));
+                                      {key.path, key.why, distroTitle(parameters.distro)}, key.file,
+                                      key.line, key.column));
     }
   }
   for (const auto& [group, keys] : idle) {
@@ -301,7 +302,7 @@ Diagnostics nav2Remarks(const Nav2Parameters& parameters) {
     remarks.push_back(base::problem(
         base::Severity::Info, "nav2.idle-keys",
         {group.first, count, base::join(names, ", ") + (isLong ? " …" : ""), group.second},
-        parameters.file, keys.front()->line, keys.front()->column));
+        keys.front()->file, keys.front()->line, keys.front()->column));
   }
   return remarks;
 }

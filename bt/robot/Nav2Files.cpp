@@ -6,12 +6,13 @@
 #include <system_error>
 #include <utility>
 
+#include "bt/robot/Nav2ParamFiles.h"
 #include "bt/robot/NodePorts.h"
 #include "bt/robot/RobotNodes.h"
 #include "bt/tree/TreeXml.h"
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
-#include "sim2d/nav/nav2/params/ParameterFile.h"
+#include "sim2d/nav/nav2/params/NamedFiles.h"
 
 namespace bt {
 namespace {
@@ -38,29 +39,6 @@ std::string known(const std::string& folder, const std::string& extension) {
     }
   }
   return base::join({names.begin(), names.end()}, ", ");
-}
-
-/// With the values that are given instead of the file's.
-sim2d::nav2::Nav2Reading readWith(sim2d::nav2::ParameterFile file, const sim2d::Nav2Choice& choice,
-                                  const std::string& robot, base::Diagnostics& wrong) {
-  sim2d::nav2::Nav2ReadOptions options{choice.distro, robot};
-  sim2d::nav2::Nav2Reading reading = readNav2Parameters(file, options);
-  if (choice.values.empty()) {
-    return reading;
-  }
-  const bool isGuessed = reading.parameters.isGuessed;
-  std::vector<std::string> reasons = std::move(reading.parameters.distroReasons);
-  options.distro = reading.parameters.distro;  // by the file as it is
-  for (const auto& [path, yaml] : choice.values) {
-    base::append(wrong, setNav2Value(file, reading, path, yaml));
-    if (path.find("plugin") != std::string::npos) {  // another class has other keys
-      reading = readNav2Parameters(file, options);
-    }
-  }
-  reading = readNav2Parameters(file, options);
-  reading.parameters.isGuessed = isGuessed;
-  reading.parameters.distroReasons = std::move(reasons);
-  return reading;
 }
 
 /// Warns of ports that the node does not have in the branch, where Nav2 does not load the tree.
@@ -122,13 +100,17 @@ std::string nav2ParamsFile(const std::string& named, const std::string& folder,
   return isFile(own) ? own.string() : std::string();
 }
 
-std::string nav2TreeFile(const std::string& named, const std::string& folder, Distro distro,
-                         const Nav2Folders& shipped) {
-  const std::string name = named.empty() ? kUsualNav2Tree : named;
-  std::string beside = inFolder(name, folder);
-  if (!named.empty() && isFile(beside)) {
-    return beside;
-  }
+base::Diagnostic noNav2ParamsFile(const std::string& named, const std::string& folder,
+                                  const Nav2Folders& shipped) {
+  const std::string name = named.empty() ? kUsualNav2Params : named;
+  return base::error("nav2.no-file", {name, known(shipped.params, ".yaml")},
+                     inFolder(name, folder));
+}
+
+namespace {
+
+/// Among those shipped; empty: none has this name.
+std::string shippedTree(const std::string& name, Distro distro, const Nav2Folders& shipped) {
   fs::path file = fs::path(name).filename();
   file = file.extension() == ".xml" ? file : fs::path(file.string() + ".xml");
   const std::string own = sim2d::nav2::distroName(distro);
@@ -141,6 +123,40 @@ std::string nav2TreeFile(const std::string& named, const std::string& folder, Di
     }
   }
   return {};
+}
+
+}  // namespace
+
+std::string nav2TreeFile(const std::string& named, const std::string& folder, Distro distro,
+                         const Nav2Folders& shipped) {
+  const std::string name = named.empty() ? kUsualNav2Tree : named;
+  std::string beside = inFolder(name, folder);
+  return !named.empty() && isFile(beside) ? beside : shippedTree(name, distro, shipped);
+}
+
+std::string nav2TreeOfParameter(const Nav2Parameters& parameters, const std::string& parameter,
+                                const std::string& named, const std::string& usual,
+                                const std::string& folder, const Nav2Folders& shipped,
+                                base::Diagnostics& problems) {
+  if (named.empty()) {
+    return shippedTree(usual, parameters.distro, shipped);
+  }
+  const std::string key = "bt_navigator." + parameter;
+  std::vector<std::string> folders = sim2d::nav2::foldersOfParameter(parameters, key);
+  folders.push_back(folder);
+  const sim2d::nav2::NamedFile found = sim2d::nav2::findNamedFile(named, folders);
+  if (!found.file.empty()) {
+    return found.file;
+  }
+  const std::string path = sim2d::nav2::pathWithoutPlaceholder(named);
+  std::string own = path.empty() ? path : shippedTree(path, parameters.distro, shipped);
+  if (own.empty()) {
+    own = shippedTree(usual, parameters.distro, shipped);
+    problems.push_back(placedInFile(
+        parameters, base::within("bt_navigator", sim2d::nav2::namedFileMissing(
+                                                     parameter, named, found, "Nav2's tree"))));
+  }
+  return own;
 }
 
 bool looksLikeNavigatorTree(const std::string& xml) {
@@ -179,19 +195,14 @@ NavigatorTree loadNavigatorTree(const std::string& file, const Nav2Parameters& p
 
 namespace {
 
-/// The tree for several goals; one that the file names and that is not there is told, and goals
-/// are driven to one by one.
+/// The tree for several goals.
 void loadThrough(const std::string& folder, const Nav2Folders& shipped, Nav2Loaded& loaded) {
-  const std::string& own = loaded.parameters.btNavigator.defaultNavThroughPosesBtXml;
-  const std::string named = own.empty() ? kUsualThroughTree : own;
-  loaded.throughFile = nav2TreeFile(named, folder, loaded.parameters.distro, shipped);
-  if (loaded.throughFile.empty()) {
-    loaded.problems.push_back(
-        base::warning("nav2.no-file", {named, known(shipped.trees, ".xml")}, named));
-    return;
-  }
+  const std::string& named = loaded.parameters.btNavigator.defaultNavThroughPosesBtXml;
+  loaded.throughFile =
+      nav2TreeOfParameter(loaded.parameters, "default_nav_through_poses_bt_xml", named,
+                          kUsualThroughTree, folder, shipped, loaded.problems);
   loaded.through = loadNavigatorTree(loaded.throughFile, loaded.parameters);
-  if (!own.empty()) {  // the shipped one has been looked at
+  if (!named.empty()) {  // the shipped one has been looked at
     base::append(loaded.problems, loaded.through.problems);
   }
 }
@@ -238,19 +249,15 @@ void loadSubTrees(const NavigatorTree& tree, const std::string& folder, const Na
 Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string& folder,
                               const std::string& robot, const Nav2Folders& shipped) {
   Nav2Loaded loaded;
-  loaded.paramsFile = nav2ParamsFile(choice.params, folder, shipped);
-  if (loaded.paramsFile.empty()) {
-    const std::string named = choice.params.empty() ? kUsualNav2Params : choice.params;
-    loaded.problems.push_back(base::error("nav2.no-file", {named, known(shipped.params, ".yaml")},
-                                          inFolder(named, folder)));
+  const Nav2ParamFiles files(choice.params, folder, shipped);
+  loaded.paramsFiles = files.paths();
+  loaded.overrides = files.overrides();
+  loaded.problems = files.problems();
+  if (base::hasErrors(loaded.problems)) {
     return loaded;
   }
-  const auto file = sim2d::nav2::ParameterFile::read(loaded.paramsFile);
-  loaded.problems = file.diagnostics();
-  if (!file) {
-    return loaded;
-  }
-  sim2d::nav2::Nav2Reading reading = readWith(*file, choice, robot, loaded.wrongValues);
+  sim2d::nav2::Nav2Reading reading =
+      files.read(choice.values, {choice.distro, robot}, loaded.wrongValues);
   for (base::Diagnostic& problem : reading.problems) {
     if (problem.code == "nav2.partial-file") {  // no other file completes this one
       problem =
@@ -275,12 +282,16 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
   if (loaded.parameters.file.empty()) {  // it could not be read
     return loaded;
   }
-  const std::string named =
-      choice.tree.empty() ? loaded.parameters.btNavigator.defaultNavToPoseBtXml : choice.tree;
-  loaded.treeFile = nav2TreeFile(named, folder, loaded.parameters.distro, shipped);
+  if (choice.tree.empty()) {
+    loaded.treeFile = nav2TreeOfParameter(loaded.parameters, "default_nav_to_pose_bt_xml",
+                                          loaded.parameters.btNavigator.defaultNavToPoseBtXml,
+                                          kUsualNav2Tree, folder, shipped, loaded.problems);
+  } else {
+    loaded.treeFile = nav2TreeFile(choice.tree, folder, loaded.parameters.distro, shipped);
+  }
   if (loaded.treeFile.empty()) {
     loaded.problems.push_back(
-        base::error("nav2.no-file", {named, known(shipped.trees, ".xml")}, named));
+        base::error("nav2.no-file", {choice.tree, known(shipped.trees, ".xml")}, choice.tree));
     return loaded;
   }
   NavigatorTree tree = loadNavigatorTree(loaded.treeFile, loaded.parameters);

@@ -26,12 +26,15 @@ constexpr const char* kUsualNav2Params = "generic";
 constexpr const char* kUsualNav2Tree = "navigate_to_pose_w_replanning_and_recovery";
 constexpr const char* kUsualThroughTree = "navigate_through_poses_w_replanning_and_recovery";
 
-/// Which files count: a path relative to `folder`, else the name of a shipped one ("turtlebot3").
+/// Which file counts: a path relative to `folder`, else the name of a shipped one ("turtlebot3").
 /// Empty: there is none.
 std::string nav2ParamsFile(const std::string& named, const std::string& folder,
                            const Nav2Folders& shipped);
-/// The same; a path that is not there is looked for by its last part, as those in the files of ROS
-/// lie in /opt/ros. Trees of the own branch come first.
+/// The error where there is none.
+base::Diagnostic noNav2ParamsFile(const std::string& named, const std::string& folder,
+                                  const Nav2Folders& shipped);
+/// The same of a tree that the user names; a path that is not there is looked for by its last part
+/// among those shipped. Trees of the own branch come first.
 std::string nav2TreeFile(const std::string& named, const std::string& folder,
                          sim2d::nav2::Distro distro, const Nav2Folders& shipped);
 
@@ -63,7 +66,9 @@ Nav2Graph loadNav2Graph(const sim2d::nav2::Nav2Parameters& parameters);
 
 /// All that a robot's choice comes to.
 struct Nav2Loaded {
-  std::string paramsFile, treeFile;
+  std::vector<std::string> paramsFiles;  // in the order in which they are read
+  std::vector<std::string> overrides;    // single values over them: `name:=value`
+  std::string treeFile;
   sim2d::nav2::Nav2Parameters parameters;
   std::shared_ptr<const Program> program;
   bool isThroughPoses = false;  // the tree plans through several goals
@@ -80,12 +85,20 @@ struct Nav2Loaded {
     return !base::hasErrors(problems) && !base::hasErrors(wrongValues) && program != nullptr;
   }
 };
-/// `robot`: its name, whose namespace counts first in the file.
+/// The parameter files of `choice.params` read as one, with its single values; without a file the
+/// shipped one. `robot`: its name, whose namespace counts first in the files.
 Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string& folder,
                               const std::string& robot, const Nav2Folders& shipped);
 /// With the tree.
 Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
                     const std::string& robot, const Nav2Folders& shipped);
+
+/// The tree that a parameter of bt_navigator names, beside the parameter files (`findNamedFile`),
+/// in `folder`, or among those shipped by its name; else `usual`, with a warning in `problems`.
+std::string nav2TreeOfParameter(const sim2d::nav2::Nav2Parameters& parameters,
+                                const std::string& parameter, const std::string& named,
+                                const std::string& usual, const std::string& folder,
+                                const Nav2Folders& shipped, base::Diagnostics& problems);
 
 NavigatorTree loadNavigatorTree(const std::string& file,
                                 const sim2d::nav2::Nav2Parameters& parameters);

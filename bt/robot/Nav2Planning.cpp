@@ -64,7 +64,7 @@ void Nav2Servers::planNow(RobotAction action, Asked& asked) {
   const auto fail = [&](PlanError error) {
     finish(action, codeOf(action, error), 0, planErrorWords(error));
   };
-  if (!global_->isCurrent()) {
+  if (!global_->isCurrent() || global_->updates() == 0) {
     fail(PlanError::Timeout);
     return;
   }

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim2d/base/Problems.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
 
 namespace bt {
@@ -60,39 +61,9 @@ Json pluginsJson(const Nav2Parameters& parameters) {
   return plugins;
 }
 
-/// Path of the plugin that a problem is about: of the node and the blocks around it.
-std::string pluginOf(const base::Diagnostic& problem) {
-  std::string path;
-  for (const auto& [hole, value] : problem.values) {
-    path += hole == "where" ? value + "." : std::string();
-  }
-  return path + problem.value("name");
-}
-
-/// Plugins that are left out.
-Json leftOutJson(const base::Diagnostics& problems) {
-  Json plugins = Json::array();
-  for (const base::Diagnostic& problem : problems) {
-    if (problem.code == "nav2.left-out") {
-      plugins.push_back({{"plugin", pluginOf(problem)},
-                         {"class", problem.value("found")},
-                         {"why", problem.value("why")}});
-    }
-  }
-  return plugins;
-}
-
-/// Plugins that are replaced, and layers that are not quite what they are called.
-Json replacedJson(const Nav2Parameters& parameters, const base::Diagnostics& problems) {
+/// Layers that are not quite what they are called.
+Json replacedJson(const Nav2Parameters& parameters) {
   Json replaced = Json::array();
-  for (const base::Diagnostic& problem : problems) {
-    if (problem.code == "nav2.treated-as") {
-      replaced.push_back({{"plugin", pluginOf(problem)},
-                          {"class", problem.value("found")},
-                          {"is", problem.value("substitute")},
-                          {"why", problem.value("why")}});
-    }
-  }
   for (const auto& [node, costmap] : {std::pair("local_costmap", &parameters.localCostmap),
                                       std::pair("global_costmap", &parameters.globalCostmap)}) {
     for (const CostmapPlugin& plugin : costmap->plugins) {
@@ -104,6 +75,27 @@ Json replacedJson(const Nav2Parameters& parameters, const base::Diagnostics& pro
     }
   }
   return replaced;
+}
+
+/// What of the files and the tree is replaced, left out or taken by default: where, what, by what.
+Json substitutionsJson(const base::Diagnostics& problems) {
+  Json substitutions = Json::array();
+  for (const base::Diagnostic& problem : problems) {
+    const base::ProblemText* const text = base::problemText(problem.code);
+    if (text == nullptr || !text->isSubstitution) {
+      continue;
+    }
+    Json json = {{"kind", std::string(problem.code)},
+                 {"file", problem.file},
+                 {"line", problem.line},
+                 {"column", problem.column}};
+    for (const auto& [hole, value] : problem.values) {
+      json[std::string(hole)] = value;
+    }
+    json["message"] = problem.message;
+    substitutions.push_back(std::move(json));
+  }
+  return substitutions;
 }
 
 Json ratesJson(const Nav2Parameters& parameters, double dt) {
@@ -125,11 +117,13 @@ std::string nav2Report(const Nav2Loaded& loaded, const Nav2Counts& counts,
   json["navigation2_commit"] = commitOf(parameters.distro);
   json["distro_guessed"] = parameters.isGuessed;
   json["distro_reasons"] = parameters.distroReasons;
-  json["params"] = loaded.paramsFile;
+  json["params"] = parameters.file;
+  json["params_files"] = loaded.paramsFiles;
+  json["params_overrides"] = loaded.overrides;
   json["tree"] = loaded.treeFile;
   json["plugins"] = pluginsJson(parameters);
-  json["treated_as"] = replacedJson(parameters, loaded.problems);
-  json["left_out"] = leftOutJson(loaded.problems);
+  json["treated_as"] = replacedJson(parameters);
+  json["substitutions"] = substitutionsJson(loaded.problems);
   json["collision_monitor"] = parameters.collisionMonitor.has_value();
   json["frequencies"] = ratesJson(parameters, setup.dt);
   json["latency_steps"] = {

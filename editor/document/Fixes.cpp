@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/run/Bundle.h"
+#include "app/run/Nav2Body.h"
 #include "editor/document/BehaviorValues.h"
 #include "editor/document/EditCommands.h"
 #include "editor/document/FreeNames.h"
@@ -292,6 +293,15 @@ std::string ownMapFile(const ScenarioDocument&, const Diagnostic& problem) {
   return problem.value("key") == "map_file" ? "map_file" : std::string();
 }
 
+/// Radius or footprint of the local costmap, written into the scenario.
+void takeNav2Body(ScenarioDocument& document, const Diagnostic& problem, const QString& text) {
+  pushChange<sim2d::Robot>(document, problem.entity, text, [&](sim2d::Robot& robot) {
+    if (auto shaped = app::withNav2Body(robot, document.path().toStdString())) {
+      robot = *std::move(shaped);
+    }
+  });
+}
+
 using Filling = std::function<std::string(const ScenarioDocument&, const Diagnostic&)>;
 
 /// What the problem itself says.
@@ -354,6 +364,7 @@ std::vector<Rule> rules() {
       {{"map.not-found", "map.not-named"}, "Open plane", openPlane},
       {{"map.not-there", "map.is-folder"}, "Open plane", openPlane, ownMapFile},
       {{"scenario.no-robot"}, "Add a robot", addRobot},
+      {{"nav2.body-differs"}, "Take the body from the Nav2 file", takeNav2Body},
   };
 }
 

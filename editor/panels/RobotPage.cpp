@@ -3,6 +3,7 @@
 
 #include <QToolTip>
 
+#include "app/run/Nav2Body.h"
 #include "editor/panels/EntityPages.h"
 #include "editor/panels/Nav2Form.h"
 #include "editor/panels/RobotPicture.h"
@@ -292,6 +293,15 @@ void RobotPage::addNav2Section() {
     apply(tr("Take the file's parameters of Nav2"),
           [](Entity& entity) { std::get<Robot>(entity).nav2Values.clear(); });
   });
+  QToolButton* body = section->addLink(
+      tr("Take the body"), tr("Take radius or footprint from local_costmap of the file"), [this] {
+        apply(tr("Take the body from the Nav2 file"), [this](Entity& entity) {
+          if (auto shaped = app::withNav2Body(robotOf(entity), document().path().toStdString())) {
+            entity = *std::move(shaped);
+          }
+        });
+      });
+  body->setObjectName(QStringLiteral("nav2_take_body"));
   connect(nav2_, &Nav2Form::edited, this,
           [this](const app::Nav2Parameter& parameter, const std::optional<std::string>& yaml) {
             apply(tr("Change %1").arg(QString::fromStdString(parameter.path)), [&](Entity& entity) {

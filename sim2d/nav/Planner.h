@@ -63,7 +63,8 @@ constexpr const char* kNav2Planner = "nav2";
 
 /// Files and values of the planner `nav2`; empty: Nav2's own.
 struct Nav2Choice {
-  std::string params, tree;                                 // files
+  std::vector<std::string> params;                          // files and `name:=value`, in order
+  std::string tree;                                         // a file
   std::optional<nav2::Distro> distro;                       // none: as the file tells
   std::vector<std::pair<std::string, std::string>> values;  // "FollowPath.temperature", YAML
   std::string

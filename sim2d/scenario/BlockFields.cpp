@@ -226,6 +226,70 @@ FieldOf<T> thickness(double usual, double step) {
       .orElse(usual);
 }
 
+constexpr char kBetweenFiles = ';';  // where several stand in one text
+
+std::vector<std::string> nav2ParamsOf(const std::string& text) {
+  std::vector<std::string> entries;
+  for (const std::string& entry : base::split(text, kBetweenFiles)) {
+    if (std::string plain = base::trimmed(entry); !plain.empty()) {
+      entries.push_back(std::move(plain));
+    }
+  }
+  return entries;
+}
+
+ParameterValue nav2ParamsValue(const std::vector<std::string>& entries) {
+  return entries.empty() ? ParameterValue()
+                         : base::join(entries, std::string(1, kBetweenFiles) + " ");
+}
+
+/// One text, or a list of them.
+void readNav2Params(YamlMap& view, Robot& robot) {
+  const YamlNode* const value = view.find("nav2_params");
+  if (value != nullptr && value->isList()) {
+    robot.nav2Params = view.names("nav2_params");
+  } else if (value != nullptr) {
+    robot.nav2Params = nav2ParamsOf(view.text("nav2_params").value_or(""));
+  }
+}
+
+void writeNav2Params(YamlNode& tree, const Robot& robot) {
+  if (robot.nav2Params.size() == 1) {
+    setChild(tree, "nav2_params", stringNode(robot.nav2Params.front()));
+  } else if (!robot.nav2Params.empty()) {
+    YamlNode list(YamlNode::Kind::List);
+    for (const std::string& entry : robot.nav2Params) {
+      list.items.push_back(stringNode(entry));
+    }
+    setChild(tree, "nav2_params", std::move(list));
+  }
+}
+
+/// In forms all of them are one text, with ';' between.
+FieldOf<Robot> nav2ParamsField() {
+  return FieldOf<Robot>("nav2_params",
+                        "Of planner nav2: the parameter file (`nav2_params.yaml`), or a name of "
+                        "those shipped; a list: several files, later values win, and single values "
+                        "as ROS 2 takes them (`FollowPath.max_vel_x:=0.3`)",
+                        {"Nav2 parameters"})
+      .typed(ParameterType::Text)
+      .madeBy(readNav2Params, writeNav2Params, &Robot::nav2Params)
+      .with(&Field<Robot>::get,
+            [](const Robot& robot, const ParameterSpec& /*spec*/) {
+              return nav2ParamsValue(robot.nav2Params);
+            })
+      .with(&Field<Robot>::set,
+            [](Robot& robot, const ParameterValue& value, const ParameterSpec& /*spec*/) {
+              const auto* const text = std::get_if<std::string>(&value);
+              robot.nav2Params = nav2ParamsOf(text != nullptr ? *text : std::string());
+            })
+      .with(&Field<Robot>::resolved,
+            [](const ResolvedRobot& robot, const ParameterSpec& /*spec*/) {
+              return nav2ParamsValue(robot.nav2Params);
+            })
+      .orElse(std::string());
+}
+
 Fields<Robot> driverFields() {
   using Resolved = ResolvedRobot;
   return {
@@ -239,10 +303,7 @@ Fields<Robot> driverFields() {
           .resolvedTo(&Resolved::command),
       FieldOf<Robot>("planner_parameters", "Of the planner: name and value of each", {"Parameters"})
           .madeBy(readPlannerParameters, writePlannerParameters, &Robot::plannerParameters),
-      field("nav2_params", &Robot::nav2Params,
-            "Of planner nav2: the parameter file (`nav2_params.yaml`), or a name of those shipped",
-            {"Nav2 parameters"})
-          .resolvedTo(&Resolved::nav2Params),
+      nav2ParamsField(),
       field("nav2_tree", &Robot::nav2Tree,
             "Of planner nav2: the navigator's behaviour tree, or a name of those shipped",
             {"Nav2 tree"})
@@ -261,7 +322,13 @@ Fields<Robot> driverFields() {
       FieldOf<Robot>("nav2",
                      "Of planner nav2: values instead of those of its file, by node and name",
                      {"Nav2 values"})
-          .madeBy(readNav2, writeNav2, &Robot::nav2Values)};
+          .madeBy(readNav2, writeNav2, &Robot::nav2Values),
+      field(
+          "nav2_body", &Robot::nav2Body,
+          "Of planner nav2: true: radius or footprint are those of local_costmap in its parameter "
+          "files",
+          {"Body from Nav2"})
+          .orElse(false)};
 }
 
 Fields<Robot> wayFields() {

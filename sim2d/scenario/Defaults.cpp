@@ -232,6 +232,7 @@ ResolvedRobot resolveRobot(const Scenario& scenario, const Robot& robot, int id)
   for (const auto& [name, yaml] : robot.plannerParameters) {
     result.plannerTexts.emplace_back(name, base::scalarText(yaml));
   }
+  result.nav2Params = robot.nav2Params;
   result.nav2Distro = robot.nav2Distro;
   for (const auto& [name, yaml] : robot.nav2Values) {
     result.nav2Values.emplace_back(name, yaml);

@@ -50,7 +50,8 @@ struct ResolvedRobot {
   std::string command;                                            // of planner external
   std::vector<std::pair<std::string, double>> plannerParameters;  // those that are numbers
   std::vector<std::pair<std::string, std::string>> plannerTexts;  // all of them, as text
-  std::string nav2Params, nav2Tree;                               // of planner nav2; empty: its own
+  std::vector<std::string> nav2Params;                            // of planner nav2; empty: its own
+  std::string nav2Tree;                                           // idem
   std::optional<nav2::Distro> nav2Distro;                         // none: as the file tells
   std::string nav2Topics;                                         // messages and calls, by time
   std::vector<std::pair<std::string, std::string>>

@@ -161,7 +161,9 @@ struct Robot : Named {
   std::optional<std::string> type, planner;
   std::optional<std::string> command;  // the program of planner `external`
   ParameterTexts plannerParameters;
-  std::optional<std::string> nav2Params, nav2Tree;  // files of planner `nav2`
+  std::vector<std::string> nav2Params;  // of planner `nav2`: files and `name:=value`, in order
+  std::optional<std::string> nav2Tree;  // idem: a file
+  std::optional<bool> nav2Body;         // idem: the body is that of its parameter files
   std::optional<nav2::Distro> nav2Distro;
   std::optional<std::string> nav2Topics;  // what is published to it
   ParameterTexts nav2Values;              // instead of the file's: "FollowPath.temperature"

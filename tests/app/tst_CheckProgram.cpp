@@ -50,6 +50,37 @@ class CheckProgramTest : public QObject {
     QVERIFY2(errors >= files.size() / 2, qPrintable(QString::number(errors)));
   }
 
+  void check_strict_substitutionsAreErrors() {
+    QTemporaryDir folder;
+    const QByteArray pursuit =
+        "controller_server:\n  ros__parameters:\n    FollowPath:\n      plugin: "
+        "\"nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController\"\n";
+    outside::writeText(folder.filePath(QStringLiteral("plain.yaml")), pursuit);
+    outside::writeText(folder.filePath(QStringLiteral("layer.yaml")),
+                       "local_costmap:\n  local_costmap:\n    ros__parameters:\n"
+                       "      plugins: [sonar]\n"
+                       "      sonar: {plugin: \"my_layers::SonarLayer\"}\n");
+    const auto codeOf = [&folder](const char* words) {
+      return outside::runProgram(QString::fromLatin1(words).split(QLatin1Char(' ')), folder.path())
+          .exitCode;
+    };
+    QCOMPARE(codeOf("check plain.yaml layer.yaml"), 0);
+    QCOMPARE(codeOf("check plain.yaml --strict"), 0);
+    QCOMPARE(codeOf("check layer.yaml --strict"), 2);
+    QCOMPARE(codeOf("check --nav2-params plain.yaml --nav2-params layer.yaml"), 0);
+    QCOMPARE(codeOf("check --nav2-params plain.yaml --nav2-params layer.yaml --strict"), 2);
+    QCOMPARE(codeOf("check --nav2-params plain.yaml --nav2-params FollowPath.lookahead_dist:=1"),
+             2);
+    QCOMPARE(codeOf("check --nav2-params plain.yaml --nav2-params FollowPath.lookahead_dist:=1.0"),
+             0);
+    QCOMPARE(codeOf("check"), 64);
+    QCOMPARE(
+        codeOf(
+            "run crossing_agents --planner nav2 --nav2-params plain.yaml --nav2-params layer.yaml "
+            "--strict --duration 0.1"),
+        2);
+  }
+
   void check_experiment_itsScenariosAreChecked() {
     QTemporaryDir folder;
     const QByteArray scenario =

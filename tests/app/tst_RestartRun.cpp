@@ -45,7 +45,7 @@ class RestartRunTest : public QObject {
     editor::ScenarioDocument& document = window_->workspace().document();
     sim2d::Robot robot = document.scenario().robots.front();
     robot.planner = "nav2";
-    robot.nav2Params = SOURCE_DIR "/maps/planners/nav2_rpp.yaml";
+    robot.nav2Params = {SOURCE_DIR "/maps/planners/nav2_rpp.yaml"};
     robot.nav2Tree =
         SOURCE_DIR "/resources/nav2_trees/jazzy/navigate_to_pose_w_replanning_and_recovery.xml";
     editor::pushEdit(document, {robot}, QStringLiteral("Take Nav2"));

@@ -140,6 +140,11 @@ void rowsOfTheRest() {
   });
   row("door without length", "Remove it", [](Scenario& s) { s.doors[0].to = s.doors[0].from; });
   row("map with extension", "Write 'cafe'", [](Scenario& s) { s.map = "maps/cafe.yaml"; });
+  row("robot unlike its Nav2 file", "Take the body from the Nav2 file", [](Scenario& s) {
+    s.robots[0].planner = "nav2";
+    s.robots[0].radius = 0.5;
+    s.robots[0].nav2Params = {SOURCE_DIR "/resources/nav2_params/turtlebot4.yaml"};
+  });
   row("no robot", "Add a robot", [](Scenario& s) { s.robots.clear(); });
 }
 

@@ -83,7 +83,7 @@ class Nav2FormTest : public QObject {
     robot.key = {EntityKind::Robot, 1};
     robot.name = "robot1";
     robot.planner = "nav2";
-    robot.nav2Params = SOURCE_DIR "/resources/nav2_params/generic.yaml";
+    robot.nav2Params = {SOURCE_DIR "/resources/nav2_params/generic.yaml"};
     scenario.robots.push_back(robot);
     document_.load(std::move(scenario));
     page_ = std::make_unique<RobotPage>(document_);
@@ -123,7 +123,7 @@ class Nav2FormTest : public QObject {
     QTest::keyClicks(field, QStringLiteral("0.2"));
     const sim2d::Robot before = robot();
     sim2d::Robot other = before;
-    other.nav2Params = "nowhere.yaml";
+    other.nav2Params = {"nowhere.yaml"};
     editor::pushEdit(document_, {other}, QStringLiteral("Change"));
     page_->refresh();
     QVERIFY(form().rowOf("FollowPath.temperature") == nullptr);

@@ -203,7 +203,7 @@ class PlannerLayersTest : public QObject, private CanvasTester {
   void run_tellsWhileALayerIsShown() {
     sim2d::Scenario scenario = small::scenario();
     scenario.robots.front().planner = "nav2";
-    scenario.robots.front().nav2Params = SOURCE_DIR "/maps/planners/nav2_dwb.yaml";
+    scenario.robots.front().nav2Params = {SOURCE_DIR "/maps/planners/nav2_dwb.yaml"};
     scenario.robots.front().nav2Tree =
         SOURCE_DIR "/resources/nav2_trees/jazzy/navigate_to_pose_w_replanning_and_recovery.xml";
     scenario.robots.front().goal.point = Vec2(9.0, 4.5);

@@ -179,7 +179,7 @@ controller_server:
 }
 
 void Nav2ParamsTest::parse_noParameters_isAnError() {
-  const auto file = ParameterFile::parse("planner_server: {a: 1}\n", "p.yaml");
+  const auto file = ParameterFile::parse("some_node: {a: 1}\n", "p.yaml");
   QVERIFY(!file);
   QVERIFY(problemOf(file.diagnostics(), "nav2.no-parameters"));
   QVERIFY(problemOf(file.diagnostics(), "nav2.outside-node"));

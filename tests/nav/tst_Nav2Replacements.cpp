@@ -342,7 +342,7 @@ void Nav2ReplacementsTest::placeholder_listHasItsBlocks() {
       slow: {plugin: "nav2_costmap_2d::SpeedFilter"}
 )");
   QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(countOf(reading.problems, "nav2.placeholder"), 2);
+  QCOMPARE(countOf(reading.problems, "nav2.list-placeholder"), 2);
   const CostmapSettings& costmap = reading.parameters.localCostmap;
   QCOMPARE(costmap.plugins.size(), std::size_t{2});
   QCOMPARE(costmap.plugins[0].name, std::string("map"));  // the inflation comes last

@@ -99,6 +99,8 @@ void Nav2CheckTest::oneChange_isToldOnceWithItsLine_data() {
   row("faster than the smoother", "vx_max: 0.26", "vx_max: 0.5", "nav2.faster-than", false);
   row("map too small", "width: 3\n      height: 3", "width: 1\n      height: 1",
       "nav2.map-too-small", false);
+  row("costmap without updates", "update_frequency: 5.0", "update_frequency: 0.0",
+      "nav2.never-updated", false);
   row("class of nobody", "nav2_mppi_controller::MPPIController", "nav2_mppi::Controller",
       "nav2.unknown-plugin", true);
 }

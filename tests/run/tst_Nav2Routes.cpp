@@ -92,7 +92,7 @@ RouteDriven driveRoute(const std::string& scenario, const std::string& params,
                        const std::string& tree = {}) {
   app::RunOptions options;
   options.scenario = scenario;
-  options.nav2Params = params;
+  options.nav2Params = {params};
   options.nav2Tree = tree.empty() ? std::nullopt : std::optional(tree);
   const app::Bundle bundle = app::readBundle(options, *app::runSettingsOf(options), {});
   app::Verdict verdict = app::check(bundle);

@@ -63,7 +63,7 @@ app::RunOptions optionsOf(const std::string& scenario, const std::string& params
   app::RunOptions options;
   options.scenario = scenario;
   options.planner = "nav2";
-  options.nav2Params = paramsFile(params);
+  options.nav2Params = {paramsFile(params)};
   const bool isHumble = params == "turtlebot3" || params == "tiago";
   options.nav2Tree = isHumble ? kHumbleTree : kTree;
   return options;
@@ -445,7 +445,7 @@ void Nav2RunsTest::badInput_isToldNotRun() {
   QFETCH(QString, set);
   QFETCH(QString, part);
   app::RunOptions options = optionsOf(boxScenario(), "generic");
-  options.nav2Params.reset();
+  options.nav2Params.clear();
   options.nav2Tree.reset();
   options.set = {"robot1.nav2_params=" + paramsFile("generic"), "robot1.nav2_tree=" + kTree,
                  "robot1.planner=nav2", set.toStdString()};
@@ -458,7 +458,7 @@ void Nav2RunsTest::badInput_isToldNotRun() {
 /// Its polygon holds the whole room; an enabled node would stop the robot immediately.
 void Nav2RunsTest::monitor_thatIsDisabled_changesNothing() {
   app::RunOptions options = optionsOf(boxScenario(0.0, false), "generic");
-  options.nav2Params = SOURCE_DIR "/tests/data/nav2/nav2_monitor_disabled.yaml";
+  options.nav2Params = {SOURCE_DIR "/tests/data/nav2/nav2_monitor_disabled.yaml"};
   const Driven driven = drive(options, 12.0);
   QVERIFY2(!driven.places.empty() && driven.places.back().x() > 2.0,
            (driven.problems + driven.failure).c_str());
@@ -492,7 +492,7 @@ void Nav2RunsTest::bodyOfTheFile_otherThanTheRobots_isReported() {
       "local_costmap:\n  local_costmap:\n    ros__parameters:\n      " +
           shape.toStdString() + "\n");
   app::RunOptions options = optionsOf(boxScenario(), "generic");
-  options.nav2Params = path;
+  options.nav2Params = {path};
   const app::Verdict verdict = prepared(options);
   const std::string text = textOf(verdict.problems) + textOf(verdict.worldRemarks);
   const bool isReported = text.find(" reaches ") != std::string::npos;
@@ -525,7 +525,7 @@ void Nav2RunsTest::errorOfTheFile_isAtItsLine() {
   const std::string path = std::string(TEST_OUTPUT_DIR) + "/tmp/nav2_wrong.yaml";
   base::writeFileAtomically(path, yaml.toStdString());
   app::RunOptions options = optionsOf(boxScenario(), "generic");
-  options.nav2Params = path;
+  options.nav2Params = {path};
   const app::Verdict verdict = prepared(options);
   QVERIFY(!verdict.world);
   const std::string text = textOf(verdict.problems);

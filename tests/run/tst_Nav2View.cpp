@@ -30,8 +30,8 @@ std::unique_ptr<sim2d::World> worldWith(const QString& controller) {
   app::RunOptions options;
   options.scenario = SOURCE_DIR "/maps/planners/doorway_agents.yaml";
   options.planner = "nav2";
-  options.nav2Params =
-      (QStringLiteral(SOURCE_DIR "/maps/planners/nav2_%1.yaml").arg(controller)).toStdString();
+  options.nav2Params = {
+      (QStringLiteral(SOURCE_DIR "/maps/planners/nav2_%1.yaml").arg(controller)).toStdString()};
   options.nav2Tree =
       SOURCE_DIR "/resources/nav2_trees/jazzy/navigate_to_pose_w_replanning_and_recovery.xml";
   const app::Bundle bundle = app::readBundle(options, *app::runSettingsOf(options), {});

@@ -177,7 +177,11 @@ class RandomScenario {
     if (flip()) {
       to.plannerParameters = {{"lookahead", "0.80"}, {"on", "\"text\""}};
     }
-    maybe(to.nav2Params, [&] { return word(); });
+    to.nav2Params.resize(static_cast<std::size_t>(upTo(2)));
+    for (std::size_t i = 0; i < to.nav2Params.size(); ++i) {
+      to.nav2Params[i] = word() + std::to_string(i);  // each once
+    }
+    maybe(to.nav2Body, [&] { return flip(); });
     maybe(to.nav2Tree, [&] { return word(); });
     maybe(to.nav2Distro, [&] { return static_cast<sim2d::nav2::Distro>(upTo(2)); });
     maybe(to.nav2Topics, [&] { return word(); });

@@ -13,7 +13,9 @@
 #include "bt/engine/Program.h"
 #include "bt/human/HumanNodes.h"
 #include "bt/tree/TreeXml.h"
+#include "sim2d/base/Problems.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/Planner.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
 #include "sim2d/nav/nav2/params/ParameterFile.h"
 #include "sim2d/scenario/Fields.h"
@@ -26,6 +28,7 @@ struct CheckOptions {
   std::vector<std::string> files;
   RunOptions scenario;  // map, trees
   std::string distro;   // of Nav2's files; empty = as they tell
+  bool strict = false;  // substitutions are errors
 };
 
 enum class FileKind { Scenario, Tree, NavigatorTree, Map, Experiment, Nav2 };
@@ -49,8 +52,12 @@ FileKind kindOf(const std::string& text) {
 base::Diagnostics checkScenarioFile(const std::string& path, const CheckOptions& options) {
   RunOptions run = options.scenario;
   run.scenario = path;
+  if (!run.nav2Params.empty() || run.nav2Body) {
+    run.planner = sim2d::kNav2Planner;
+  }
   const Bundle bundle = readBundle(run, {}, loadMapImage);
   Verdict verdict = check(bundle);
+  base::append(verdict.problems, verdict.wrongWords);
   base::append(verdict.problems, verdict.worldRemarks);
   if (bundle.hasScenario()) {
     base::append(verdict.problems, notYetTold(verdict.problems, notesOnTrees(bundle)));
@@ -102,8 +109,11 @@ base::Diagnostics checkFile(const std::string& fileOrName, const CheckOptions& o
       return checkTree(path);
     case FileKind::NavigatorTree:
       return checkNavigatorTree(path, branch);
-    case FileKind::Nav2:
-      return checkNav2File(path, branch);
+    case FileKind::Nav2: {
+      std::vector<std::string> entries = options.scenario.nav2Params;
+      entries.insert(entries.begin(), path);
+      return checkNav2Files(entries, branch);
+    }
     case FileKind::Map:
       return readMapFile(path, "humble", loadMapImage).diagnostics();
     case FileKind::Experiment:
@@ -128,17 +138,28 @@ std::string summary(std::size_t files, const base::Diagnostics& diagnostics) {
 
 int checkCommand(const CheckOptions& options, const Invocation& given) {
   base::Diagnostics all;
-  for (const std::string& file : options.files) {
-    const base::Diagnostics found = checkFile(file, options);
+  const auto show = [&](base::Diagnostics found) {
+    found = options.strict ? base::withStrictSubstitutions(std::move(found)) : std::move(found);
     if (!given.json) {
       printDiagnostics(found);
     }
     base::append(all, found);
+  };
+  const std::vector<std::string>& params = options.scenario.nav2Params;
+  if (options.files.empty() && params.empty()) {
+    show({base::error("option.check-nothing")});
+    return ExitWrongCommandLine;
+  }
+  if (options.files.empty()) {  // as one
+    show(checkNav2Files(params, sim2d::nav2::distroNamed(options.distro)));
+  }
+  for (const std::string& file : options.files) {
+    show(checkFile(file, options));
   }
   if (given.json) {
     printJson(all);
   } else if (!given.quiet) {
-    printLine(summary(options.files.size(), all));
+    printLine(summary(options.files.empty() ? params.size() : options.files.size(), all));
   }
   return base::hasErrors(all) ? ExitBadInput : ExitFine;
 }
@@ -148,7 +169,7 @@ int checkCommand(const CheckOptions& options, const Invocation& given) {
 void addCheck(CommandRegistry& commands) {
   const auto [command, options] = commands.add(
       "check", "Validate scenarios, trees, maps, experiments, nav2_params.yaml", checkCommand);
-  command.add_option("files", options.files, "Files, or names of shipped scenarios")->required();
+  command.add_option("files", options.files, "Files, or names of shipped scenarios");
   command.add_option("--map", options.scenario.map, "Map of the scenarios");
   command.add_option("--trees", options.scenario.trees, "Folder with their trees");
   command
@@ -156,6 +177,8 @@ void addCheck(CommandRegistry& commands) {
                   "Branch of Nav2 files: humble, jazzy, kilted, lyrical or main (default: "
                   "guessed from the file)")
       ->check(oneOf(sim2d::fieldOf<sim2d::Robot>("nav2_distro")->spec.choices));
+  addNav2Params(command, options.scenario.nav2Params);
+  addStrict(command, options.strict);
 }
 
 }  // namespace app

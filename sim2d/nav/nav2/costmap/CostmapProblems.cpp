@@ -14,15 +14,15 @@
 namespace sim2d::nav2 {
 namespace {
 
-constexpr int kMostCells = 4000;                           // along one side
-constexpr base::Range kSideRange{0.005, 10.0};             // of cells [m]
-constexpr base::Range kLengthRange{1.0, 1000.0};           // of costmaps [m]
-constexpr base::Range kPlaceRange{-1e6, 1e6};              // of their corners [m]
-constexpr base::Range kFrequencyRange{0.0, 1000.0, true};  // [Hz]
-constexpr base::Range kPublishRange{-1.0, 1000.0};         // [Hz]
-constexpr base::Range kReachRange{0.0, 10.0};              // [m]
-constexpr base::Range kPaddingRange{-100.0, 100.0};        // [m]
-constexpr base::Range kScalingRange{-1e6, 1e6};            // [1/m]
+constexpr int kMostCells = 4000;                     // along one side
+constexpr base::Range kSideRange{0.005, 10.0};       // of cells [m]
+constexpr base::Range kLengthRange{1.0, 1000.0};     // of costmaps [m]
+constexpr base::Range kPlaceRange{-1e6, 1e6};        // of their corners [m]
+constexpr base::Range kFrequencyRange{0.0, 1000.0};  // [Hz]
+constexpr base::Range kPublishRange{-1.0, 1000.0};   // [Hz]
+constexpr base::Range kReachRange{0.0, 10.0};        // [m]
+constexpr base::Range kPaddingRange{-100.0, 100.0};  // [m]
+constexpr base::Range kScalingRange{-1e6, 1e6};      // [1/m]
 constexpr base::Range kAmplitudeRange{0.0, 254.0};
 constexpr double kLongestPersistence = 60;  // of scans [s]
 constexpr int kMostInflatedCells = 2000;    // of a radius
@@ -223,6 +223,9 @@ base::Diagnostics problemsOf(const CostmapSetup& setup) {
   const CostmapParameters& parameters = setup.settings.parameters;
   checkCostmapRange(parameters.updateFrequency, kFrequencyRange, "update_frequency", problems);
   checkCostmapRange(parameters.publishFrequency, kPublishRange, "publish_frequency", problems);
+  if (parameters.updateFrequency == 0.0) {
+    problems.push_back(base::within("update_frequency", base::warning("nav2.never-updated")));
+  }
   checkSize(parameters, problems);
   checkCostmapRange(parameters.originX, kPlaceRange, "origin_x", problems);
   checkCostmapRange(parameters.originY, kPlaceRange, "origin_y", problems);

@@ -102,7 +102,7 @@ bool LayeredCostmap::update(const Observation& observation) {
     layer->observe(observation);
   }
   const std::int64_t due = eventAt(observation.time, updateFrequency_);
-  if (due <= lastUpdate_) {
+  if (updateFrequency_ <= 0.0 || due <= lastUpdate_) {  // at 0 Hz the thread of Nav2 ends
     return false;
   }
   lastUpdate_ = due;

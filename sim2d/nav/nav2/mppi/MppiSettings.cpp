@@ -205,6 +205,18 @@ void readMotion(const Nav2Block& block, MppiConfiguration& mppi, base::Diagnosti
   mppi.motion = static_cast<MppiMotion>(found - known.begin());
 }
 
+/// Nav2 turns them round, with a warning.
+void mendDecelerations(MppiSettings& settings, base::Diagnostics& problems) {
+  const std::pair<const char*, double*> limits[] = {{"ax_min", &settings.axMin},
+                                                    {"ay_min", &settings.ayMin}};
+  for (const auto& [key, limit] : limits) {
+    if (*limit > 0.0) {
+      problems.push_back(base::warning("nav2.positive-deceleration", {key, *limit}));
+      *limit = -*limit;
+    }
+  }
+}
+
 }  // namespace
 
 const std::vector<Nav2Key<MppiSettings>>& mppiKeys() {
@@ -291,6 +303,7 @@ base::Result<MppiConfiguration> readMppi(const Nav2Block& block, Distro distro) 
   visitCritics(mppi.critics, [&](const char* name, auto& critic, const auto& keys) {
     critic = filled(critic, keys, block, distro, problems, std::string(name) + ".");
   });
+  mendDecelerations(mppi.settings, problems);
   readMotion(block, mppi, problems);
   checkFinite(block, problems);
   MppiValueCheck check(problems);

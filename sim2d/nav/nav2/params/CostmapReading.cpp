@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/costmap/Footprint.h"
 #include "sim2d/nav/nav2/params/PluginBlocks.h"
 
 namespace sim2d::nav2 {
@@ -94,11 +95,11 @@ void readSources(NodeReader& node, const std::string& prefix, DecayLayerParamete
   }
 }
 
-/// Launch files of Nav2 put true or false in the place of such words.
+/// Launch files of Nav2 switch filters on by replacing such words; they are off without.
 bool isPlaceholder(const NodeReader& node, const std::string& name) {
-  const GivenParameter* const enabled = node.parameters().find(name + ".enabled");
-  return enabled != nullptr && enabled->value->isScalar() &&
-         enabled->value->text.find("_ENABLED") != std::string::npos;
+  const GivenParameter* const plugin = node.parameters().find(name + ".plugin");
+  return plugin != nullptr && plugin->value->text.find("Filter") != std::string::npos &&
+         node.isPlaceholder(name + ".enabled");
 }
 
 bool isSwitchedOff(NodeReader& node, const std::string& name) {
@@ -211,11 +212,24 @@ void readLayer(NodeReader& node, const std::string& name, std::vector<CostmapPlu
   to.push_back({name, *std::move(layer)});
 }
 
+/// One that cannot be read is no error of Nav2, which takes the radius then.
+void checkFootprint(NodeReader& node, CostmapParameters& parameters) {
+  const bool isGiven = !parameters.footprint.empty() && parameters.footprint != "[]";
+  const base::Result<Polygon> corners = readPolygon(isGiven ? parameters.footprint : "");
+  if (isGiven && !corners) {
+    node.tell("footprint",
+              base::within(node.node(), base::warning("nav2.footprint-invalid",
+                                                      {corners.diagnostics().front().message})));
+    parameters.footprint.clear();
+  }
+}
+
 }  // namespace
 
 CostmapSettings readCostmap(NodeReader& node) {
   CostmapSettings settings;
   settings.parameters = node.read({}, costmapKeys(), idleCostmapKeys(), CostmapParameters());
+  checkFootprint(node, settings.parameters);
   for (const std::string& name : pluginNames(node, "plugins", settings.parameters.plugins)) {
     readLayer(node, name, settings.plugins);
   }

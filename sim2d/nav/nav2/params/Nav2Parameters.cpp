@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "sim2d/base/Text.h"
@@ -58,9 +60,9 @@ class FileReader {
  private:
   NodeReader reader(const std::string& node) {
     asked_.insert(node);
-    NodeReader made(file_.parametersOf(node, options_.robot), to_.distro, file_.file(), to_.notes);
+    NodeReader made(file_.parametersOf(node, options_.robot), to_.distro, to_.notes);
     readOldNames(made, isOld_);
-    readPlaceholders(made);
+    readMissingLists(made);
     return made;
   }
 
@@ -234,7 +236,7 @@ class FileReader {
         continue;
       }
       asked_.insert(other.node);
-      NodeReader node(other, to_.distro, file_.file(), to_.notes);
+      NodeReader node(other, to_.distro, to_.notes);
       const char* const why = idleNode(other.node);
       for (const GivenParameter& given : other.given) {
         node.know(given.name, why != nullptr ? why : "no node of Nav2 has this name");
@@ -242,7 +244,7 @@ class FileReader {
       if (why == nullptr) {
         base::Diagnostic problem =
             base::warning("nav2.unknown-node", {other.node, base::nearestName(other.node, known)},
-                          file_.file(), other.line);
+                          other.file, other.line);
         to_.notes.problems.push_back(std::move(problem));
       }
     }
@@ -257,7 +259,7 @@ class FileReader {
     for (const GivenParameter& given : node.given) {
       to_.notes.keys.push_back({node.nameSpace + "/" + node.node + "." + given.name,
                                 valueText(*given.value), given.value->line, given.value->column,
-                                KeyUse::Idle, "of another robot by its namespace"});
+                                KeyUse::Idle, "of another robot by its namespace", given.file});
     }
   }
 
@@ -274,10 +276,15 @@ const KeyNote* keyAt(const ReadingNotes& notes, const std::string& path) {
   return found == notes.keys.end() ? nullptr : &*found;
 }
 
-void sortByPlace(base::Diagnostics& problems) {
+/// In the order of the files.
+void sortByPlace(const std::vector<std::string>& files, base::Diagnostics& problems) {
+  const auto placeOf = [&files](const base::Diagnostic& problem) {
+    const auto file = std::find(files.begin(), files.end(), problem.file) - files.begin();
+    return std::tuple(file, problem.line, problem.column);
+  };
   std::stable_sort(problems.begin(), problems.end(),
-                   [](const base::Diagnostic& a, const base::Diagnostic& b) {
-                     return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+                   [&](const base::Diagnostic& a, const base::Diagnostic& b) {
+                     return placeOf(a) < placeOf(b);
                    });
 }
 
@@ -287,6 +294,7 @@ Nav2Reading readNav2Parameters(const ParameterFile& file, const Nav2ReadOptions&
   Nav2Reading reading;
   Nav2Parameters& parameters = reading.parameters;
   parameters.file = file.file();
+  parameters.files = file.files();
   parameters.isGuessed = !options.distro;
   if (options.distro) {
     parameters.distro = *options.distro;
@@ -298,7 +306,7 @@ Nav2Reading readNav2Parameters(const ParameterFile& file, const Nav2ReadOptions&
   FileReader(file, options, parameters).read();
   reading.problems = std::move(parameters.notes.problems);
   parameters.notes.problems.clear();
-  sortByPlace(reading.problems);
+  sortByPlace(file.files(), reading.problems);
   return reading;
 }
 
@@ -326,17 +334,37 @@ base::Diagnostic placedInFile(const Nav2Parameters& parameters, base::Diagnostic
   const std::string node = where.substr(0, where.find('.'));
   problem.file = parameters.file;
   for (const NodeNote& each : parameters.notes.nodes) {
-    problem.line = each.node == node && key == nullptr ? each.line : problem.line;
+    if (each.node == node && key == nullptr) {
+      problem.line = each.line;
+      problem.file = each.file;
+    }
   }
   if (key != nullptr) {
     problem.line = key->line;
     problem.column = key->column;
+    problem.file = key->line > 0 ? key->file : problem.file;
   }
   return problem;
 }
 
-base::Diagnostics setNav2Value(ParameterFile& file, const Nav2Reading& reading,
-                               const std::string& path, const std::string& yaml) {
+std::vector<std::string> foldersOfParameter(const Nav2Parameters& parameters,
+                                            const std::string& path) {
+  std::vector<std::string> files = parameters.files;
+  if (const KeyNote* const key = keyAt(parameters.notes, path); key != nullptr) {
+    files.insert(files.begin(), key->file);
+  }
+  std::vector<std::string> folders;
+  for (const std::string& file : files) {
+    std::string folder = std::filesystem::path(file).parent_path().string();
+    if (!file.empty() && std::find(folders.begin(), folders.end(), folder) == folders.end()) {
+      folders.push_back(std::move(folder));
+    }
+  }
+  return folders;
+}
+
+base::Result<std::vector<ParameterName>> nav2ParametersNamed(const Nav2Reading& reading,
+                                                             const std::string& path) {
   std::vector<std::string> known;  // with their nodes
   for (const KeyNote& key : reading.parameters.notes.keys) {
     if (key.use == KeyUse::Used) {
@@ -346,28 +374,69 @@ base::Diagnostics setNav2Value(ParameterFile& file, const Nav2Reading& reading,
   for (const DefaultNote& fallback : reading.parameters.notes.defaults) {
     known.push_back(fallback.path);
   }
-  std::vector<std::string> nodes, names = known;
+  std::vector<ParameterName> found;
+  std::vector<std::string> names = known;
   const std::string end = "." + path;
   for (const std::string& full : known) {
     const std::size_t dot = full.find('.');
     names.push_back(full.substr(dot + 1));
     if (full == path || full.substr(dot) == end) {
-      nodes.push_back(full.substr(0, dot));
+      found.push_back({full.substr(0, dot), full.substr(dot + 1)});
     }
   }
-  if (nodes.empty()) {
-    return {base::error("nav2.set-unknown", {path, base::nearestName(path, names)})};
+  if (found.empty()) {
+    return base::error("nav2.set-unknown", {path, base::nearestName(path, names)});
   }
-  if (nodes.size() > 1) {
-    return {base::error("nav2.set-ambiguous", {path, base::join(nodes, ", ")})};
-  }
+  return found;
+}
+
+std::optional<base::YamlNode> nav2ValueOf(const std::string& yaml) {
   base::Diagnostics problems;
   base::YamlNode value = base::parseYaml(yaml, {}, problems);
-  if (base::hasErrors(problems) || value.isNull() || value.isMap()) {
+  return base::hasErrors(problems) || value.isNull() || value.isMap() ? std::nullopt
+                                                                      : std::optional(value);
+}
+
+base::Diagnostics setNav2Value(ParameterFile& file, const Nav2Reading& reading,
+                               const std::string& path, const std::string& yaml) {
+  const base::Result<std::vector<ParameterName>> named = nav2ParametersNamed(reading, path);
+  if (!named) {
+    return named.diagnostics();
+  }
+  if (named->size() > 1) {
+    std::vector<std::string> nodes;
+    nodes.reserve(named->size());
+    for (const ParameterName& each : *named) {
+      nodes.push_back(each.node);
+    }
+    return {base::error("nav2.set-ambiguous", {path, base::join(nodes, ", ")})};
+  }
+  std::optional<base::YamlNode> value = nav2ValueOf(yaml);
+  if (!value) {
     return {base::within(path, base::error("set.no-value", {yaml}))};
   }
-  const bool hasNode = path.compare(0, nodes.front().size() + 1, nodes.front() + ".") == 0;
-  file.set(nodes.front(), hasNode ? path.substr(nodes.front().size() + 1) : path, std::move(value));
+  file.set(named->front().node, named->front().name, *std::move(value));
+  return {};
+}
+
+base::Diagnostics overrideNav2Value(ParameterFile& file, const Nav2Reading& reading,
+                                    const ParameterOverride& given) {
+  const std::string path = given.node.empty() ? given.name : given.node + "." + given.name;
+  std::optional<base::YamlNode> value = nav2ValueOf(given.yaml);
+  if (given.name.empty() || !value) {
+    return {base::within(path, base::error("set.no-value", {given.yaml}))};
+  }
+  if (!given.node.empty()) {
+    file.override(given.node, given.name, *std::move(value));
+    return {};
+  }
+  const base::Result<std::vector<ParameterName>> named = nav2ParametersNamed(reading, path);
+  if (!named) {
+    return named.diagnostics();
+  }
+  for (const ParameterName& each : *named) {
+    file.override(each.node, each.name, *value);
+  }
   return {};
 }
 

@@ -32,7 +32,8 @@ struct BehaviorSettings {
 };
 
 struct Nav2Parameters {
-  std::string file;
+  std::string file;                // the first of them
+  std::vector<std::string> files;  // all, in the order in which they are read
   Distro distro = Distro::Jazzy;
   bool isGuessed = false;                  // from the file
   std::vector<std::string> distroReasons;  // of the guess
@@ -48,7 +49,7 @@ struct Nav2Parameters {
   std::optional<CollisionMonitorParameters> collisionMonitor;  // none: not in the file
   BtNavigatorParameters btNavigator;
   FrameNames frames;
-  RouteSettings route;     // Nav2's defaults where the file has no route_server
+  RouteSettings route;  // Nav2's defaults where the file has no route_server
   DockingServerParameters dockingServer;
   FollowingServerParameters followingServer;
   std::optional<WaypointFollowerParameters> waypointFollower;  // none: not in the file
@@ -76,10 +77,28 @@ Nav2Reading readNav2Parameters(const ParameterFile& file, const Nav2ReadOptions&
 /// "where" are its path), else of its plugin or node. Values that were set have no place.
 base::Diagnostic placedInFile(const Nav2Parameters& parameters, base::Diagnostic problem);
 
+/// The folders in which files are searched that the parameter of this path names ("node.name"):
+/// that of the file which has it, then those of the others.
+std::vector<std::string> foldersOfParameter(const Nav2Parameters& parameters,
+                                            const std::string& path);
+
 /// Puts a value at a parameter that `reading` knows: "FollowPath.temperature", with its node in
 /// front where several have it. Errors: no such parameter, several nodes, no YAML.
 base::Diagnostics setNav2Value(ParameterFile& file, const Nav2Reading& reading,
                                const std::string& path, const std::string& yaml);
+
+/// A parameter of a node, "controller_server" and "FollowPath.max_vel_x".
+struct ParameterName {
+  std::string node, name;
+};
+/// Those that have an effect by the name `path`, with or without their node in front; of several
+/// nodes all. Error: there is none.
+base::Result<std::vector<ParameterName>> nav2ParametersNamed(const Nav2Reading& reading,
+                                                             const std::string& path);
+/// Puts a value over those of the files, of ROS 2's types: at the node that it names, else at each
+/// node that `reading` knows to have the parameter. Errors: no such parameter, no YAML.
+base::Diagnostics overrideNav2Value(ParameterFile& file, const Nav2Reading& reading,
+                                    const ParameterOverride& given);
 
 /// What was given for the plugin of the controller server, or what Nav2 has without it.
 template <class T>

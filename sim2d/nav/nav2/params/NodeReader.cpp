@@ -14,6 +14,7 @@
 
 #include "sim2d/base/Text.h"
 #include "sim2d/nav/nav2/params/DistroGuess.h"
+#include "sim2d/nav/nav2/params/Placeholders.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
 
 namespace sim2d::nav2 {
@@ -51,7 +52,7 @@ constexpr std::array<IdleKey, 21> kOfEveryNode = {{
 constexpr double kMostNumber = 1e9;     // of any unit
 constexpr std::size_t kMostHints = 50;  // of unknown keys that get the nearest name
 
-/// What no key of Nav2 can mean: no number, an infinite one, more names than anything has.
+/// What no key of Nav2 can mean: no number, more names than anything has.
 std::optional<base::Diagnostic> excessOf(const std::string& path, const Nav2Value& value) {
   if (const auto* const names = std::get_if<std::vector<std::string>>(&value)) {
     return names->size() > kMostNames
@@ -59,18 +60,30 @@ std::optional<base::Diagnostic> excessOf(const std::string& path, const Nav2Valu
                      base::error("nav2.too-many-names", {path, names->size(), kMostNames}))
                : std::nullopt;
   }
-  std::vector<double> numbers;
-  if (const auto* const list = std::get_if<std::vector<double>>(&value)) {
-    numbers = *list;
-  } else if (const auto* const number = std::get_if<double>(&value)) {
-    numbers = {*number};
-  }
-  for (const double number : numbers) {
-    if (!(std::abs(number) <= kMostNumber)) {  // nor NaN
-      return base::error("nav2.number-out-of-range", {path, number, kMostNumber});
+  const auto* const list = std::get_if<std::vector<double>>(&value);
+  const auto* const number = std::get_if<double>(&value);
+  const bool isNan = list != nullptr ? std::any_of(list->begin(), list->end(),
+                                                   [](double each) { return std::isnan(each); })
+                                     : number != nullptr && std::isnan(*number);
+  return isNan ? std::optional(base::error("nav2.number-out-of-range", {path, "nan", kMostNumber}))
+               : std::nullopt;
+}
+
+/// Infinite numbers, and those that no key of Nav2 has, end here; the first one before it was cut.
+std::optional<double> cutNumbers(Nav2Value& value) {
+  std::optional<double> first;
+  const auto cut = [&first](double& number) {
+    if (std::abs(number) > kMostNumber) {
+      first = first ? first : number;
+      number = std::copysign(kMostNumber, number);
     }
+  };
+  if (auto* const list = std::get_if<std::vector<double>>(&value)) {
+    std::for_each(list->begin(), list->end(), cut);
+  } else if (auto* const number = std::get_if<double>(&value)) {
+    cut(*number);
   }
-  return std::nullopt;
+  return first;
 }
 
 /// Why a value is none of the key's: a whole number may also be too large.
@@ -87,16 +100,18 @@ const char* keyUseName(KeyUse use) {
   return use == KeyUse::Used ? "used" : use == KeyUse::Unknown ? "unknown" : "ignored";
 }
 
-NodeReader::NodeReader(NodeParameters parameters, Distro distro, std::string file,
-                       ReadingNotes& notes)
-    : parameters_(std::move(parameters)), distro_(distro), file_(std::move(file)), notes_(notes) {
-  notes_.nodes.push_back({parameters_.node, parameters_.line});
+NodeReader::NodeReader(NodeParameters parameters, Distro distro, ReadingNotes& notes)
+    : parameters_(std::move(parameters)), distro_(distro), notes_(notes) {
+  notes_.nodes.push_back({parameters_.node, parameters_.line, parameters_.file});
+  for (GivenParameter& given : parameters_.given) {
+    given.isPlaceholder = isLaunchPlaceholder(given.name, *given.value);
+  }
 }
 
 Nav2Block NodeReader::given(const std::string& prefix) const {
   Nav2Block block;
   for (const GivenParameter& parameter : parameters_.given) {
-    if (beginsWith(parameter.name, prefix)) {
+    if (beginsWith(parameter.name, prefix) && !parameter.isPlaceholder) {
       if (auto value = rosValue(*parameter.value)) {
         block[parameter.name.substr(prefix.size())] = *std::move(value);
       }
@@ -112,18 +127,32 @@ void NodeReader::note(const GivenParameter& parameter, KeyUse use, std::string w
   const bool isSet = parameter.value->tag == kSetTag;  // has no place in the file
   notes_.keys.push_back({pathOf(parameter.name), valueText(*parameter.value),
                          isSet ? 0 : parameter.value->line, isSet ? 0 : parameter.value->column,
-                         use, std::move(why)});
+                         use, std::move(why), isSet ? std::string() : parameter.file});
 }
 
-std::optional<Nav2Value> NodeReader::soundValue(const GivenParameter& given,
-                                                const std::string& name,
-                                                const Nav2Value& fallback) {
+void NodeReader::tellPlaceholder(GivenParameter& given, const Nav2Value& fallback) {
+  given.isPlaceholder = true;
+  note(given, KeyUse::Idle, "a placeholder that launch files replace");
+  tell(given.name, base::warning("nav2.placeholder", {pathOf(given.name), valueText(*given.value),
+                                                      valueText(fallback)}));
+}
+
+std::optional<Nav2Value> NodeReader::soundValue(GivenParameter& given, const Nav2Value& fallback) {
   std::optional<Nav2Value> value = rosValue(*given.value, fallback);
+  if (!value && mayBePlaceholder(*given.value)) {
+    tellPlaceholder(given, fallback);
+    return std::nullopt;
+  }
+  note(given, KeyUse::Used, {});
+  const std::string path = pathOf(given.name);
   if (!value) {
-    tell(name, misfitOf(pathOf(name), fallback, *given.value));
-  } else if (auto excess = excessOf(pathOf(name), *value)) {
-    tell(name, *std::move(excess));
+    tell(given.name, misfitOf(path, fallback, *given.value));
+  } else if (auto excess = excessOf(path, *value)) {
+    tell(given.name, *std::move(excess));
     value.reset();
+  } else if (const auto cut = cutNumbers(*value)) {
+    tell(given.name,
+         base::warning("nav2.number-cut", {path, *cut, std::copysign(kMostNumber, *cut)}));
   }
   return value;
 }
@@ -132,36 +161,38 @@ Nav2Block NodeReader::read(const std::string& prefix, const Nav2Keys& keys) {
   Nav2Block block;
   for (const Nav2Keys::Row& row : keys.rows) {
     const std::string name = prefix + row.name;
-    const GivenParameter* const given = parameters_.find(name);
-    const bool isHere = isIn(row.distros, distro_);
-    if (isHere) {
-      known_.push_back(name);
-      const std::string fallback = valueText(row.fallback);
-      notes_.known.push_back({pathOf(name), parameters_.node,
-                              given != nullptr ? valueText(*given->value) : fallback, fallback,
-                              nav2TypeName(row.fallback), row.unit, row.meaning, given != nullptr});
-    }
-    if (given == nullptr) {
-      if (isHere) {
-        notes_.defaults.push_back({pathOf(name), valueText(row.fallback)});
-      }
-      continue;
-    }
-    if (!isHere) {
-      if (!keys.isKnown(row.name, distro_)) {  // nor by another row
+    GivenParameter* const given = parameters_.find(name);
+    if (!isIn(row.distros, distro_)) {
+      if (given != nullptr && !keys.isKnown(row.name, distro_)) {  // nor by another row
         note(*given, KeyUse::OtherDistro, "a key of " + distroTitles(row.distros));
       }
       continue;
     }
-    note(*given, KeyUse::Used, {});
-    if (auto value = soundValue(*given, name, row.fallback)) {
-      block[row.name] = *std::move(value);
+    known_.push_back(name);
+    if (given != nullptr && given->isPlaceholder && asked_.count(name) == 0) {
+      tellPlaceholder(*given, row.fallback);
+    } else if (given != nullptr && !given->isPlaceholder) {
+      if (auto value = soundValue(*given, row.fallback)) {
+        block[row.name] = *std::move(value);
+      }
     }
+    noteKnown(row, name, given != nullptr && !given->isPlaceholder ? given : nullptr);
   }
   for (const Nav2Keys::Idle& idle : keys.idle) {
     know(prefix + idle.name, idle.why, idle.distros);
   }
   return block;
+}
+
+void NodeReader::noteKnown(const Nav2Keys::Row& row, const std::string& name,
+                           const GivenParameter* given) {
+  const std::string fallback = valueText(row.fallback);
+  notes_.known.push_back({pathOf(name), parameters_.node,
+                          given != nullptr ? valueText(*given->value) : fallback, fallback,
+                          nav2TypeName(row.fallback), row.unit, row.meaning, given != nullptr});
+  if (given == nullptr) {
+    notes_.defaults.push_back({pathOf(name), fallback});
+  }
 }
 
 void NodeReader::know(const std::string& name, const std::string& why, unsigned distros) {
@@ -223,11 +254,16 @@ void NodeReader::keepOnly(const std::string& prefix, const Nav2Keys& keys, const
 
 void NodeReader::tell(const std::string& name, base::Diagnostic problem) {
   const GivenParameter* const given = parameters_.find(name);
-  problem.file = file_;
-  problem.line = given != nullptr ? given->value->line : parameters_.line;
-  problem.column = given != nullptr ? given->value->column : 0;
-  if (given != nullptr && given->value->tag == kSetTag) {
-    problem.line = problem.column = 0;
+  problem.file = parameters_.file;
+  problem.line = parameters_.line;
+  problem.column = 0;
+  if (given != nullptr && given->value->tag == kSetTag) {  // has no place in a file
+    problem.line = 0;
+  } else if (given != nullptr) {
+    const bool isNull = given->value->isNull();  // its place is that of what follows
+    problem.file = given->file;
+    problem.line = isNull ? given->value->keyLine : given->value->line;
+    problem.column = isNull ? given->value->keyColumn : given->value->column;
   }
   notes_.problems.push_back(std::move(problem));
 }

@@ -33,12 +33,14 @@ struct KeyNote {
   std::string value;  // as written
   int line = 0, column = 0;
   KeyUse use = KeyUse::Used;
-  std::string why;  // of those without effect
+  std::string why;        // of those without effect
+  std::string file = {};  // that has it; empty: it is given outside of files
 };
 /// Where a node stands in the file.
 struct NodeNote {
   std::string node;
   int line = 0;
+  std::string file = {};
 };
 /// A key that the file does not have: Nav2's code has this default, whatever its examples say.
 struct DefaultNote {
@@ -66,7 +68,7 @@ struct ReadingNotes {
 /// One node while it is read. What nobody asked for is unknown.
 class NodeReader {
  public:
-  NodeReader(NodeParameters parameters, Distro distro, std::string file, ReadingNotes& notes);
+  NodeReader(NodeParameters parameters, Distro distro, ReadingNotes& notes);
 
   const std::string& node() const { return parameters_.node; }
   Distro distro() const { return distro_; }
@@ -126,7 +128,15 @@ class NodeReader {
   void know(const std::string& name, const std::string& why, unsigned distros = kEveryDistro);
   /// The problem, at the place of the parameter; at that of the node when it is absent.
   void tell(const std::string& name, base::Diagnostic problem);
-  bool has(const std::string& name) const { return parameters_.find(name) != nullptr; }
+  /// Given, and no placeholder.
+  bool has(const std::string& name) const {
+    return parameters_.find(name) != nullptr && !isPlaceholder(name);
+  }
+  /// Given, but launch files replace the value ("KEEPOUT_ZONE_ENABLED"): it counts as absent.
+  bool isPlaceholder(const std::string& name) const {
+    const GivenParameter* const given = parameters_.find(name);
+    return given != nullptr && given->isPlaceholder;
+  }
 
   /// Keys that were not read are unknown; the problem has the nearest name of the same block. A
   /// block without known keys is one problem, not one per key.
@@ -146,6 +156,9 @@ class NodeReader {
         key.member);
   }
   void note(const GivenParameter& parameter, KeyUse use, std::string why);
+  /// A warning with the default that counts instead.
+  void tellPlaceholder(GivenParameter& given, const Nav2Value& fallback);
+  void noteKnown(const Nav2Keys::Row& row, const std::string& name, const GivenParameter* given);
   void noteUnlisted();
   void noteUnknown();
   /// The outermost block around a key that has no known keys, with a '.' at its end; or empty.
@@ -153,14 +166,12 @@ class NodeReader {
   std::vector<std::string> namesBeside(const std::string& name) const;
   std::vector<std::string> blocksBeside(const std::string& block) const;
   /// The value as the kind of the fallback; what does not fit is told.
-  std::optional<Nav2Value> soundValue(const GivenParameter& given, const std::string& name,
-                                      const Nav2Value& fallback);
+  std::optional<Nav2Value> soundValue(GivenParameter& given, const Nav2Value& fallback);
   std::string pathOf(const std::string& name) const { return parameters_.node + "." + name; }
 
   NodeParameters parameters_;
   std::vector<std::shared_ptr<const base::YamlNode>> supplied_;  // of parameters_
   Distro distro_;
-  std::string file_;
   ReadingNotes& notes_;
   std::set<std::string> asked_;     // given ones
   std::vector<std::string> known_;  // names that there are, given or not

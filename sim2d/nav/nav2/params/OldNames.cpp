@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/Placeholders.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
 
 namespace sim2d::nav2 {
@@ -108,27 +108,15 @@ void renameRanges(NodeReader& node, std::vector<std::string>& renamed) {
   }
 }
 
-bool isPlaceholder(const std::string& text) {
-  const bool isWord = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return std::isupper(c) != 0 || std::isdigit(c) != 0 || c == '_';
-  });
-  return isWord &&
-         (text.find("OVERRID") != std::string::npos || text.find("OVERWRIT") != std::string::npos ||
-          text.find("PLACEHOLDER") != std::string::npos ||
-          text.find("TO_BE_") != std::string::npos);
-}
-
-/// The word in a value that launch files replace; empty: none.
-std::string placeholderIn(const base::YamlNode& value) {
-  if (value.isScalar()) {
-    return isPlaceholder(value.text) ? value.text : std::string();
+/// The placeholder in a list of plugins; empty: there is none.
+std::string placeholderIn(const std::string& name, const base::YamlNode& value) {
+  if (isLaunchPlaceholder(name, value)) {
+    return value.text;
   }
-  for (const base::YamlNode& item : value.items) {
-    if (value.isList() && isPlaceholder(item.text)) {
-      return item.text;
-    }
-  }
-  return {};
+  const auto found =
+      std::find_if(value.items.begin(), value.items.end(),
+                   [](const base::YamlNode& item) { return isPlaceholderText(item.text); });
+  return found == value.items.end() ? std::string() : found->text;
 }
 
 bool isEmptyList(const base::YamlNode& value) {
@@ -156,10 +144,6 @@ std::string listOf(const std::string& node, const std::string& type) {
                                     : "controller_plugins";
   }
   return has("Filter") ? "filters" : "plugins";
-}
-
-bool isListOfPlugins(const std::string& name) {
-  return name == "plugins" || name == "filters" || endsWith(name, "_plugins");
 }
 
 /// Names of the plugins whose blocks belong to a list, in the order of the file; those of costmaps
@@ -207,26 +191,31 @@ void readOldNames(NodeReader& node, bool isOld) {
   }
 }
 
-void readPlaceholders(NodeReader& node) {
+void readMissingLists(NodeReader& node) {
   struct Absent {
-    std::string name, word;
+    std::string name, placeholder;
+    base::YamlNode place;
   };
   std::vector<Absent> absent;
   for (const GivenParameter& given : node.parameters().given) {
-    const std::string word = placeholderIn(*given.value);
-    if (!word.empty() || (isNeeded(given.name) && isEmptyList(*given.value))) {
-      absent.push_back({given.name, word});
+    const bool isList = isListOfPlugins(given.name);
+    const std::string placeholder =
+        isList ? placeholderIn(given.name, *given.value) : std::string();
+    if (!placeholder.empty() || (isNeeded(given.name) && isEmptyList(*given.value))) {
+      absent.push_back({given.name, placeholder, *given.value});
     }
   }
-  for (const auto& [name, word] : absent) {
+  for (const auto& [name, placeholder, place] : absent) {
+    const std::vector<std::string> blocks = blocksOf(node, name);
+    if (!placeholder.empty() && blocks.empty()) {
+      continue;  // Nav2's own list, as for other placeholders
+    }
     const std::string path = node.node() + "." + name;
-    const std::vector<std::string> blocks =
-        isListOfPlugins(name) ? blocksOf(node, name) : std::vector<std::string>();
     const std::string instead =
         blocks.empty() ? "Nav2's default counts" : "its blocks count: " + base::join(blocks, ", ");
-    node.tell(name, word.empty() ? base::warning("nav2.empty-list", {path, instead})
-                                 : base::warning("nav2.placeholder", {path, word, instead}));
-    const base::YamlNode place = *node.parameters().find(name)->value;
+    node.tell(name, placeholder.empty()
+                        ? base::warning("nav2.empty-list", {path, instead})
+                        : base::warning("nav2.list-placeholder", {path, placeholder, instead}));
     node.markUsed(name);
     node.drop(name);
     if (!blocks.empty()) {

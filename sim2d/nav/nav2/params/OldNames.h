@@ -13,9 +13,9 @@ namespace sim2d::nav2 {
 /// `isOld`: the file has a node that only those branches have (recoveries_server).
 void readOldNames(NodeReader& node, bool isOld);
 
-/// Values that launch files replace (TO_BE_OVERRIDDEN) and empty lists of planners, controllers and
-/// their checkers count as absent, with a warning. A list of plugins then has the plugins whose
-/// blocks are in the node.
-void readPlaceholders(NodeReader& node);
+/// Lists of plugins that are placeholders, and empty lists of planners, controllers and their
+/// checkers, get the plugins whose blocks are in the node, with a warning. An empty list without
+/// blocks counts as absent.
+void readMissingLists(NodeReader& node);
 
 }  // namespace sim2d::nav2

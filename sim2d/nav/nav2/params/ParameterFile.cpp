@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <cstddef>
 #include <utility>
 
 #include "sim2d/base/Text.h"
 #include "sim2d/base/yaml/RepeatedKeys.h"
+#include "sim2d/nav/nav2/params/ParameterNodes.h"
 #include "sim2d/nav/nav2/params/RosValue.h"
 
 namespace sim2d::nav2 {
@@ -14,157 +15,22 @@ namespace {
 
 using base::YamlNode;
 
-constexpr const char* kParameters = "ros__parameters";
-constexpr const char* kForAll = "/**";
-constexpr std::size_t kDeepest = 64;           // maps within each other
-constexpr std::size_t kMostParameters = 5000;  // of all nodes; files of Nav2 have some 300
-constexpr std::size_t kMostNodes = 500;        // with parameters
-constexpr std::size_t kLongestValue = 100000;  // characters; a footprint has some 60
-constexpr std::size_t kMostValues = 1000;      // of a list
+constexpr const char* kAssigns = ":=";  // in what ROS 2 takes for one parameter
 
-bool isForAllNodes(const std::string& node) {
-  return node == "**" || node == "*";
+/// Braces of Jinja, xacro or Helm, which are no YAML; those in quotes are a value like others.
+std::optional<base::Diagnostic> unfilledTemplate(std::string_view text, const std::string& file) {
+  int line = 0;
+  for (const std::string& content : base::split(text, '\n')) {
+    ++line;
+    for (const std::string_view braces : {"{{", "{%"}) {
+      const std::size_t at = content.find(braces);
+      if (at != std::string::npos && content.find_first_of("#\"'") >= at) {
+        return base::error("nav2.template", {braces}, file, line, static_cast<int>(at) + 1);
+      }
+    }
+  }
+  return std::nullopt;
 }
-
-void put(std::vector<GivenParameter>& to, GivenParameter parameter) {
-  to.erase(std::remove_if(to.begin(), to.end(),
-                          [&](const GivenParameter& old) { return old.name == parameter.name; }),
-           to.end());
-  to.push_back(std::move(parameter));
-}
-
-/// Values below a map, no further than one beyond the limit.
-std::size_t countValues(const YamlNode& map, std::size_t depth) {
-  std::size_t count = 0;
-  for (const YamlNode& item : map.items) {
-    count += item.isMap() && depth < kDeepest ? countValues(item, depth + 1) : 1;
-    if (count > kMostParameters) {
-      break;
-    }
-  }
-  return count;
-}
-
-bool isTooLong(const YamlNode& value) {
-  const auto isLong = [](const YamlNode& item) { return item.text.size() > kLongestValue; };
-  return isLong(value) || value.items.size() > kMostValues ||
-         std::any_of(value.items.begin(), value.items.end(), isLong);
-}
-
-/// `a.b: 1` and `a: {b: 2}` are the same parameter, as is a key that is repeated.
-class Flattening {
- public:
-  Flattening(std::vector<GivenParameter>& to, const std::string& file, base::Diagnostics& problems)
-      : to_(to), file_(file), problems_(problems) {}
-
-  void add(const YamlNode& map, const std::string& prefix, std::size_t depth) {
-    for (const YamlNode& item : map.items) {
-      const std::string name = prefix + item.key;
-      if (item.isMap() && depth < kDeepest) {
-        add(item, name + ".", depth + 1);
-        continue;
-      }
-      const auto [before, isNew] = values_.emplace(name, &item);
-      if (!isNew) {
-        problems_.push_back(base::repeatedKey(name, item, *before->second, file_));
-        before->second = &item;
-      }
-      put(to_, {name, &item, false});
-    }
-  }
-
- private:
-  std::vector<GivenParameter>& to_;
-  const std::string& file_;
-  base::Diagnostics& problems_;
-  std::map<std::string, const YamlNode*> values_;
-};
-
-/// Finds the nodes below a map; `path` is the way to it, with '/' between.
-class NodeSearch {
- public:
-  NodeSearch(std::vector<NodeParameters>& nodes, base::Diagnostics& problems,
-             const std::string& file)
-      : nodes_(nodes), problems_(problems), file_(file) {}
-
-  void look(const YamlNode& map, const std::string& path, std::size_t depth) {
-    for (const YamlNode& item : map.items) {
-      const std::string here = joined(path, item.key);
-      if (item.key == kParameters) {
-        add(item, path, map.keyLine);
-      } else if (item.isMap() && depth < kDeepest) {
-        look(item, here, depth + 1);
-      } else if (!item.isNull()) {
-        problems_.push_back(
-            base::warning("nav2.outside-node", {here}, file_, item.keyLine, item.keyColumn));
-      }
-    }
-  }
-
- private:
-  static std::string joined(const std::string& path, const std::string& key) {
-    const bool hasSlash = !key.empty() && key.front() == '/';
-    return path + (hasSlash || path.empty() ? key : "/" + key);
-  }
-
-  void add(const YamlNode& parameters, const std::string& path, int line) {
-    if (!parameters.isMap()) {
-      if (!parameters.isNull()) {
-        problems_.push_back(base::error("yaml.no-map", {valueText(parameters)}, file_,
-                                        parameters.line, parameters.column));
-      }
-      return;
-    }
-    NodeParameters node;
-    const std::size_t slash = path.rfind('/');
-    node.node = slash == std::string::npos ? path : path.substr(slash + 1);
-    node.nameSpace = slash == std::string::npos ? "" : path.substr(0, slash);
-    node.line = line;
-    const bool isForAll = isForAllNodes(node.node);
-    if (isForAll) {
-      node.node = kForAll;
-    }
-    // A costmap's node lies in a namespace of its own name.
-    const std::string own = "/" + node.node;
-    if (node.nameSpace == node.node) {
-      node.nameSpace.clear();
-    } else if (node.nameSpace.size() > own.size() &&
-               node.nameSpace.compare(node.nameSpace.size() - own.size(), own.size(), own) == 0) {
-      node.nameSpace.resize(node.nameSpace.size() - own.size());
-    }
-    if (node.nameSpace == kForAll || node.nameSpace == "**") {
-      node.nameSpace.clear();
-    }
-    count_ += countValues(parameters, 0);
-    if (count_ > kMostParameters || nodes_.size() >= kMostNodes) {
-      refuseMasses(parameters);
-      return;
-    }
-    Flattening(node.given, file_, problems_).add(parameters, {}, 0);
-    for (GivenParameter& given : node.given) {
-      given.isForAll = isForAll;
-      if (isTooLong(*given.value)) {
-        problems_.push_back(base::error("nav2.value-too-long",
-                                        {given.name, kLongestValue, kMostValues}, file_,
-                                        given.value->keyLine, given.value->keyColumn));
-      }
-    }
-    nodes_.push_back(std::move(node));
-  }
-
-  void refuseMasses(const YamlNode& parameters) {
-    if (!std::exchange(isRefused_, true)) {
-      problems_.push_back(base::error("nav2.too-many-parameters", {kMostParameters, kMostNodes},
-                                      file_, parameters.keyLine, parameters.keyColumn));
-    }
-  }
-
-  std::vector<NodeParameters>& nodes_;
-  base::Diagnostics& problems_;
-  const std::string& file_;
-  std::size_t count_ = 0;  // of parameters
-  bool isRefused_ = false;
-};
 
 bool isNamespaceOf(const std::string& nameSpace, const std::string& robot) {
   return nameSpace == robot || nameSpace == "/" + robot;
@@ -179,21 +45,26 @@ const GivenParameter* NodeParameters::find(std::string_view name) const {
   return found == given.end() ? nullptr : &*found;
 }
 
+GivenParameter* NodeParameters::find(std::string_view name) {
+  return const_cast<GivenParameter*>(std::as_const(*this).find(name));
+}
+
 base::Result<ParameterFile> ParameterFile::parse(std::string_view text, const std::string& file) {
   base::Diagnostics problems;
   auto tree = std::make_shared<YamlNode>(
       base::parseYaml(text, file, base::RepeatedKeys::LastCounts, problems));
   if (base::hasErrors(problems)) {
-    return problems;
+    const std::optional<base::Diagnostic> unfilled = unfilledTemplate(text, file);
+    return unfilled ? base::Diagnostics{*unfilled} : problems;
   }
   ParameterFile result;
-  result.file_ = file;
+  result.files_ = {file};
   if (!tree->isMap()) {
     problems.push_back(base::error("nav2.no-parameters", {}, file));
     return problems;
   }
-  NodeSearch(result.nodes_, problems, file).look(*tree, {}, 0);
-  result.tree_ = std::move(tree);
+  result.nodes_ = findNodes(*tree, file, problems);
+  result.trees_.push_back(std::move(tree));
   if (result.nodes_.empty()) {
     problems.push_back(base::error("nav2.no-parameters", {}, file));
   }
@@ -232,41 +103,72 @@ std::vector<const NodeParameters*> ParameterFile::nodesOf(std::string_view node,
 }
 
 NodeParameters ParameterFile::parametersOf(std::string_view node, const std::string& robot) const {
+  std::vector<const NodeParameters*> parts = nodesOf(kForAllNodes, robot);
+  const std::vector<const NodeParameters*> own = nodesOf(node, robot);
+  parts.insert(parts.end(), own.begin(), own.end());
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const NodeParameters* a, const NodeParameters* b) {
+                     return a->order < b->order;  // in a file, what is for all nodes stays first
+                   });
   NodeParameters all;
   all.node = node;
-  const auto take = [&all](const NodeParameters& from) {
-    for (const GivenParameter& parameter : from.given) {
-      put(all.given, parameter);
+  all.file = file();
+  for (const NodeParameters* const part : parts) {
+    if (part->node == node && part->line > 0) {
+      all.line = part->line;
+      all.nameSpace = part->nameSpace;
+      all.file = part->file;
     }
-  };
-  for (const NodeParameters& each : nodes_) {
-    if (each.node == kForAll) {
-      take(each);
+    for (const GivenParameter& parameter : part->given) {
+      putParameter(all.given, parameter);
     }
-  }
-  for (const NodeParameters* const each : nodesOf(node, robot)) {
-    all.line = each->line;
-    all.nameSpace = each->nameSpace;
-    take(*each);
   }
   return all;
 }
 
+void ParameterFile::append(const ParameterFile& later) {
+  const int first = lastOrder_ + 1;
+  files_.insert(files_.end(), later.files_.begin(), later.files_.end());
+  trees_.insert(trees_.end(), later.trees_.begin(), later.trees_.end());
+  nodes_.reserve(nodes_.size() + later.nodes_.size());
+  for (NodeParameters node : later.nodes_) {
+    node.order += first;
+    nodes_.push_back(std::move(node));
+  }
+  lastOrder_ = first + later.lastOrder_;
+}
+
+void ParameterFile::putLast(const std::string& node, const std::string& name, YamlNode value) {
+  value.key = name;
+  trees_.push_back(std::make_shared<const YamlNode>(std::move(value)));
+  nodes_.push_back({node, {}, 0, {{name, trees_.back().get()}}, {}, ++lastOrder_});
+}
+
 void ParameterFile::set(const std::string& node, const std::string& name, YamlNode value) {
   value.tag = kSetTag;
-  value.key = name;
-  set_.push_back(std::make_shared<const YamlNode>(std::move(value)));
-  const GivenParameter parameter{name, set_.back().get(), false};
-  bool isThere = false;
-  for (NodeParameters& each : nodes_) {
-    if (each.node == node) {
-      put(each.given, parameter);
-      isThere = true;
-    }
+  putLast(node, name, std::move(value));
+}
+
+void ParameterFile::override(const std::string& node, const std::string& name, YamlNode value) {
+  value.line = value.column = value.keyLine = value.keyColumn = 0;  // it stands in no file
+  putLast(node, name, std::move(value));
+}
+
+std::optional<ParameterOverride> parameterOverride(const std::string& text) {
+  const std::size_t assigns = text.find(kAssigns);
+  if (assigns == std::string::npos) {
+    return std::nullopt;
   }
-  if (!isThere) {
-    nodes_.push_back({node, {}, 0, {parameter}});
+  std::string node, name = text.substr(0, assigns);
+  if (const std::size_t colon = name.rfind(':'); colon != std::string::npos) {
+    node = name.substr(0, colon);
+    node = node.substr(node.rfind('/') + 1);  // of whichever namespace
+    name = name.substr(colon + 1);
   }
+  if (node == "**" || node == "*") {
+    node.clear();
+  }
+  return ParameterOverride{node, name, text.substr(assigns + std::string_view(kAssigns).size())};
 }
 
 bool looksLikeNav2(std::string_view text) {
@@ -281,11 +183,16 @@ bool looksLikeNav2(std::string_view text) {
                                                               "collision_monitor",
                                                               "recoveries_server",
                                                               "amcl"};
-  return text.find(kParameters) != std::string_view::npos &&
-         text.find("hunav_loader") == std::string_view::npos &&
-         std::any_of(kNodes.begin(), kNodes.end(), [text](std::string_view node) {
-           return text.find(node) != std::string_view::npos;
-         });
+  if (text.find("hunav_loader") != std::string_view::npos) {
+    return false;
+  }
+  const bool hasParameters = text.find("ros__parameters") != std::string_view::npos;
+  return std::any_of(kNodes.begin(), kNodes.end(), [&](std::string_view node) {
+    const std::string block = std::string(node) + ":";  // without ros__parameters: a mistake in it
+    return hasParameters ? text.find(node) != std::string_view::npos
+                         : text.substr(0, block.size()) == block ||
+                               text.find("\n" + block) != std::string_view::npos;
+  });
 }
 
 }  // namespace sim2d::nav2

@@ -15,7 +15,7 @@ std::vector<std::string> pluginNames(NodeReader& node, const std::string& list,
   std::vector<std::string> once;
   for (const std::string& name : names) {
     if (std::find(once.begin(), once.end(), name) != once.end()) {
-      node.tell(list, base::error("nav2.plugin-twice", {list, name}));
+      node.tell(list, base::warning("nav2.plugin-twice", {list, name}));
     } else if (!name.empty()) {
       once.push_back(name);
     }
@@ -28,7 +28,7 @@ std::string pluginClass(NodeReader& node, const std::string& name, const std::st
   if (const auto given = node.value<std::string>(key)) {
     return *given;
   }
-  if (!node.has(key) && fallback.empty()) {
+  if (!node.has(key) && fallback.empty() && !node.isPlaceholder(key)) {
     node.tell(key, base::error("nav2.no-plugin", {node.node(), name}));
   }
   return fallback;

@@ -10,7 +10,7 @@
 /// Reading of the plugins that a server lists. Private to this folder.
 namespace sim2d::nav2 {
 
-/// Names of a list of plugins, each once; twice is an error.
+/// Names of a list of plugins, each once; a warning for the others.
 std::vector<std::string> pluginNames(NodeReader& node, const std::string& list,
                                      const std::vector<std::string>& names);
 

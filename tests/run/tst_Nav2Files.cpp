@@ -1,0 +1,368 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/run/Bundle.h"
+#include "app/run/Nav2Body.h"
+#include "app/run/Nav2Robots.h"
+#include "sim2d/base/Text.h"
+#include "sim2d/nav/Body.h"
+
+/// Files of Nav2 as a robot has them: several parameter files, trees by their places on the robot,
+/// the robot's body, strict checks.
+class Nav2FilesTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase();
+  void severalFiles_laterOnesWin();
+  void severalFiles_areAllInputsOfTheRun();
+  void singleValuesAlone_areOverTheScenariosFile();
+  void singleValue_thatNoParameterFits_isAnError();
+  void scenario_listOfFiles_isRead();
+  void tree_byItsPlaceOnTheRobot_isFound_data();
+  void tree_byItsPlaceOnTheRobot_isFound();
+  void tree_thatIsNotFound_isAWarningAndNav2sOwn();
+  void check_tree_thatIsNotFound_isReported();
+  void body_ofTheFile_isTheRobots_data();
+  void body_ofTheFile_isTheRobots();
+  void body_thatTheFileLacks_isAWarning();
+  void strict_substitution_isAnErrorWithoutARun();
+  void manifest_substitutions_haveFileLineWhatAndByWhat();
+
+ private:
+  std::string write(const char* name, const std::string& text) const {
+    const QString path = folder_.filePath(QString::fromLatin1(name));
+    QDir().mkpath(QFileInfo(path).path());
+    return base::writeFileAtomically(path.toStdString(), text).empty() ? path.toStdString()
+                                                                       : std::string();
+  }
+  /// Of a robot in an open plane that these files drive.
+  app::RunOptions optionsOf(const std::vector<std::string>& params) const {
+    app::RunOptions options;
+    options.scenario = scenario_;
+    options.planner = "nav2";
+    options.nav2Params = params;
+    return options;
+  }
+
+  QTemporaryDir folder_;
+  std::string scenario_, pursuit_;
+};
+
+namespace {
+
+const std::string kController = R"(controller_server:
+  ros__parameters:
+    FollowPath:
+      plugin: "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitController"
+      desired_linear_vel: 0.4
+)";
+
+app::Bundle bundleOf(const app::RunOptions& options, bool isStrict = false) {
+  app::RunSettings settings;
+  settings.strict = isStrict;
+  return app::readBundle(options, settings, sim2d::ImageLoader());
+}
+
+app::Verdict verdictOf(const app::RunOptions& options, bool isStrict = false) {
+  return app::check(bundleOf(options, isStrict));
+}
+
+std::string textsOf(const base::Diagnostics& problems) {
+  std::string text;
+  for (const base::Diagnostic& problem : problems) {
+    text += problem.text() + "\n";
+  }
+  return text;
+}
+
+std::string allOf(const app::Verdict& verdict) {
+  return textsOf(verdict.wrongWords) + textsOf(verdict.problems) + textsOf(verdict.worldRemarks);
+}
+
+/// What the manifest has of the robot's navigator.
+nlohmann::json reportOf(const app::Verdict& verdict) {
+  const std::vector<std::string> reports =
+      verdict.world ? verdict.world->robotReports() : std::vector<std::string>();
+  return reports.empty() || reports.front().empty() ? nlohmann::json()
+                                                    : nlohmann::json::parse(reports.front());
+}
+
+std::string keyOf(const nlohmann::json& report, const std::string& key) {
+  for (const nlohmann::json& each : report.at("keys")) {
+    if (each.at("key") == key) {
+      return each.at("value");
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+void Nav2FilesTest::initTestCase() {
+  scenario_ = write("plane.yaml", R"(hunav_loader:
+  ros__parameters:
+    map: none
+    agents: [anna]
+    anna:
+      id: 1
+      skin: 0
+      group_id: -1
+      max_vel: 0.5
+      radius: 0.3
+      init_pose: {x: 4.0, y: 30.0, z: 1.25, h: 0.0}
+      goal_radius: 0.3
+      cyclic_goals: false
+      goals: [1]
+      behavior: {type: Regular, configuration: 0, goal_force_factor: 2.0, obstacle_force_factor: 10.0, social_force_factor: 5.0, other_force_factor: 20.0}
+    global_goals:
+      1: {x: 4.0, y: 30.0}
+hunavsim_desktop:
+  ros__parameters:
+    format: 1
+    map_file: none
+    robots: [robot1]
+    robot1:
+      start: {x: 0.0, y: 0.0, h: 0.0}
+      goal: {x: 8.0, y: 0.0}
+)");
+  pursuit_ = write("nav/config/pursuit.yaml", kController);
+}
+
+void Nav2FilesTest::severalFiles_laterOnesWin() {
+  const std::string faster = write(
+      "nav/config/faster.yaml",
+      "/**:\n  ros__parameters:\n    FollowPath.desired_linear_vel: 0.5\n    use_sim_time: true\n");
+  const std::string speed = "controller_server.FollowPath.desired_linear_vel";
+  QCOMPARE(keyOf(reportOf(verdictOf(optionsOf({pursuit_}))), speed), std::string("0.4"));
+  QCOMPARE(keyOf(reportOf(verdictOf(optionsOf({pursuit_, faster}))), speed), std::string("0.5"));
+  QCOMPARE(keyOf(reportOf(verdictOf(optionsOf({faster, pursuit_}))), speed), std::string("0.4"));
+  QCOMPARE(keyOf(reportOf(verdictOf(optionsOf(
+                     {pursuit_, "controller_server.FollowPath.desired_linear_vel:=0.3", faster}))),
+                 speed),
+           std::string("0.5"));
+  QCOMPARE(keyOf(reportOf(verdictOf(optionsOf(
+                     {pursuit_, faster, "controller_server:FollowPath.desired_linear_vel:=0.3"}))),
+                 speed),
+           std::string("0.3"));
+}
+
+void Nav2FilesTest::severalFiles_areAllInputsOfTheRun() {
+  const std::string other =
+      write("nav/other.yaml", "controller_server:\n  ros__parameters: {use_sim_time: true}\n");
+  const std::string single = "FollowPath.desired_linear_vel:=0.3";
+  const app::Bundle bundle = bundleOf(optionsOf({pursuit_, single, other}));
+  for (const std::string& file : {pursuit_, other}) {
+    QVERIFY2(std::count(bundle.inputs.begin(), bundle.inputs.end(), file) == 1, file.c_str());
+  }
+  const nlohmann::json report = reportOf(app::check(bundle));
+  QCOMPARE(report.at("params_files").get<std::vector<std::string>>(),
+           (std::vector<std::string>{pursuit_, other}));
+  QCOMPARE(report.at("params_overrides").get<std::vector<std::string>>(),
+           std::vector<std::string>{single});
+}
+
+void Nav2FilesTest::singleValuesAlone_areOverTheScenariosFile() {
+  app::RunOptions options = optionsOf({"FollowPath.desired_linear_vel:=0.25"});
+  options.set = {"robot1.nav2_params=" + pursuit_};
+  const app::Verdict verdict = verdictOf(options);
+  QVERIFY2(verdict.world != nullptr, allOf(verdict).c_str());
+  const nlohmann::json report = reportOf(verdict);
+  QCOMPARE(report.at("params").get<std::string>(), pursuit_);
+  QCOMPARE(keyOf(report, "controller_server.FollowPath.desired_linear_vel"), std::string("0.25"));
+}
+
+void Nav2FilesTest::singleValue_thatNoParameterFits_isAnError() {
+  for (const char* const value :
+       {"FollowPath.desired_linear_vell:=0.3", "FollowPath.desired_linear_vel:=1",
+        "controller_server:FollowPath.desired_linear_vel:="}) {
+    const app::Verdict verdict = verdictOf(optionsOf({pursuit_, value}));
+    QVERIFY2(verdict.world == nullptr, value);
+    QVERIFY2(allOf(verdict).find("desired_linear_vel") != std::string::npos,
+             allOf(verdict).c_str());
+  }
+}
+
+void Nav2FilesTest::scenario_listOfFiles_isRead() {
+  app::RunOptions options = optionsOf({});
+  options.set = {"robot1.nav2_params=[" + pursuit_ + ", FollowPath.desired_linear_vel:=0.2]"};
+  const app::Verdict verdict = verdictOf(options);
+  QVERIFY2(verdict.world != nullptr, allOf(verdict).c_str());
+  QCOMPARE(keyOf(reportOf(verdict), "controller_server.FollowPath.desired_linear_vel"),
+           std::string("0.2"));
+}
+
+void Nav2FilesTest::tree_byItsPlaceOnTheRobot_isFound_data() {
+  QTest::addColumn<QString>("named");
+  QTest::addColumn<QString>("file");  // below the folder; empty: a shipped one
+  QTest::newRow("package") << "$(find-pkg-share nav)/trees/mine.xml"
+                           << "nav/trees/mine.xml";
+  QTest::newRow("installed") << "/opt/ros/jazzy/share/my_nav/behavior_trees/mine.xml"
+                             << "nav/trees/mine.xml";
+  QTest::newRow("url") << "package://nav/trees/mine.xml"
+                       << "nav/trees/mine.xml";
+  QTest::newRow("Nav2's own") << "/opt/ros/humble/share/nav2_bt_navigator/behavior_trees/"
+                                 "navigate_to_pose_w_replanning_and_recovery.xml"
+                              << "";
+}
+
+void Nav2FilesTest::tree_byItsPlaceOnTheRobot_isFound() {
+  QFETCH(QString, named);
+  QFETCH(QString, file);
+  write("nav/trees/mine.xml",
+        "<root main_tree_to_execute=\"MainTree\"><BehaviorTree ID=\"MainTree\">"
+        "<PipelineSequence name=\"N\"><ComputePathToPose goal=\"{goal}\" path=\"{path}\"/>"
+        "<FollowPath path=\"{path}\"/></PipelineSequence></BehaviorTree></root>");
+  const std::string params =
+      write("nav/config/with_tree.yaml",
+            kController + "bt_navigator:\n  ros__parameters:\n    default_nav_to_pose_bt_xml: \"" +
+                named.toStdString() + "\"\n");
+  const app::Verdict verdict = verdictOf(optionsOf({params}));
+  QVERIFY2(verdict.world != nullptr, allOf(verdict).c_str());
+  QVERIFY2(allOf(verdict).find("was not found") == std::string::npos, allOf(verdict).c_str());
+  const std::string tree = reportOf(verdict).at("tree");
+  if (file.isEmpty()) {
+    QVERIFY2(tree.find("nav2_trees") != std::string::npos, tree.c_str());
+  } else {
+    QCOMPARE(tree, folder_.filePath(file).toStdString());
+  }
+}
+
+void Nav2FilesTest::tree_thatIsNotFound_isAWarningAndNav2sOwn() {
+  const std::string params =
+      write("nav/config/no_tree.yaml",
+            kController +
+                "bt_navigator:\n  ros__parameters:\n    default_nav_to_pose_bt_xml: "
+                "$(find-pkg-share nav)/nowhere.xml\n");
+  const app::Verdict verdict = verdictOf(optionsOf({params}));
+  QVERIFY2(verdict.world != nullptr, allOf(verdict).c_str());
+  const std::string text = allOf(verdict);
+  const std::string told = params +
+                           ":8:33: warning: robot 'robot1': bt_navigator: "
+                           "default_nav_to_pose_bt_xml: '$(find-pkg-share nav)/nowhere.xml' was "
+                           "not found (searched in " +
+                           folder_.filePath(QStringLiteral("nav")).toStdString();
+  const std::string plain = params + ":8:33: warning: bt_navigator: ";
+  QVERIFY2(text.find(told) != std::string::npos || text.find(plain) != std::string::npos,
+           text.c_str());
+  const std::string tree = reportOf(verdict).at("tree");
+  QVERIFY2(tree.find("navigate_to_pose_w_replanning_and_recovery.xml") != std::string::npos,
+           tree.c_str());
+}
+
+void Nav2FilesTest::check_tree_thatIsNotFound_isReported() {
+  const std::string params =
+      write("nav/config/no_trees.yaml",
+            kController +
+                "bt_navigator:\n  ros__parameters:\n    default_nav_through_poses_bt_xml: "
+                "nowhere.xml\n");
+  const std::string text = textsOf(app::checkNav2File(params));
+  QVERIFY2(text.find(params + ":8:39: warning: bt_navigator: default_nav_through_poses_bt_xml: "
+                              "'nowhere.xml' was not found") != std::string::npos,
+           text.c_str());
+}
+
+void Nav2FilesTest::body_ofTheFile_isTheRobots_data() {
+  QTest::addColumn<QString>("shape");
+  QTest::addColumn<double>("reach");  // [m]
+  QTest::addColumn<int>("corners");
+  QTest::newRow("radius") << "robot_radius: 0.175" << 0.175 << 0;
+  // the corner 0.3, 0.4 is 0.5 m away; the padding is not the body's
+  QTest::newRow("footprint") << "footprint: \"[[0.3, 0.4], [-0.3, 0.2], [-0.3, -0.2]]\"\n      "
+                                "footprint_padding: 0.1"
+                             << 0.5 << 3;
+}
+
+void Nav2FilesTest::body_ofTheFile_isTheRobots() {
+  QFETCH(QString, shape);
+  QFETCH(double, reach);
+  QFETCH(int, corners);
+  const std::string params =
+      write("nav/config/body.yaml", kController +
+                                        "local_costmap:\n  local_costmap:\n    "
+                                        "ros__parameters:\n      " +
+                                        shape.toStdString() + "\n");
+  app::RunOptions options = optionsOf({params});
+  const auto bodyIn = [](const app::Verdict& verdict) {
+    return verdict.world->header().robots.front();
+  };
+  const app::Verdict own = verdictOf(options);
+  QVERIFY2(own.world != nullptr, allOf(own).c_str());
+  QCOMPARE(bodyIn(own).radius, 0.35);  // of the general type
+  QVERIFY2(allOf(own).find("nav2_body: true takes the body") != std::string::npos,
+           allOf(own).c_str());
+  for (const bool isOption : {true, false}) {
+    options.nav2Body = isOption;
+    options.set =
+        isOption ? std::vector<std::string>() : std::vector<std::string>{"robot1.nav2_body=true"};
+    const app::Verdict taken = verdictOf(options);
+    QVERIFY2(taken.world != nullptr, allOf(taken).c_str());
+    QCOMPARE(bodyIn(taken).radius, reach);
+    QCOMPARE(static_cast<int>(bodyIn(taken).footprint.size()), corners);
+    QVERIFY2(allOf(taken).find(" reaches ") == std::string::npos, allOf(taken).c_str());
+  }
+}
+
+void Nav2FilesTest::body_thatTheFileLacks_isAWarning() {
+  app::RunOptions options = optionsOf({pursuit_});
+  options.nav2Body = true;
+  const app::Verdict verdict = verdictOf(options);
+  QVERIFY2(verdict.world != nullptr, allOf(verdict).c_str());
+  QVERIFY2(allOf(verdict).find("local_costmap has no footprint and no robot_radius") !=
+               std::string::npos,
+           allOf(verdict).c_str());
+  QVERIFY(verdictOf(options, true).world == nullptr);
+}
+
+void Nav2FilesTest::strict_substitution_isAnErrorWithoutARun() {
+  const std::string layers = R"(local_costmap:
+  local_costmap:
+    ros__parameters:
+      plugins: [sonar]
+      sonar: {plugin: "my_layers::SonarLayer"}
+)";
+  const std::string params = write("nav/config/layers.yaml", kController + layers);
+  const app::Verdict usual = verdictOf(optionsOf({params}));
+  QVERIFY2(usual.world != nullptr, allOf(usual).c_str());
+  const app::Verdict strict = verdictOf(optionsOf({params}), true);
+  QVERIFY(strict.world == nullptr);
+  QVERIFY2(allOf(strict).find(params + ":10:23: error: ") != std::string::npos,
+           allOf(strict).c_str());
+  QVERIFY(!base::hasErrors(verdictOf(optionsOf({pursuit_}), true).problems));
+}
+
+void Nav2FilesTest::manifest_substitutions_haveFileLineWhatAndByWhat() {
+  const std::string params = write("nav/config/replaced.yaml", kController + R"(
+    controller_frequency: FREQUENCY
+local_costmap:
+  local_costmap:
+    ros__parameters:
+      plugins: [sonar]
+      sonar: {plugin: "my_layers::SonarLayer"}
+)");
+  const nlohmann::json all = reportOf(verdictOf(optionsOf({params}))).at("substitutions");
+  const auto find = [&all](const char* kind) {
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const auto& each) { return each.at("kind") == kind; });
+    return found == all.end() ? nlohmann::json() : *found;
+  };
+  const nlohmann::json left = find("nav2.left-out");
+  QVERIFY2(!left.is_null(), all.dump().c_str());
+  QCOMPARE(left.at("file").get<std::string>(), params);
+  QCOMPARE(left.at("line").get<int>(), 12);
+  QCOMPARE(left.at("name").get<std::string>(), std::string("sonar"));
+  QCOMPARE(left.at("found").get<std::string>(), std::string("my_layers::SonarLayer"));
+  const nlohmann::json taken = find("nav2.placeholder");
+  QVERIFY2(!taken.is_null(), all.dump().c_str());
+  QCOMPARE(taken.at("line").get<int>(), 7);
+  QCOMPARE(taken.at("value").get<std::string>(), std::string("20.0"));
+}
+
+QTEST_GUILESS_MAIN(Nav2FilesTest)
+#include "tst_Nav2Files.moc"
