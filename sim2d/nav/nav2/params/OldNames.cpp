@@ -165,7 +165,7 @@ std::vector<std::string> blocksOf(const NodeReader& node, const std::string& lis
 
 /// Lists without which a server has nothing to do.
 bool isNeeded(const std::string& name) {
-  return name != "plugins" && name != "filters" && isListOfPlugins(name);
+  return endsWith(name, "_plugins");
 }
 
 }  // namespace

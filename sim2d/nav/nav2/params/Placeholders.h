@@ -13,7 +13,7 @@ namespace sim2d::nav2 {
 /// `<robot_namespace>`, `@NAME@`, TO_BE_OVERRIDDEN, KEEPOUT_ZONE_ENABLED and words like these.
 bool isPlaceholderText(std::string_view text);
 
-/// `plugins`, `filters` and names that end with `_plugins`.
+/// A list of names, by the end of its own: plugins, critics, filters, polygons.
 bool isListOfPlugins(const std::string& name);
 
 /// Whether the value of parameter `name` is a placeholder whatever its type would be: one of the
