@@ -280,36 +280,60 @@ Points smoothedStretches(const Path& path, std::size_t least, const Smooth& smoo
   return all;
 }
 
+/// Sweeps over all points but the ends until they rest; false: ended before, by an obstacle or the
+/// number of sweeps.
+inline bool sweptToRest(Points& points, const Costmap& map,
+                        const SimpleSmootherParameters& parameters) {
+  const Points given = points;
+  Points tried = points;
+  for (int sweep = 1; sweep < parameters.maxIts; ++sweep) {
+    double change = 0.0;
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      const Vec2 pull = parameters.wData * (given[i] - tried[i]) +
+                        parameters.wSmooth * (tried[i + 1] + tried[i - 1] - 2.0 * tried[i]);
+      tried[i] += pull;
+      change += std::fabs(pull.x()) + std::fabs(pull.y());
+      const auto cell = map.worldToCell(tried[i]);
+      if (!cell || map.at(*cell) == 253 || map.at(*cell) == 254) {
+        return false;
+      }
+    }
+    points = tried;
+    if (change < parameters.tolerance) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The sweeps, and again as often as the result is refined.
+inline void sweepAll(Points& points, const Costmap& map,
+                     const SimpleSmootherParameters& parameters) {
+  const int rounds = parameters.doRefinement ? 1 + parameters.refinementNum : 1;
+  for (int i = 0; i < rounds && sweptToRest(points, map, parameters); ++i) {
+  }
+}
+
 /// nav2_smoother::SimpleSmoother without a limit of time.
 inline Points simplySmoothed(const Path& path, const Costmap& map,
                              const SimpleSmootherParameters& parameters, Distro distro) {
-  const auto round = [&](Points& points) {  // whether it converged
-    const Points given = points;
-    Points tried = points;
-    for (int sweep = 1; sweep < parameters.maxIts; ++sweep) {
-      double change = 0.0;
-      for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-        const Vec2 pull = parameters.wData * (given[i] - tried[i]) +
-                          parameters.wSmooth * (tried[i + 1] + tried[i - 1] - 2.0 * tried[i]);
-        tried[i] += pull;
-        change += std::fabs(pull.x()) + std::fabs(pull.y());
-        const auto cell = map.worldToCell(tried[i]);
-        if (!cell || map.at(*cell) == 253 || map.at(*cell) == 254) {
-          return false;
-        }
-      }
-      points = tried;
-      if (change < parameters.tolerance) {
-        return true;
-      }
-    }
-    return false;
-  };
-  const int rounds = parameters.doRefinement ? 1 + parameters.refinementNum : 1;
-  return smoothedStretches(path, distro == Distro::Humble ? 9 : 3, [&](Points& part) {
-    for (int i = 0; i < rounds && round(part); ++i) {
-    }
-  });
+  return smoothedStretches(path, distro == Distro::Humble ? 9 : 3,
+                           [&](Points& part) { sweepAll(part, map, parameters); });
+}
+
+/// The smoother inside of Smac 2D: cusps do not count, paths of up to eleven poses stay.
+inline Points smacSmoothed(Points points, const Costmap& map, const Smac2DParameters& parameters) {
+  SimpleSmootherParameters sweeps;
+  sweeps.tolerance = parameters.smootherTolerance;
+  sweeps.maxIts = parameters.smootherMaxIterations;
+  sweeps.wData = parameters.smootherWData;
+  sweeps.wSmooth = parameters.smootherWSmooth;
+  sweeps.doRefinement = parameters.smootherDoRefinement;
+  sweeps.refinementNum = parameters.smootherRefinementNum;
+  if (points.size() > 11) {
+    sweepAll(points, map, sweeps);
+  }
+  return points;
 }
 
 /// Weights of the middle of `window` values of a polynomial of least squares.

@@ -97,6 +97,26 @@ Path wavy(Numbers& numbers, bool turnsBack) {
   return path;
 }
 
+Costmap clutteredWithUnknown(Numbers& numbers, std::uint64_t seed) {
+  Costmap costmap = cluttered(50, seed);
+  for (int i = 0; i < 60; ++i) {
+    const int cost = isHeads(numbers) ? 254 : 255;
+    costmap.set({wholeBetween(numbers, 0, 50), wholeBetween(numbers, 0, 50)},
+                static_cast<std::uint8_t>(cost));
+  }
+  return costmap;
+}
+
+Smac2DParameters anySmac2D(Numbers& numbers, Distro distro) {
+  Smac2DParameters parameters;
+  parameters.allowUnknown = isHeads(numbers);
+  parameters.tolerance = numbers.between(0.01, 0.5);
+  parameters.costTravelMultiplier = isHeads(numbers) ? 1.0 : numbers.between(0.0, 3.0);
+  parameters.maxOnApproachIterations = wholeBetween(numbers, 1, 300);
+  parameters.smootherRefinementNum = distro == Distro::Humble ? 4 : 2;
+  return parameters;
+}
+
 double farthestApart(const Path& path, const std::vector<Vec2>& wanted) {
   double farthest = path.size() == wanted.size() ? 0.0 : 1e9;
   for (std::size_t i = 0; i < std::min(path.size(), wanted.size()); ++i) {
@@ -137,20 +157,12 @@ void Nav2SecondImplementationsTest::inflation_randomMaps_isTheSame() {
 void Nav2SecondImplementationsTest::smac2D_randomMaps_isTheSame() {
   QFETCH(Distro, distro);
   int found = 0, nearer = 0;
+  double farthest = 0.0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     Numbers numbers(seed * 31);
-    Costmap costmap = cluttered(50, seed);
-    for (int i = 0; i < 60; ++i) {
-      const int cost = isHeads(numbers) ? 254 : 255;
-      costmap.set({wholeBetween(numbers, 0, 50), wholeBetween(numbers, 0, 50)},
-                  static_cast<std::uint8_t>(cost));
-    }
-    Smac2DParameters parameters;
+    const Costmap costmap = clutteredWithUnknown(numbers, seed);
+    Smac2DParameters parameters = anySmac2D(numbers, distro);
     parameters.smootherMaxIterations = 0;
-    parameters.allowUnknown = isHeads(numbers);
-    parameters.tolerance = numbers.between(0.01, 0.5);
-    parameters.costTravelMultiplier = isHeads(numbers) ? 1.0 : numbers.between(0.0, 3.0);
-    parameters.maxOnApproachIterations = wholeBetween(numbers, 1, 300);
     const Cell from{wholeBetween(numbers, 0, 50), wholeBetween(numbers, 0, 50)};
     const Cell to{wholeBetween(numbers, 0, 50), wholeBetween(numbers, 0, 50)};
     if (from == to) {
@@ -164,11 +176,21 @@ void Nav2SecondImplementationsTest::smac2D_randomMaps_isTheSame() {
       cells.push_back(*costmap.worldToCell(pose.position));
     }
     QVERIFY2(cells == wanted, qPrintable(QString::number(seed)));
+    std::vector<Vec2> places;
+    for (const Cell cell : wanted) {
+      places.push_back(costmap.cellToWorld(cell));
+    }
+    parameters.smootherMaxIterations = 1000;
+    const Path smooth = Smac2DPlanner(parameters, distro).plan({costmap, start, goal}).path;
+    farthest = std::max(
+        farthest, farthestApart(smooth, nav2second::smacSmoothed(places, costmap, parameters)));
     found += path.empty() ? 0 : 1;
     nearer += path.empty() || cells.back() == to ? 0 : 1;
   }
   QVERIFY(found > 100 && nearer > 5);
-  qInfo("%d paths, %d of them only near the goal, largest difference 0", found, nearer);
+  QVERIFY2(farthest < 1e-11, qPrintable(QString::number(farthest)));
+  qInfo("%d paths, %d of them only near the goal, largest difference 0, smoothed %.1e m", found,
+        nearer, farthest);
 }
 
 void Nav2SecondImplementationsTest::simpleSmoother_randomPaths_isTheSame() {
