@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "bt/robot/Nav2Servers.h"
+#include "sim2d/nav/FrameTransform.h"
 #include "sim2d/nav/nav2/costmap/FootprintCost.h"
 #include "sim2d/nav/nav2/global/PlannerServer.h"
 
@@ -101,7 +102,7 @@ void Nav2Servers::informCostmaps(const Path& plan) {
   global_->setPlan(plan);
   Path local = plan;
   for (base::Pose2& pose : local) {
-    pose = toFrame(localFrame(), pose);
+    pose = sim2d::toFrame(localFrame(), pose);
   }
   local_->setPlan(local);
 }

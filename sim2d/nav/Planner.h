@@ -67,8 +67,8 @@ struct Nav2Choice {
   std::string tree;                                         // a file
   std::optional<nav2::Distro> distro;                       // none: as the file tells
   std::vector<std::pair<std::string, std::string>> values;  // "FollowPath.temperature", YAML
-  std::string
-      topics;  // "12 controller_selector FollowPath2; 20 /pause": what is published, when [s]
+  /// "12 controller_selector FollowPath2; 20 /pause": what is published, when [s].
+  std::string topics{};
 };
 
 /// A local planner of one robot. Thread: one at a time. Equal observations in the same order give

@@ -47,7 +47,7 @@ bool isTooLong(const YamlNode& value) {
 }
 
 /// `ros__parameters` as people misspell it. Words that may also be a name count below a node only.
-bool isMisspelt(const std::string& key, const std::string& parent) {
+bool isMisspeltKey(const std::string& key, const std::string& parent) {
   static constexpr std::array<std::string_view, 10> kWrong = {
       "ros_parameters", "ros__parameter", "ros_parameter", "ros___parameters", "ros__params",
       "ros_params",     "ros__param",     "rosparameters", "ros__paramters",   "ros__paremeters"};
@@ -58,7 +58,7 @@ bool isMisspelt(const std::string& key, const std::string& parent) {
 
 bool hasParameters(const YamlNode& map, std::size_t depth) {
   return std::any_of(map.items.begin(), map.items.end(), [&](const YamlNode& item) {
-    return item.key == kParameters || isMisspelt(item.key, map.key) ||
+    return item.key == kParameters || isMisspeltKey(item.key, map.key) ||
            (item.isMap() && depth < kDeepest && hasParameters(item, depth + 1));
   });
 }
@@ -112,7 +112,7 @@ class NodeSearch {
       if (item.key == kParameters) {
         add(item, path, map.keyLine);
       } else if (item.isMap() && map.find(kParameters) == nullptr &&
-                 isMisspelt(item.key, map.key)) {
+                 isMisspeltKey(item.key, map.key)) {
         warnAt(item, "nav2.parameters-misspelt", {here});
         add(item, path, map.keyLine);
       } else if (lacksParameters(item)) {
