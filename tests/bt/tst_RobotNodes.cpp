@@ -446,7 +446,7 @@ void RobotNodesTest::recoveryHelps_codes_asNav2Lists() {
     return yes;
   };
   QCOMPARE(codes("WouldAControllerRecoveryHelp", 99, 109), (Steps{100, 104, 105, 106}));
-  QCOMPARE(codes("WouldAPlannerRecoveryHelp", 199, 209), (Steps{200, 207, 208}));
+  QCOMPARE(codes("WouldAPlannerRecoveryHelp", 199, 309), (Steps{200, 207, 208, 300, 307, 308}));
   QCOMPARE(codes("WouldASmootherRecoveryHelp", 499, 506), (Steps{500, 502, 503, 504}));
   QCOMPARE(codes("WouldARouteRecoveryHelp", 399, 409), (Steps{400, 404, 405}));
   QVERIFY(!answer("WouldAControllerRecoveryHelp", 0));
