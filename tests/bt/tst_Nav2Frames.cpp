@@ -148,17 +148,17 @@ void Nav2FramesTest::costsInMap_turnedByARightAngle_areTheTurnedCells() {
 }
 
 void Nav2FramesTest::jump_localObstaclesStay_globalOnesAreAdded_data() {
-  QTest::addColumn<std::string>("localFrame");
-  QTest::newRow("local costmap in odom") << std::string("odom");
-  QTest::newRow("local costmap in the map") << std::string("map");
+  QTest::addColumn<QByteArray>("localFrame");
+  QTest::newRow("local costmap in odom") << QByteArray("odom");
+  QTest::newRow("local costmap in the map") << QByteArray("map");
 }
 
 /// Something stands 1 m ahead of a robot that stands too. The correction jumps by 0.4 m ahead. In
 /// odom the new scan meets the same cell. In the map it marks another one, and what was there goes
 /// as the rays of the new scan pass it.
 void Nav2FramesTest::jump_localObstaclesStay_globalOnesAreAdded() {
-  QFETCH(std::string, localFrame);
-  const auto nav2 = servers(localFrame);
+  QFETCH(QByteArray, localFrame);
+  const auto nav2 = servers(localFrame.toStdString());
   const bool isInOdom = localFrame == "odom";
   for (const bool hasJumped : {false, true}) {
     const double jump = hasJumped ? 0.4 : 0.0;

@@ -50,29 +50,28 @@ void RobotLocalizationTest::initialPoseReceived_afterTheFirstCorrection_succeeds
 }
 
 void RobotLocalizationTest::transformAvailable_knownFrames_succeeds_data() {
-  QTest::addColumn<std::string>("parent");
-  QTest::addColumn<std::string>("child");
+  QTest::addColumn<QByteArray>("parent");
+  QTest::addColumn<QByteArray>("child");
   QTest::addColumn<bool>("hasPose");
   QTest::addColumn<bool>("isThere");
-  QTest::newRow("map") << std::string("map") << std::string("base_link") << true << true;
-  QTest::newRow("slash") << std::string("/map") << std::string("/odom") << true << true;
-  QTest::newRow("no pose yet") << std::string("map") << std::string("odom") << false << false;
-  QTest::newRow("odom has one") << std::string("odom") << std::string("base_link") << false << true;
-  QTest::newRow("the other way") << std::string("base_link") << std::string("odom") << false
-                                 << true;
-  QTest::newRow("itself") << std::string("map") << std::string("map") << false << true;
-  QTest::newRow("sensor") << std::string("map") << std::string("laser") << true << true;
-  QTest::newRow("unknown") << std::string("map") << std::string("camera_link") << true << false;
-  QTest::newRow("unknown parent") << std::string("world") << std::string("map") << true << false;
-  QTest::newRow("no name") << std::string("map") << std::string() << true << false;
+  QTest::newRow("map") << QByteArray("map") << QByteArray("base_link") << true << true;
+  QTest::newRow("slash") << QByteArray("/map") << QByteArray("/odom") << true << true;
+  QTest::newRow("no pose yet") << QByteArray("map") << QByteArray("odom") << false << false;
+  QTest::newRow("odom has one") << QByteArray("odom") << QByteArray("base_link") << false << true;
+  QTest::newRow("the other way") << QByteArray("base_link") << QByteArray("odom") << false << true;
+  QTest::newRow("itself") << QByteArray("map") << QByteArray("map") << false << true;
+  QTest::newRow("sensor") << QByteArray("map") << QByteArray("laser") << true << true;
+  QTest::newRow("unknown") << QByteArray("map") << QByteArray("camera_link") << true << false;
+  QTest::newRow("unknown parent") << QByteArray("world") << QByteArray("map") << true << false;
+  QTest::newRow("no name") << QByteArray("map") << QByteArray() << true << false;
 }
 
 void RobotLocalizationTest::transformAvailable_knownFrames_succeeds() {
-  QFETCH(std::string, parent);
-  QFETCH(std::string, child);
+  QFETCH(QByteArray, parent);
+  QFETCH(QByteArray, child);
   QFETCH(bool, hasPose);
   QFETCH(bool, isThere);
-  Played played(tableOf(transform(parent, child)));
+  Played played(tableOf(transform(parent.toStdString(), child.toStdString())));
   played.host.frames.onRobot = {"base_link", "laser"};
   played.host.hasPose = hasPose;
   QCOMPARE(played.tick(), isThere ? NodeStatus::Success : NodeStatus::Failure);
@@ -94,45 +93,47 @@ void RobotLocalizationTest::reinitialize_withLocalizer_asksForIt() {
 }
 
 void RobotLocalizationTest::frameNames_ofFiles_data() {
-  QTest::addColumn<std::string>("text");
-  QTest::addColumn<std::string>("map");
-  QTest::addColumn<std::string>("odom");
+  QTest::addColumn<QByteArray>("text");
+  QTest::addColumn<QByteArray>("map");
+  QTest::addColumn<QByteArray>("odom");
   QTest::addColumn<bool>("isLocalInOdom");
-  const auto costmaps = [](const std::string& local, const std::string& global) {
-    return node("local_costmap", local) + node("global_costmap", global);
+  const auto costmaps = [](const std::string& local, const std::string& global,
+                           const std::string& more = {}) {
+    return QByteArray::fromStdString(node("local_costmap", local) + node("global_costmap", global) +
+                                     more);
   };
-  QTest::newRow("usual") << costmaps("global_frame: odom", "global_frame: map")
-                         << std::string("map") << std::string("odom") << true;
+  QTest::newRow("usual") << costmaps("global_frame: odom", "global_frame: map") << QByteArray("map")
+                         << QByteArray("odom") << true;
   QTest::newRow("both in the map") << costmaps("global_frame: map", "global_frame: map")
-                                   << std::string("map") << std::string("odom") << false;
+                                   << QByteArray("map") << QByteArray("odom") << false;
   QTest::newRow("Nav2's defaults")
-      << costmaps("width: 3", "width: 3") << std::string("map") << std::string("odom") << false;
+      << costmaps("width: 3", "width: 3") << QByteArray("map") << QByteArray("odom") << false;
   QTest::newRow("other names") << costmaps("global_frame: /r1/odom", "global_frame: /world")
-                               << std::string("world") << std::string("r1/odom") << true;
+                               << QByteArray("world") << QByteArray("r1/odom") << true;
   QTest::newRow("of the behaviours")
-      << costmaps("global_frame: map", "global_frame: map") +
-             node("behavior_server", "local_frame: odom_combined, global_frame: map")
-      << std::string("map") << std::string("odom_combined") << false;
-  QTest::newRow("Humble's behaviours") << costmaps("global_frame: map", "global_frame: map") +
-                                              node("behavior_server", "global_frame: wheels")
-                                       << std::string("map") << std::string("wheels") << false;
+      << costmaps("global_frame: map", "global_frame: map",
+                  node("behavior_server", "local_frame: odom_combined, global_frame: map"))
+      << QByteArray("map") << QByteArray("odom_combined") << false;
+  QTest::newRow("Humble's behaviours") << costmaps("global_frame: map", "global_frame: map",
+                                                   node("behavior_server", "global_frame: wheels"))
+                                       << QByteArray("map") << QByteArray("wheels") << false;
 }
 
 void RobotLocalizationTest::frameNames_ofFiles() {
-  QFETCH(std::string, text);
-  QFETCH(std::string, map);
-  QFETCH(std::string, odom);
+  QFETCH(QByteArray, text);
+  QFETCH(QByteArray, map);
+  QFETCH(QByteArray, odom);
   QFETCH(bool, isLocalInOdom);
   const FrameNames names =
-      namesIn(text + node("amcl", "base_frame_id: base_foot, scan_topic: scan") +
+      namesIn(text.toStdString() + node("amcl", "base_frame_id: base_foot, scan_topic: scan") +
               node("collision_monitor", "scan: {sensor_frame: /front_laser}"));
-  QCOMPARE(names.map, map);
-  QCOMPARE(names.odom, odom);
+  QCOMPARE(names.map, map.toStdString());
+  QCOMPARE(names.odom, odom.toStdString());
   QCOMPARE(names.isLocalInOdom, isLocalInOdom);
   QCOMPARE(names.onRobot,
            (std::vector<std::string>{"base_foot", "base_footprint", "base_link", "front_laser"}));
-  QVERIFY(names.canTransform(map, "front_laser", true));
-  QVERIFY(!names.canTransform(odom, "scan", true));
+  QVERIFY(names.canTransform(names.map, "front_laser", true));
+  QVERIFY(!names.canTransform(names.odom, "scan", true));
 }
 
 QTEST_APPLESS_MAIN(RobotLocalizationTest)

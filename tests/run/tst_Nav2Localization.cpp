@@ -74,6 +74,8 @@ app::RunOptions nav2(const std::string& params = "turtlebot4") {
   app::RunOptions options;
   options.planner = "nav2";
   options.nav2Params = SOURCE_DIR "/resources/nav2_params/" + params + ".yaml";
+  options.nav2Tree =
+      SOURCE_DIR "/resources/nav2_trees/jazzy/navigate_to_pose_w_replanning_and_recovery.xml";
   return options;
 }
 
@@ -117,7 +119,7 @@ void Nav2LocalizationTest::errors_areThoseOfTheFile() {
 
 /// 5 cm, with a drift of the odometry that alone misses the goal.
 void Nav2LocalizationTest::driftWithCorrections_arrives_withoutItDoesNot() {
-  const Words drift = {"robot1.odometry_noise.drift=0.05"};
+  const Words drift = {"robot1.odometry_noise.drift=0.005"};
   const Driven lost = drive(nav2(), drift, 60.0);
   QVERIFY(!lost.hasArrived);
   Words both = drift;
