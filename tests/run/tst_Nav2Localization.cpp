@@ -117,14 +117,14 @@ void Nav2LocalizationTest::errors_areThoseOfTheFile() {
   QVERIFY2(turned > 0.02 && turned <= 0.105 + 1e-9, "heading");
 }
 
-/// 5 cm, with a drift of the odometry that alone misses the goal.
+/// 5 cm, with a drift of the odometry that alone misses the goal by more than half a metre.
 void Nav2LocalizationTest::driftWithCorrections_arrives_withoutItDoesNot() {
   const Words drift = {"robot1.odometry_noise.drift=0.005"};
-  const Driven lost = drive(nav2(), drift, 60.0);
+  const Driven lost = drive(nav2(), drift, 90.0);
   QVERIFY(!lost.hasArrived);
   Words both = drift;
   both.insert(both.end(), {"robot1.localization.std_x=0.05", "robot1.localization.std_y=0.05"});
-  const Driven driven = drive(nav2(), both, 60.0);
+  const Driven driven = drive(nav2(), both, 90.0);
   QVERIFY(driven.hasArrived);
 }
 
@@ -133,7 +133,7 @@ void Nav2LocalizationTest::localCostmapInTheMap_arrives() {
       drive(nav2(),
             {"nav2.local_costmap.global_frame=map", "robot1.localization.std_x=0.05",
              "robot1.localization.std_y=0.05", "robot1.localization.std_yaw=0.02"},
-            60.0);
+            90.0);
   QCOMPARE(driven.problems, std::string());
   QVERIFY(driven.hasArrived);
 }
