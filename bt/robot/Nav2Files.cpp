@@ -80,6 +80,7 @@ void lookAtNodes(const NodeSpec& node, const std::string& file, Distro distro, N
         {node.id, sim2d::nav2::distroTitles(distros), sim2d::nav2::distroTitle(distro)}, file,
         node.line));
   }
+  to.asksRoutes = to.asksRoutes || node.id == "ComputeRoute" || node.id == "ComputeAndTrackRoute";
   lookAtPorts(node, file, distro, to);
   noteSubTree(node, to);
   for (const NodeSpec& child : node.children) {
@@ -297,6 +298,9 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
   NavigatorTree tree = loadNavigatorTree(loaded.treeFile, loaded.parameters);
   base::append(loaded.problems, tree.problems);
   loadSubTrees(tree, folder, shipped, loaded);
+  if (tree.asksRoutes && loaded.graph.graph.isEmpty() && loaded.graph.problems.empty()) {
+    loaded.problems.push_back(base::warning("nav2.routes-without-graph", {}, loaded.treeFile));
+  }
   loaded.program = std::move(tree.program);
   loaded.isThroughPoses = tree.isThroughPoses;
   if (choice.tree.empty()) {

@@ -42,6 +42,7 @@ std::string nav2TreeFile(const std::string& named, const std::string& folder,
 struct NavigatorTree {
   std::shared_ptr<const Program> program;  // null: with errors
   bool isThroughPoses = false;             // it plans through several goals
+  bool asksRoutes = false;                 // of the route server
   /// Trees that its nodes NavigateToPose and NavigateThroughPoses ask for, by the port
   /// behavior_tree; empty: the default one.
   std::set<std::string> toPose, throughPoses;

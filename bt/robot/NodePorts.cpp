@@ -16,7 +16,7 @@ struct PortFact {
   unsigned distros;
 };
 /// Of those that are not in all branches of their node. The first row that fits counts.
-constexpr std::array<PortFact, 40> kLaterPorts = {
+constexpr std::array<PortFact, 39> kLaterPorts = {
     {{"Wait", "error_code_id", kSinceKilted},
      {"AssistedTeleop", "error_msg", kSinceLyrical},
      {"", "error_code_id", kSinceJazzy},
@@ -54,7 +54,6 @@ constexpr std::array<PortFact, 40> kLaterPorts = {
      {"RoundRobin", "wrap_around", kSinceLyrical},
      {"SpeedController", "goal", kSinceJazzy},
      {"SpeedController", "goals", kSinceJazzy},
-     {"TruncatePathLocal", "input_path", kSinceJazzy},
      {"TruncatePathLocal", "robot_base_frame", kSinceLyrical},
      {"TruncatePathLocal", "robot_frame", kUntilKilted}}};
 

@@ -392,6 +392,10 @@ constexpr ProblemText kTexts[] = {
     {"nav2.node-of-others", "{node} is a node of {distros}: {distro} does not have it"},
     {"nav2.port-of-others",
      "port '{port}' of {node} is one of {distros}: {distro} does not have it"},
+    {"nav2.routes-without-graph",
+     "the tree asks for routes, and the parameter file has no graph (graph_filepath of "
+     "route_server): "
+     "ComputeRoute fails with NO_VALID_GRAPH"},
     {"nav2.graph-operation",
      "the graph has an operation '{type}', which is not among the route server's operations: "
      "routes "

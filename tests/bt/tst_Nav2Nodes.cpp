@@ -60,13 +60,11 @@ struct Deviation {
   unsigned distros;
   const char* reason;
 };
-constexpr std::array<Deviation, 6> kDeviations = {
+constexpr std::array<Deviation, 4> kDeviations = {
     {{"", "server_name", kEveryDistro, "every action node has it (BtActionNode)"},
      {"", "server_timeout", kEveryDistro, "every action and service node has it"},
-     {"Spin", "is_recovery", kEveryDistro, "Humble's odometry_calibration.xml uses it"},
-     {"", "goal", kHumble, "Humble's nodes read the entries of the blackboard themselves"},
-     {"", "goals", kHumble, "Humble's nodes read the entries of the blackboard themselves"},
-     {"TruncatePathLocal", "input_path", kHumble, "Humble declares it in a list of its own"}}};
+     {"Spin", "is_recovery", kHumble, "Humble's odometry_calibration.xml uses it"},
+     {"TruncatePathLocal", "input_path", kHumble, "without it the node would have no path"}}};
 
 bool isDeviation(const std::string& node, const std::string& port, Distro distro) {
   return std::any_of(kDeviations.begin(), kDeviations.end(), [&](const Deviation& each) {

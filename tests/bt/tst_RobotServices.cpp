@@ -13,6 +13,7 @@ class RobotServicesTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void paths_manyPoses_leaveTheGoalKnown();
   void topics_text_isReadOrRefused();
   void selector_topic_choosesFromThenOn();
   void goalUpdater_topic_isNewerThanTheGoal();
@@ -96,6 +97,25 @@ bt::PathId goalsAt(Played& played, const std::vector<double>& places) {
 }
 
 }  // namespace
+
+/// A tree that writes the robot's pose in each step of half an hour.
+void RobotServicesTest::paths_manyPoses_leaveTheGoalKnown() {
+  Played played(tableOf(R"(<GetCurrentPose current_pose="{pose}"/>)"));
+  for (int i = 0; i < 36'000; ++i) {
+    played.host.place.position.x() = 0.001 * i;
+    played.tick();
+  }
+  QCOMPARE(played.host.paths().get(played.host.goal).size(), std::size_t{1});
+  bt::PathStore store;
+  const Path large(bt::PathStore::kMostPoses / 2 + 1);
+  const bt::PathId first = store.add({{{1.0, 0.0}, 0.0}});
+  store.add(large);
+  QCOMPARE(store.get(first).size(), std::size_t{1});
+  store.add(large);
+  store.add({});
+  QVERIFY(store.get(first).empty());  // the limit of poses
+  QCOMPARE(store.get(first + 2).size(), large.size());
+}
 
 void RobotServicesTest::topics_text_isReadOrRefused() {
   const bt::NavigatorTopics read = topics(" 12.0 /speed  0.5 m/s; 3 pause ;; 20 speed 1; 3 pause");

@@ -260,6 +260,8 @@ void Nav2RouteRunsTest::noGraph_failsWithNav2sCode() {
     </Fallback>)";
   const Driven driven = drive(params(""), tree(nodes), 10.0);
   QVERIFY2(driven.problems.find("error:") == std::string::npos, driven.problems.c_str());
+  QVERIFY2(driven.problems.find("the tree asks for routes") != std::string::npos,
+           driven.problems.c_str());
   QCOMPARE(driven.report["counts"]["recoveries"], 1);  // it has turned
   QCOMPARE(driven.report["counts"]["tree_failures"], 0);
 }

@@ -27,47 +27,60 @@ bool isLineFree(const Costmap& costmap, Cell from, Cell to) {
   return isFree;
 }
 
-/// Dijkstra's search through free cells, with 8 neighbours; the first of the wanted cells that is
-/// reached, by its number. None: none is, within so many cells.
-std::optional<std::size_t> reachedFirst(const Costmap& costmap, Cell from,
-                                        const std::vector<std::optional<Cell>>& wanted,
-                                        int maxIterations) {
-  using Entry = std::tuple<double, std::size_t>;
-  std::vector<double> costs(costmap.costs().size(), std::numeric_limits<double>::infinity());
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  costs[costmap.indexOf(from)] = 0.0;
-  open.emplace(0.0, costmap.indexOf(from));
-  for (int i = 0; i < maxIterations && !open.empty(); ++i) {
-    const auto [cost, index] = open.top();
-    open.pop();
-    const auto width = static_cast<std::size_t>(costmap.width());
-    const Cell cell{static_cast<int>(index % width), static_cast<int>(index / width)};
-    const auto goal = std::find_if(wanted.begin(), wanted.end(), [&](const auto& each) {
-      return each && each->column == cell.column && each->row == cell.row;
-    });
-    if (goal != wanted.end()) {
-      return static_cast<std::size_t>(goal - wanted.begin());
+/// Dijkstra's search through free cells, with 8 neighbours.
+class FreeSearch {
+ public:
+  FreeSearch(const Costmap& costmap, Cell from)
+      : costmap_(costmap), costs_(costmap.costs().size(), std::numeric_limits<double>::infinity()) {
+    reach(from, 0.0);
+  }
+
+  /// The first of the wanted cells that is reached, by its number. None: none is, within so many
+  /// cells.
+  std::optional<std::size_t> run(const std::vector<std::optional<Cell>>& wanted,
+                                 int maxIterations) {
+    for (int i = 0; i < maxIterations && !open_.empty(); ++i) {
+      const auto [cost, index] = open_.top();
+      open_.pop();
+      const auto width = static_cast<std::size_t>(costmap_.width());
+      const Cell cell{static_cast<int>(index % width), static_cast<int>(index / width)};
+      const auto goal = std::find_if(wanted.begin(), wanted.end(), [&](const auto& each) {
+        return each && each->column == cell.column && each->row == cell.row;
+      });
+      if (goal != wanted.end()) {
+        return static_cast<std::size_t>(goal - wanted.begin());
+      }
+      if (cost <= costs_[index]) {
+        expand(cell, cost);
+      }
     }
-    if (cost > costs[index]) {
-      continue;
+    return std::nullopt;
+  }
+
+ private:
+  void reach(Cell cell, double cost) {
+    double& known = costs_[costmap_.indexOf(cell)];
+    if (cost < known) {
+      known = cost;
+      open_.emplace(cost, costmap_.indexOf(cell));
     }
+  }
+  void expand(Cell cell, double cost) {
     for (int row = -1; row <= 1; ++row) {
       for (int column = -1; column <= 1; ++column) {
         const Cell next{cell.column + column, cell.row + row};
-        if (!costmap.contains(next) || isInTheWay(costmap.at(next))) {
-          continue;
-        }
-        const double step = std::sqrt(static_cast<double>(row * row + column * column));
-        double& known = costs[costmap.indexOf(next)];
-        if (cost + step < known) {
-          known = cost + step;
-          open.emplace(known, costmap.indexOf(next));
+        if (costmap_.contains(next) && !isInTheWay(costmap_.at(next))) {
+          reach(next, cost + std::sqrt(static_cast<double>(row * row + column * column)));
         }
       }
     }
   }
-  return std::nullopt;
-}
+
+  using Entry = std::tuple<double, std::size_t>;
+  const Costmap& costmap_;
+  std::vector<double> costs_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
+};
 
 /// Cosine of the angle between two vectors; 0 when one has no length.
 double normalizedDot(const Vec2& a, const Vec2& b) {
@@ -130,7 +143,7 @@ std::optional<std::size_t> nodeOfPose(const RouteGraph& graph, const Vec2& place
   for (const std::size_t node : nodes) {
     wanted.push_back(costmap->worldToCell(graph.nodes[node].place));
   }
-  const auto reached = reachedFirst(*costmap, *from, wanted, parameters.maxNnSearchIterations);
+  const auto reached = FreeSearch(*costmap, *from).run(wanted, parameters.maxNnSearchIterations);
   return nodes[reached.value_or(0)];
 }
 

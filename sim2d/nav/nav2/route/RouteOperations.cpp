@@ -1,6 +1,7 @@
 #include "sim2d/nav/nav2/route/RouteOperations.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <variant>
 
 #include "sim2d/nav/nav2/costmap/FootprintCost.h"
@@ -28,14 +29,13 @@ bool isLineBlocked(const Costmap& costmap, const Vec2& from, const Vec2& to,
 
 /// The last point of a segment, cell by cell from its end, that is on the map.
 Vec2 onMap(const Costmap& costmap, const Vec2& from, const Vec2& to) {
-  const double length = (to - from).norm();
-  for (double rest = length; rest > 0.0; rest -= costmap.resolution()) {
-    const Vec2 point = from + (rest / length) * (to - from);
-    if (costmap.worldToCell(point)) {
-      return point;
-    }
+  const int cells = std::max(1, costmap.cellDistance((to - from).norm()));
+  int left = cells;
+  const auto point = [&] { return Vec2(from + (static_cast<double>(left) / cells) * (to - from)); };
+  while (left > 0 && !costmap.worldToCell(point())) {
+    --left;
   }
-  return from;
+  return point();
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ std::optional<std::size_t> blockedEdge(const RouteCollisionParameters& monitor,
   Vec2 from = nearestOn(placeOf(scene.graph.edges[edge].from), placeOf(scene.graph.edges[edge].to),
                         scene.robot);
   double left = monitor.maxCollisionDist;
-  auto next = static_cast<std::size_t>(scene.state.edge + 1);
+  auto next = static_cast<std::size_t>(scene.state.edge + std::ptrdiff_t{1});
   while (left > 0.0) {
     const Vec2 to = placeOf(scene.graph.edges[edge].to);
     const double length = (to - from).norm();
