@@ -202,6 +202,9 @@ void loadThrough(const std::string& folder, const Nav2Folders& shipped, Nav2Load
   loaded.throughFile =
       nav2TreeOfParameter(loaded.parameters, "default_nav_through_poses_bt_xml", named,
                           kUsualThroughTree, folder, shipped, loaded.problems);
+  if (loaded.throughFile.empty()) {  // goals are driven to one by one
+    return;
+  }
   loaded.through = loadNavigatorTree(loaded.throughFile, loaded.parameters);
   if (!named.empty()) {  // the shipped one has been looked at
     base::append(loaded.problems, loaded.through.problems);
@@ -291,8 +294,9 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
     loaded.treeFile = nav2TreeFile(choice.tree, folder, loaded.parameters.distro, shipped);
   }
   if (loaded.treeFile.empty()) {
+    const std::string named = choice.tree.empty() ? kUsualNav2Tree : choice.tree;
     loaded.problems.push_back(
-        base::error("nav2.no-file", {choice.tree, known(shipped.trees, ".xml")}, choice.tree));
+        base::error("nav2.no-file", {named, known(shipped.trees, ".xml")}, named));
     return loaded;
   }
   NavigatorTree tree = loadNavigatorTree(loaded.treeFile, loaded.parameters);

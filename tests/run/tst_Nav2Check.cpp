@@ -237,6 +237,26 @@ void Nav2CheckTest::fieldFile_isTakenAsRos2Takes_data() {
   QTest::newRow("cells without a side")
       << "nav2_costmap_resolution_zero"
       << ":9:19: error: local_costmap: resolution: 0 must be from 0.005 to 10\n";
+  QTest::newRow("placeholder of a number")
+      << "nav2_launch_placeholders"
+      << ":9:27: warning: controller_server.controller_frequency: 'FREQUENCY' is a placeholder "
+         "that "
+         "launch files replace; the default 20.0 is used\n";
+  QTest::newRow("placeholder of a tree")
+      << "nav2_launch_placeholders"
+      << ":5:39: warning: bt_navigator.default_nav_through_poses_bt_xml: 'TO_BE_OVERRIDDEN' is a "
+         "placeholder that launch files replace; the default \"\" is used\n";
+  QTest::newRow("placeholder of a filter")
+      << "nav2_launch_placeholders"
+      << ":21:18: warning: keepout_filter is switched off: its 'enabled' is a word that Nav2's "
+         "launch files replace\n";
+  QTest::newRow("aliases") << "nav2_aliases"
+                           << ":16:11: warning: an alias (*name) is replaced by its value; ROS 2's "
+                              "own parser refuses aliases, launch tools replace them\n";
+  QTest::newRow("namespaces, documents")
+      << "nav2_namespaces"
+      << ":10:1: warning: a second document (---): its nodes are read after those of the first, as "
+         "ROS 2 does\n";
   QTest::newRow("only amcl")
       << "nav2_only_amcl"
       << ":1: warning: this file holds only amcl: it configures no controller "

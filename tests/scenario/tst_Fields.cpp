@@ -34,6 +34,9 @@ YamlNode wrongFor(const base::ParameterSpec& spec, bool isMap) {
   list.kind = YamlNode::Kind::List;
   list.items.push_back(scalarNode("1"));
   const bool isText = spec.type == base::ParameterType::Text && spec.choices.empty();
+  if (spec.key == "nav2_params") {  // a text or a list of texts
+    return YamlNode(YamlNode::Kind::Map);
+  }
   return isText || (isMap && spec.key != "configuration") ? list : scalarNode("neither");
 }
 

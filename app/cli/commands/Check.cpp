@@ -52,7 +52,7 @@ FileKind kindOf(const std::string& text) {
 base::Diagnostics checkScenarioFile(const std::string& path, const CheckOptions& options) {
   RunOptions run = options.scenario;
   run.scenario = path;
-  if (!run.nav2Params.empty() || run.nav2Body) {
+  if (!run.nav2Params.empty()) {
     run.planner = sim2d::kNav2Planner;
   }
   const Bundle bundle = readBundle(run, {}, loadMapImage);
