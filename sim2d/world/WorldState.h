@@ -97,7 +97,7 @@ struct RobotState {
   /// with planners that end goals themselves.
   double endedAt = -1.0;
   std::vector<GoalEnd> goalEnds{};  // results of those planners, oldest first
-  double battery = 1.0;          // charge, 0 to 1; of robots with a battery
+  double battery = 1.0;             // charge, 0 to 1; of robots with a battery
   bool isCharging = false;
 };
 
