@@ -242,11 +242,11 @@ Fields<LocalizationSettings> localizationFields() {
   constexpr Range kWait{0.0, 3600.0};                              // [s]
   return {
       localizationNumber("std_x", &Keys::stdX, &Parameters::stdX,
-                         "Standard deviation of its x in the map", "m", kError),
+                         "Standard deviation of the error in x, in the map", "m", kError),
       localizationNumber("std_y", &Keys::stdY, &Parameters::stdY,
-                         "Standard deviation of its y in the map", "m", kError),
+                         "Standard deviation of the error in y, in the map", "m", kError),
       localizationNumber("std_yaw", &Keys::stdYaw, &Parameters::stdYaw,
-                         "Standard deviation of its heading in the map", "rad", kTurnError),
+                         "Standard deviation of the error of the heading", "rad", kTurnError),
       localizationNumber("correlation_time", &Keys::correlationTime, &Parameters::correlationTime,
                          "Time constant of the errors; 0: corrections are independent", "s", kWait),
       localizationNumber("jump_rate", &Keys::jumpRate, &Parameters::jumpRate,
