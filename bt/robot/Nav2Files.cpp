@@ -277,6 +277,9 @@ Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string
   const base::Result<NavigatorTopics> topics = NavigatorTopics::read(choice.topics);
   base::append(loaded.problems, topics.diagnostics());
   loaded.topics = topics ? *topics : NavigatorTopics();
+  if (const std::string& docks = loaded.parameters.dockingServer.dockDatabase; isFile(docks)) {
+    loaded.masks.files.push_back(docks);  // another input of the run
+  }
   return loaded;
 }
 

@@ -230,9 +230,10 @@ const std::vector<BodyTwist>& RobotDrive::command(const FrozenWorld& world, Worl
     bool isAsked = false;
     const auto steered = steered_.find(i);
     const bool isSteered = steered != steered_.end();
-    if (isSteered && !planners_[i]->wantsTeleop()) {
+    const bool wantsPlanner = wantsToBeAsked(*planners_[i], robot, now, state.time);
+    if (isSteered && !(wantsPlanner && planners_[i]->wantsTeleop())) {
       wanted = steered->second;
-    } else if (wantsToBeAsked(*planners_[i], robot, now, state.time)) {
+    } else if (wantsPlanner) {
       observe(world, i);
       if (isSteered) {
         observation_.teleop = steered->second;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -155,6 +156,7 @@ void readDockDatabase(NodeReader& node, const std::string& file, base::Diagnosti
               namedFileMissing("dock_database", to.dockDatabase, found, "no dock"));
     return;
   }
+  to.dockDatabase = found.file;
   DockDatabase(found.file, problems).read(to);
 }
 
