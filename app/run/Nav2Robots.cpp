@@ -115,6 +115,7 @@ std::vector<std::string> nav2FilesOf(const sim2d::Scenario& scenario,
     if (!loaded.graph.file.empty()) {
       files.push_back(loaded.graph.file);
     }
+    files.insert(files.end(), loaded.lattices.begin(), loaded.lattices.end());
   });
   return files;
 }
@@ -144,10 +145,11 @@ base::Diagnostics checkNav2Files(const std::vector<std::string>& entries, Nav2Br
     return found;
   }
   base::Diagnostics wrong;
-  const sim2d::nav2::Nav2Reading reading = files.read({}, {branch, {}}, wrong);
+  sim2d::nav2::Nav2Reading reading = files.read({}, {branch, {}}, wrong);
   base::append(found, wrong);
   base::append(found, reading.problems);
   base::append(found, missingTrees(reading.parameters));
+  base::append(found, bt::loadNav2Lattices(reading.parameters).problems);
   base::append(found, bt::nav2Contradictions(reading.parameters, nullptr));
   const bt::Nav2Masks masks = bt::loadNav2Masks(reading.parameters);
   base::append(found, masks.problems);

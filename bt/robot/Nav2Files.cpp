@@ -280,6 +280,9 @@ Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string
   if (const std::string& docks = loaded.parameters.dockingServer.dockDatabase; isFile(docks)) {
     loaded.masks.files.push_back(docks);  // another input of the run
   }
+  Nav2Lattices lattices = loadNav2Lattices(loaded.parameters);
+  base::append(loaded.problems, lattices.problems);
+  loaded.lattices = std::move(lattices.files);
   return loaded;
 }
 

@@ -65,6 +65,17 @@ struct Nav2Graph {
 };
 Nav2Graph loadNav2Graph(const sim2d::nav2::Nav2Parameters& parameters);
 
+/// Motion primitives of planners (nav2_smac_planner::SmacPlannerLattice), whose file lies at
+/// `lattice_filepath` or beside the parameter file. A planner without its file becomes Smac Hybrid,
+/// with a warning.
+struct Nav2Lattices {
+  std::vector<std::string> files;  // that were read
+  base::Diagnostics problems;
+};
+Nav2Lattices loadNav2Lattices(sim2d::nav2::Nav2Parameters& parameters);
+/// A file of nav2_smac_planner's generator; error: values are missing or out of range.
+base::Result<std::shared_ptr<const sim2d::nav2::Lattice>> readLattice(const std::string& file);
+
 /// All that a robot's choice comes to.
 struct Nav2Loaded {
   std::vector<std::string> paramsFiles;  // in the order in which they are read
@@ -80,8 +91,9 @@ struct Nav2Loaded {
   NavigatorTopics topics;                 // what is published to the robot in the run
   Nav2Masks masks;
   Nav2Graph graph;
-  base::Diagnostics problems;     // of both files
-  base::Diagnostics wrongValues;  // of the choice's values that no parameter fits
+  std::vector<std::string> lattices;  // files of motion primitives that were read
+  base::Diagnostics problems;         // of both files
+  base::Diagnostics wrongValues;      // of the choice's values that no parameter fits
   bool ok() const {
     return !base::hasErrors(problems) && !base::hasErrors(wrongValues) && program != nullptr;
   }

@@ -419,6 +419,8 @@ constexpr ProblemText kTexts[] = {
     {"nav2.no-plugin", "{node}: '{name}' has no plugin: {name}.plugin must name its class"},
     {"nav2.treated-as", "{name}: '{found}' is treated as {substitute}: {why}", kSubstitution},
     {"nav2.left-out", "{name}: '{found}' is left out: {why}", kSubstitution},
+    {"nav2.bad-lattice",
+     "no motion primitives of Nav2's lattice planner: values are missing or out of range"},
     {"nav2.older-branch",
      "{node}: names of a branch before Humble ({keys}) are read as their newer names"},
     {"nav2.list-placeholder",

@@ -18,7 +18,7 @@ class Nav2PluginsTest : public QObject {
   void read_layerThatIsNotHere_refusesNoFile();
   void read_rareLayers_readTheirKeys();
   void read_container_holdsItsPlugins();
-  void read_plannerThatIsNotHere_isReplaced();
+  void read_latticeAndConstrainedSmoother_readTheirKeys();
   void read_goalChecker_readsItsOwnKeys();
   void read_wordOfLaunchFiles_switchesAFilterOff();
   void read_pluginBlocks_goByTheirNames();
@@ -151,25 +151,25 @@ void Nav2PluginsTest::read_container_holdsItsPlugins() {
   QCOMPARE(seen.sources.size(), std::size_t{1});
 }
 
-void Nav2PluginsTest::read_plannerThatIsNotHere_isReplaced() {
+void Nav2PluginsTest::read_latticeAndConstrainedSmoother_readTheirKeys() {
   const Nav2Reading reading = readOf(kPursuit + R"(planner_server:
   ros__parameters:
     planner_plugins: ["GridBased"]
     GridBased: {plugin: "nav2_smac_planner::SmacPlannerLattice", tolerance: 0.5,
-                lattice_filepath: "x.json", rotation_penalty: 5.0}
+                lattice_filepath: "x.json", rotation_penalty: 4.0}
 smoother_server:
   ros__parameters:
     smoother_plugins: ["smoother"]
-    smoother: {plugin: "nav2_constrained_smoother/ConstrainedSmoother", w_smooth: 2000000.0}
+    smoother: {plugin: "nav2_constrained_smoother/ConstrainedSmoother", w_smooth: 30000.0}
 )");
-  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
-  QCOMPARE(std::get<SmacHybridParameters>(reading.parameters.planners.front().second).tolerance,
-           0.5);
-  QCOMPARE(std::get<SimpleSmootherParameters>(reading.parameters.smoothers.front().second).wSmooth,
-           0.3);
-  QCOMPARE(reading.problems.size(), std::size_t{2});
-  QVERIFY(reading.problems.front().message.find(
-              "treated as nav2_smac_planner::SmacPlannerHybrid") != std::string::npos);
+  QVERIFY2(reading.problems.empty(), texts(reading.problems).c_str());
+  const auto& lattice = std::get<SmacLatticeParameters>(reading.parameters.planners.front().second);
+  QCOMPARE(lattice.tolerance, 0.5);
+  QCOMPARE(lattice.rotationPenalty, 4.0);
+  QCOMPARE(lattice.latticeFilepath, std::string("x.json"));
+  QCOMPARE(
+      std::get<ConstrainedSmootherParameters>(reading.parameters.smoothers.front().second).wSmooth,
+      30000.0);
 }
 
 void Nav2PluginsTest::read_goalChecker_readsItsOwnKeys() {

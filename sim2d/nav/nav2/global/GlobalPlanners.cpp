@@ -7,6 +7,7 @@
 #include "sim2d/nav/nav2/global/PluginNames.h"
 #include "sim2d/nav/nav2/global/Smac2DPlanner.h"
 #include "sim2d/nav/nav2/global/SmacHybridPlanner.h"
+#include "sim2d/nav/nav2/global/SmacLatticePlanner.h"
 #include "sim2d/nav/nav2/global/ThetaStarPlanner.h"
 
 namespace sim2d::nav2 {
@@ -16,11 +17,10 @@ constexpr char kNavfn[] = "nav2_navfn_planner::NavfnPlanner";
 constexpr char kThetaStar[] = "nav2_theta_star_planner::ThetaStarPlanner";
 constexpr char kSmac2D[] = "nav2_smac_planner::SmacPlanner2D";
 constexpr char kSmacHybrid[] = "nav2_smac_planner::SmacPlannerHybrid";
+constexpr char kSmacLattice[] = "nav2_smac_planner::SmacPlannerLattice";
 
 const std::vector<KnownElsewhere>& plannersElsewhere() {
   static const std::vector<KnownElsewhere> kPlanners = {
-      {"nav2_smac_planner::SmacPlannerLattice", kSmacHybrid,
-       "it needs files of motion primitives, which are not read here"},
       {"nav2_smac_planner::SmacPlanner", kSmacHybrid, "its name before Humble"},
   };
   return kPlanners;
@@ -46,6 +46,9 @@ GlobalPlannerParameters plannerDefaults(const std::string& name, Distro distro) 
   if (name == kSmac2D) {
     return smacDefaults<Smac2DParameters>(distro);
   }
+  if (name == kSmacLattice) {
+    return smacDefaults<SmacLatticeParameters>(distro);
+  }
   auto parameters = smacDefaults<SmacHybridParameters>(distro);
   parameters.allowPrimitiveInterpolation = distro >= Distro::Lyrical;
   return parameters;
@@ -66,12 +69,18 @@ struct PlannerMaker {
   std::unique_ptr<GlobalPlanner> operator()(const SmacHybridParameters& parameters) const {
     return std::make_unique<SmacHybridPlanner>(parameters, distro);
   }
+  std::unique_ptr<GlobalPlanner> operator()(const SmacLatticeParameters& parameters) const {
+    if (parameters.lattice == nullptr) {
+      return (*this)(hybridInsteadOf(parameters, distro));
+    }
+    return std::make_unique<SmacLatticePlanner>(parameters, distro);
+  }
 };
 
 }  // namespace
 
 std::vector<std::string> globalPlannerPluginNames() {
-  return {kNavfn, kThetaStar, kSmac2D, kSmacHybrid};
+  return {kNavfn, kThetaStar, kSmac2D, kSmacHybrid, kSmacLattice};
 }
 
 PluginAnswer<GlobalPlannerParameters> globalPlannerPlugin(const std::string& className,
@@ -82,6 +91,30 @@ PluginAnswer<GlobalPlannerParameters> globalPlannerPlugin(const std::string& cla
     answer.parameters = plannerDefaults(match.name, distro);
   }
   return answer;
+}
+
+SmacHybridParameters hybridInsteadOf(const SmacLatticeParameters& lattice, Distro distro) {
+  SmacHybridParameters hybrid =
+      std::get<SmacHybridParameters>(plannerDefaults(kSmacHybrid, distro));
+  static_cast<SmacParameters&>(hybrid) = lattice;
+  hybrid.tolerance = lattice.tolerance;
+  hybrid.maxPlanningTime = lattice.maxPlanningTime;
+  hybrid.motionModelForSearch = lattice.allowReverseExpansion ? "REEDS_SHEPP" : "DUBIN";
+  hybrid.smoothPath = lattice.smoothPath;
+  hybrid.reversePenalty = lattice.reversePenalty;
+  hybrid.changePenalty = lattice.changePenalty;
+  hybrid.nonStraightPenalty = lattice.nonStraightPenalty;
+  hybrid.costPenalty = lattice.costPenalty;
+  hybrid.retrospectivePenalty = lattice.retrospectivePenalty;
+  hybrid.useQuadraticCostPenalty = lattice.useQuadraticCostPenalty;
+  hybrid.cacheObstacleHeuristic = lattice.cacheObstacleHeuristic;
+  hybrid.downsampleObstacleHeuristic = lattice.downsampleObstacleHeuristic;
+  hybrid.analyticExpansionRatio = lattice.analyticExpansionRatio;
+  hybrid.analyticExpansionMaxLength = lattice.analyticExpansionMaxLength;
+  hybrid.analyticExpansionMaxCost = lattice.analyticExpansionMaxCost;
+  hybrid.analyticExpansionMaxCostOverride = lattice.analyticExpansionMaxCostOverride;
+  hybrid.goalHeadingMode = lattice.goalHeadingMode;
+  return hybrid;
 }
 
 std::vector<std::string> complaintsAbout(const GlobalPlannerParameters& parameters) {

@@ -12,8 +12,8 @@
 /// Which planners there are, by the names of Nav2's plugin classes.
 namespace sim2d::nav2 {
 
-using GlobalPlannerParameters =
-    std::variant<NavfnParameters, ThetaStarParameters, Smac2DParameters, SmacHybridParameters>;
+using GlobalPlannerParameters = std::variant<NavfnParameters, ThetaStarParameters, Smac2DParameters,
+                                             SmacHybridParameters, SmacLatticeParameters>;
 
 /// Answer to a class name: what is there, or why not and what comes nearest.
 template <class Parameters>
@@ -33,7 +33,11 @@ std::vector<std::string> globalPlannerPluginNames();
 /// What is wrong with the values, a sentence each that begins with the key; empty when nothing is.
 std::vector<std::string> complaintsAbout(const GlobalPlannerParameters& parameters);
 
-/// Values with complaints are an assert.
+/// Values with complaints are an assert; a lattice without its file is Smac Hybrid.
+/// Of a lattice whose file is not there: what both planners have. A lattice that may turn back is
+/// a car of Reeds and Shepp.
+SmacHybridParameters hybridInsteadOf(const SmacLatticeParameters& lattice, Distro distro);
+
 std::unique_ptr<GlobalPlanner> makeGlobalPlanner(const GlobalPlannerParameters& parameters,
                                                  Distro distro);
 

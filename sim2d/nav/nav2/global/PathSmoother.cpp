@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "sim2d/nav/nav2/global/ConstrainedSmoother.h"
 #include "sim2d/nav/nav2/global/PlannerChecks.h"
 #include "sim2d/nav/nav2/global/PluginNames.h"
 #include "sim2d/nav/nav2/global/SavitzkyGolaySmoother.h"
@@ -39,13 +40,7 @@ const SmoothErrorText& textOf(SmoothError error) {
 constexpr char kSimple[] = "nav2_smoother::SimpleSmoother";
 constexpr char kSavitzkyGolay[] = "nav2_smoother::SavitzkyGolaySmoother";
 
-const std::vector<KnownElsewhere>& smoothersElsewhere() {
-  static const std::vector<KnownElsewhere> kSmoothers = {
-      {"nav2_constrained_smoother::ConstrainedSmoother", kSimple,
-       "it needs a solver of least squares (Ceres), which is not here"},
-  };
-  return kSmoothers;
-}
+constexpr char kConstrained[] = "nav2_constrained_smoother::ConstrainedSmoother";
 
 }  // namespace
 
@@ -85,6 +80,34 @@ const std::vector<Nav2Key<SavitzkyGolayParameters>>& keysOf(const SavitzkyGolayP
   return kKeys;
 }
 
+const std::vector<Nav2Key<ConstrainedSmootherParameters>>& keysOf(
+    const ConstrainedSmootherParameters&) {
+  using P = ConstrainedSmootherParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"reversing_enabled", &P::reversingEnabled, "",
+       "headings against the movement are driven backward"},
+      {"path_downsampling_factor", &P::pathDownsamplingFactor, "", "of so many poses one is moved"},
+      {"path_upsampling_factor", &P::pathUpsamplingFactor, "",
+       "poses of the result for each of the path"},
+      {"keep_goal_orientation", &P::keepGoalOrientation, "", "the last heading stays"},
+      {"keep_start_orientation", &P::keepStartOrientation, "", "the first heading stays"},
+      {"minimum_turning_radius", &P::minimumTurningRadius, "m", "smaller arcs have a cost"},
+      {"w_curve", &P::wCurve, "", "weight of arcs that are too small"},
+      {"w_dist", &P::wDist, "", "weight of the distance from the path as it was"},
+      {"w_smooth", &P::wSmooth, "", "weight of differences between neighbouring stretches"},
+      {"w_cost", &P::wCost, "", "weight of the costmap"},
+      {"w_cost_cusp_multiplier", &P::wCostCuspMultiplier, "", "factor of that at a cusp"},
+      {"cusp_zone_length", &P::cuspZoneLength, "m", "length around a cusp where it counts"},
+      {"cost_check_points", &P::costCheckPoints, "",
+       "points of the robot where costs count: x, y, weight, and so on; none: its centre"},
+      {"optimizer.max_iterations", &P::maxIterations, "", "iterations at most"},
+      {"optimizer.fn_tol", &P::fnTol, "", "relative change of the cost that ends it"},
+      {"optimizer.gradient_tol", &P::gradientTol, "", "gradient that ends it"},
+      {"optimizer.param_tol", &P::paramTol, "", "relative change of the path that ends it"},
+  };
+  return kKeys;
+}
+
 const std::vector<Nav2Key<SmootherServerParameters>>& keysOf(const SmootherServerParameters&) {
   using P = SmootherServerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
@@ -103,6 +126,14 @@ const std::vector<IdleKey>& idleKeysOf(const SavitzkyGolayParameters&) {
   return kKeys;
 }
 
+const std::vector<IdleKey>& idleKeysOf(const ConstrainedSmootherParameters&) {
+  static const std::vector<IdleKey> kKeys = {
+      {"optimizer.debug_optimizer", "no log here"},
+      {"optimizer.linear_solver_type", "the equations are solved by Cholesky's method"},
+  };
+  return kKeys;
+}
+
 const std::vector<IdleKey>& idleKeysOf(const SmootherServerParameters&) {
   static const std::vector<IdleKey> kKeys = {
       {"costmap_topic", "the global costmap is handed over"},
@@ -117,19 +148,21 @@ const std::vector<IdleKey>& idleKeysOf(const SmootherServerParameters&) {
 }
 
 std::vector<std::string> pathSmootherPluginNames() {
-  return {kSimple, kSavitzkyGolay};
+  return {kSimple, kSavitzkyGolay, kConstrained};
 }
 
 PluginAnswer<PathSmootherParameters> pathSmootherPlugin(const std::string& className,
                                                         Distro distro) {
-  const PluginMatch match = matchPlugin(className, pathSmootherPluginNames(), smoothersElsewhere());
+  const PluginMatch match = matchPlugin(className, pathSmootherPluginNames(), {});
   PluginAnswer<PathSmootherParameters> answer{std::nullopt, match.name, match.why};
   if (match.isOffered && match.name == kSimple) {
     SimpleSmootherParameters parameters;
     parameters.refinementNum = distro == Distro::Humble ? 4 : parameters.refinementNum;
     answer.parameters = parameters;
-  } else if (match.isOffered) {
+  } else if (match.isOffered && match.name == kSavitzkyGolay) {
     answer.parameters = SavitzkyGolayParameters();
+  } else if (match.isOffered) {
+    answer.parameters = ConstrainedSmootherParameters();
   }
   return answer;
 }
@@ -142,6 +175,17 @@ std::vector<std::string> complaintsAbout(const PathSmootherParameters& parameter
         .range("w_data", simple->wData, 0.0, 1.0)
         .range("w_smooth", simple->wSmooth, 0.0, 0.5)
         .range("refinement_num", simple->refinementNum, 0.0, 1000.0)
+        .take();
+  }
+  if (const auto* constrained = std::get_if<ConstrainedSmootherParameters>(&parameters)) {
+    return Complaints()
+        .range("path_downsampling_factor", constrained->pathDownsamplingFactor, 1.0, 1000.0)
+        .range("path_upsampling_factor", constrained->pathUpsamplingFactor, 1.0, 100.0)
+        .unless(constrained->minimumTurningRadius > 0.0, "minimum_turning_radius is not above 0")
+        .unless(constrained->cuspZoneLength > 0.0, "cusp_zone_length is not above 0")
+        .unless(constrained->costCheckPoints.size() % 3 == 0,
+                "cost_check_points is no list of x, y, weight")
+        .range("optimizer.max_iterations", constrained->maxIterations, 1.0, 10000.0)
         .take();
   }
   const auto& given = std::get<SavitzkyGolayParameters>(parameters);
@@ -158,6 +202,9 @@ std::unique_ptr<PathSmoother> makePathSmoother(const PathSmootherParameters& par
   assert(complaintsAbout(parameters).empty());
   if (const auto* simple = std::get_if<SimpleSmootherParameters>(&parameters)) {
     return std::make_unique<SimpleSmoother>(*simple, distro);
+  }
+  if (const auto* constrained = std::get_if<ConstrainedSmootherParameters>(&parameters)) {
+    return std::make_unique<ConstrainedSmoother>(*constrained);
   }
   return std::make_unique<SavitzkyGolaySmoother>(std::get<SavitzkyGolayParameters>(parameters),
                                                  distro);

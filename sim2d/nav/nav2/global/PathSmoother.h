@@ -46,6 +46,21 @@ struct SavitzkyGolayParameters {
   int polyOrder = 3;
 };
 
+/// nav2_constrained_smoother::ConstrainedSmoother; see ConstrainedSmoother.h.
+struct ConstrainedSmootherParameters {
+  bool reversingEnabled = true;    // headings against the movement are driven backward
+  int pathDownsamplingFactor = 1;  // of so many poses one is moved
+  int pathUpsamplingFactor = 1;    // poses of the result for each of the path
+  bool keepGoalOrientation = true, keepStartOrientation = true;
+  double minimumTurningRadius = 0.4;  // [m]
+  double wCurve = 30.0, wDist = 0.0, wSmooth = 2e6, wCost = 0.015;
+  double wCostCuspMultiplier = 3.0;
+  double cuspZoneLength = 2.5;          // [m]
+  std::vector<double> costCheckPoints;  // x, y [m] in the robot's frame, weight, and so on
+  int maxIterations = 100;
+  double fnTol = 1e-7, gradientTol = 1e-10, paramTol = 1e-15;
+};
+
 /// smoother_server itself.
 struct SmootherServerParameters {
   std::vector<std::string> smootherPlugins = {"simple_smoother"};
@@ -53,9 +68,12 @@ struct SmootherServerParameters {
 
 const std::vector<Nav2Key<SimpleSmootherParameters>>& keysOf(const SimpleSmootherParameters&);
 const std::vector<Nav2Key<SavitzkyGolayParameters>>& keysOf(const SavitzkyGolayParameters&);
+const std::vector<Nav2Key<ConstrainedSmootherParameters>>& keysOf(
+    const ConstrainedSmootherParameters&);
 const std::vector<Nav2Key<SmootherServerParameters>>& keysOf(const SmootherServerParameters&);
 const std::vector<IdleKey>& idleKeysOf(const SimpleSmootherParameters&);
 const std::vector<IdleKey>& idleKeysOf(const SavitzkyGolayParameters&);
+const std::vector<IdleKey>& idleKeysOf(const ConstrainedSmootherParameters&);
 const std::vector<IdleKey>& idleKeysOf(const SmootherServerParameters&);
 
 struct SmoothResult {
@@ -79,7 +97,8 @@ class PathSmoother {
 };
 constexpr double kSweepedPosesPerSecond = 2e7;
 
-using PathSmootherParameters = std::variant<SimpleSmootherParameters, SavitzkyGolayParameters>;
+using PathSmootherParameters =
+    std::variant<SimpleSmootherParameters, SavitzkyGolayParameters, ConstrainedSmootherParameters>;
 PluginAnswer<PathSmootherParameters> pathSmootherPlugin(const std::string& className,
                                                         Distro distro);
 std::vector<std::string> pathSmootherPluginNames();

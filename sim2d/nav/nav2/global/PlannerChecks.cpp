@@ -97,4 +97,24 @@ std::vector<std::string> plannerComplaints(const SmacHybridParameters& parameter
   return complaints.take();
 }
 
+std::vector<std::string> plannerComplaints(const SmacLatticeParameters& parameters) {
+  Complaints complaints;
+  complaints.range("tolerance", parameters.tolerance, 0.0, kFarTolerance)
+      .range("max_planning_time", parameters.maxPlanningTime, 0.0, kMostWeight)
+      .oneOf("goal_heading_mode", parameters.goalHeadingMode,
+             {"DEFAULT", "BIDIRECTIONAL", "ALL_DIRECTION"})
+      .range("reverse_penalty", parameters.reversePenalty, 0.0, kMostWeight)
+      .range("change_penalty", parameters.changePenalty, 0.0, kMostWeight)
+      .range("non_straight_penalty", parameters.nonStraightPenalty, 0.0, kMostWeight)
+      .range("rotation_penalty", parameters.rotationPenalty, 0.0, kMostWeight)
+      .range("cost_penalty", parameters.costPenalty, 0.0, kMostWeight)
+      .range("retrospective_penalty", parameters.retrospectivePenalty, 0.0, 1.0)
+      .range("analytic_expansion_ratio", parameters.analyticExpansionRatio, 1e-3, kMostWeight)
+      .range("analytic_expansion_max_length", parameters.analyticExpansionMaxLength, 0.0,
+             kMostWeight)
+      .range("analytic_expansion_max_cost", parameters.analyticExpansionMaxCost, 0.0, 255.0);
+  addSmacComplaints(parameters, complaints);
+  return complaints.take();
+}
+
 }  // namespace sim2d::nav2

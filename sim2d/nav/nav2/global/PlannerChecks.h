@@ -13,6 +13,7 @@ std::vector<std::string> plannerComplaints(const NavfnParameters& parameters);
 std::vector<std::string> plannerComplaints(const ThetaStarParameters& parameters);
 std::vector<std::string> plannerComplaints(const Smac2DParameters& parameters);
 std::vector<std::string> plannerComplaints(const SmacHybridParameters& parameters);
+std::vector<std::string> plannerComplaints(const SmacLatticeParameters& parameters);
 
 /// Collects them.
 class Complaints {

@@ -118,6 +118,52 @@ const std::vector<Nav2Key<SmacHybridParameters>>& keysOf(const SmacHybridParamet
   return kKeys;
 }
 
+const std::vector<Nav2Key<SmacLatticeParameters>>& keysOf(const SmacLatticeParameters&) {
+  using P = SmacLatticeParameters;
+  static const std::vector<Nav2Key<P>> kKeys = {
+      {"tolerance", &P::tolerance, "m", "how far from the goal the path may end"},
+      {"max_planning_time", &P::maxPlanningTime, "s", "a limit of 100 000 nodes a second here"},
+      {"lattice_filepath", &P::latticeFilepath, "", "file of the motion primitives (JSON)"},
+      {"allow_reverse_expansion", &P::allowReverseExpansion, "", "primitives also backward"},
+      {"smooth_path", &P::smoothPath, "", "smooth the path that was found"},
+      {"reverse_penalty", &P::reversePenalty, "", "factor for primitives backward"},
+      {"change_penalty", &P::changePenalty, "", "added to the next where the turn changes"},
+      {"non_straight_penalty", &P::nonStraightPenalty, "", "factor for turning"},
+      {"rotation_penalty", &P::rotationPenalty, "", "cost of a turn on the spot"},
+      {"cost_penalty", &P::costPenalty, "", "weight of the cells' costs"},
+      {"retrospective_penalty", &P::retrospectivePenalty, "",
+       "share of length that early primitives seem shorter"},
+      {"use_quadratic_cost_penalty", &P::useQuadraticCostPenalty, "", "costs count squared",
+       kSinceLyrical},
+      {"cache_obstacle_heuristic", &P::cacheObstacleHeuristic, "",
+       "keep the distances to a goal although the map changes"},
+      {"downsample_obstacle_heuristic", &P::downsampleObstacleHeuristic, "",
+       "those distances on a coarser map", kSinceLyrical},
+      {"analytic_expansion_ratio", &P::analyticExpansionRatio, "",
+       "how seldom a curve to the goal is tried"},
+      {"analytic_expansion_max_length", &P::analyticExpansionMaxLength, "m", "of such a curve"},
+      {"analytic_expansion_max_cost", &P::analyticExpansionMaxCost, "",
+       "cost that it may enter only for good", kSinceJazzy},
+      {"analytic_expansion_max_cost_override", &P::analyticExpansionMaxCostOverride, "",
+       "but not when it is shorter than a circle", kSinceJazzy},
+      {"goal_heading_mode", &P::goalHeadingMode, "", "DEFAULT, BIDIRECTIONAL or ALL_DIRECTION",
+       kSinceKilted},
+      {"allow_unknown", &P::allowUnknown, "", "through unknown cells"},
+      {"max_iterations", &P::maxIterations, "", "nodes expanded at most; none from 0 down"},
+      {"max_on_approach_iterations", &P::maxOnApproachIterations, "",
+       "nodes expanded at most once the goal is within the tolerance"},
+      {"terminal_checking_interval", &P::terminalCheckingInterval, "",
+       "nodes between two looks whether to stop", kSinceJazzy},
+      {"smoother.tolerance", &P::smootherTolerance, "m", "changes of a sweep that end smoothing"},
+      {"smoother.max_iterations", &P::smootherMaxIterations, "", "sweeps of the smoother at most"},
+      {"smoother.w_data", &P::smootherWData, "", "pull to the path as it was"},
+      {"smoother.w_smooth", &P::smootherWSmooth, "", "pull to the middle of the neighbours"},
+      {"smoother.do_refinement", &P::smootherDoRefinement, "", "smooth the result again"},
+      {"smoother.refinement_num", &P::smootherRefinementNum, "", "how often", kSinceJazzy},
+  };
+  return kKeys;
+}
+
 const std::vector<Nav2Key<PlannerServerParameters>>& keysOf(const PlannerServerParameters&) {
   using P = PlannerServerParameters;
   static const std::vector<Nav2Key<P>> kKeys = {
@@ -154,6 +200,15 @@ const std::vector<IdleKey>& idleKeysOf(const SmacHybridParameters&) {
   static const std::vector<IdleKey> kKeys = {
       {"viz_expansions", "nothing is published"},
       {"debug_visualizations", "nothing is published"},
+  };
+  return kKeys;
+}
+
+const std::vector<IdleKey>& idleKeysOf(const SmacLatticeParameters&) {
+  static const std::vector<IdleKey> kKeys = {
+      {"debug_visualizations", "nothing is published", kSinceJazzy},
+      {"lookup_table_size", "lengths of curves are computed when they are needed"},
+      {"coarse_search_resolution", "each heading of the goal is tried", kSinceKilted},
   };
   return kKeys;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "sim2d/nav/nav2/Nav2Key.h"
+#include "sim2d/nav/nav2/global/Lattice.h"
 
 /// Parameters of the global planners; the defaults are those of Nav2's code in Jazzy
 /// (`planner_server/…`, GlobalPlanners.h gives those of another distribution).
@@ -80,6 +82,27 @@ struct SmacHybridParameters : SmacParameters {
 };
 constexpr double kSmacHybridPerSecond = 1e5;  // iterations
 
+/// nav2_smac_planner::SmacPlannerLattice: A* over motion primitives of a file.
+struct SmacLatticeParameters : SmacParameters {
+  double tolerance = 0.25;       // [m]
+  double maxPlanningTime = 5.0;  // [s], see above
+  std::string latticeFilepath;
+  std::shared_ptr<const Lattice> lattice;  // no key: what is in that file; null: not read
+  bool allowReverseExpansion = false;
+  bool smoothPath = true;
+  double reversePenalty = 2.0, changePenalty = 0.05, nonStraightPenalty = 1.05;  // factors
+  double rotationPenalty = 5.0;  // of a turn on the spot
+  double costPenalty = 2.0, retrospectivePenalty = 0.015;
+  bool useQuadraticCostPenalty = false;
+  bool cacheObstacleHeuristic = false;
+  bool downsampleObstacleHeuristic = true;
+  double analyticExpansionRatio = 3.5;
+  double analyticExpansionMaxLength = 3.0;  // [m]
+  double analyticExpansionMaxCost = 200.0;
+  bool analyticExpansionMaxCostOverride = false;
+  std::string goalHeadingMode = "DEFAULT";  // or "BIDIRECTIONAL", "ALL_DIRECTION"
+};
+
 /// planner_server itself.
 struct PlannerServerParameters {
   std::vector<std::string> plannerPlugins = {"GridBased"};  // names; `<name>.plugin` is the class
@@ -92,11 +115,13 @@ const std::vector<Nav2Key<NavfnParameters>>& keysOf(const NavfnParameters&);
 const std::vector<Nav2Key<ThetaStarParameters>>& keysOf(const ThetaStarParameters&);
 const std::vector<Nav2Key<Smac2DParameters>>& keysOf(const Smac2DParameters&);
 const std::vector<Nav2Key<SmacHybridParameters>>& keysOf(const SmacHybridParameters&);
+const std::vector<Nav2Key<SmacLatticeParameters>>& keysOf(const SmacLatticeParameters&);
 const std::vector<Nav2Key<PlannerServerParameters>>& keysOf(const PlannerServerParameters&);
 const std::vector<IdleKey>& idleKeysOf(const NavfnParameters&);
 const std::vector<IdleKey>& idleKeysOf(const ThetaStarParameters&);
 const std::vector<IdleKey>& idleKeysOf(const Smac2DParameters&);
 const std::vector<IdleKey>& idleKeysOf(const SmacHybridParameters&);
+const std::vector<IdleKey>& idleKeysOf(const SmacLatticeParameters&);
 const std::vector<IdleKey>& idleKeysOf(const PlannerServerParameters&);
 
 }  // namespace sim2d::nav2

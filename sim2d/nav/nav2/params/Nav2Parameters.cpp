@@ -139,8 +139,7 @@ class FileReader {
           return globalPlannerPlugin(plugin, to_.distro);
         };
         type = replacedPlanner(node, name, type, find);
-        readAnswered(node, name, type, find, SubstituteKeys::Read, globalPlannerPluginNames(),
-                     to_.planners);
+        readAnswered(node, name, type, find, globalPlannerPluginNames(), to_.planners);
       }
     }
     node.finish();
@@ -159,8 +158,7 @@ class FileReader {
           return pathSmootherPlugin(plugin, to_.distro);
         };
         type = replacedSmoother(node, name, type, find);
-        readAnswered(node, name, type, find, SubstituteKeys::Ignored, pathSmootherPluginNames(),
-                     to_.smoothers);
+        readAnswered(node, name, type, find, pathSmootherPluginNames(), to_.smoothers);
       }
     }
     node.finish();

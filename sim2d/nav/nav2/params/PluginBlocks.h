@@ -31,14 +31,11 @@ void tellSubstitute(NodeReader& node, const std::string& name, const std::string
 void tellLeftOut(NodeReader& node, const std::string& name, const std::string& found,
                  const std::string& why);
 
-/// Whether the substitute of a class that is not re-implemented reads its keys.
-enum class SubstituteKeys { Read, Ignored };
-
 /// By the class `type`: `find(type)` gives something like PluginAnswer; its keys are read into it.
 /// A class of Nav2 that is not re-implemented is replaced by the nearest one, with a warning.
 template <class Find, class Variant>
 void readAnswered(NodeReader& node, const std::string& name, const std::string& type,
-                  const Find& find, SubstituteKeys keys, const std::vector<std::string>& known,
+                  const Find& find, const std::vector<std::string>& known,
                   std::vector<std::pair<std::string, Variant>>& to) {
   auto answer = find(type);
   const std::string prefix = name + ".";
@@ -53,10 +50,8 @@ void readAnswered(NodeReader& node, const std::string& name, const std::string& 
     return;
   }
   Variant parameters = *std::move(answer.parameters);
-  if (!isReplaced || keys == SubstituteKeys::Read) {
-    std::visit([&](auto& held) { held = node.read(prefix, keysOf(held), idleKeysOf(held), held); },
-               parameters);
-  }
+  std::visit([&](auto& held) { held = node.read(prefix, keysOf(held), idleKeysOf(held), held); },
+             parameters);
   if (isReplaced) {
     node.know(prefix, "a key of " + type);
   }

@@ -1,0 +1,335 @@
+#include "sim2d/nav/nav2/global/ConstrainedSmoother.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <deque>
+#include <limits>
+#include <utility>
+
+#include "sim2d/base/Math.h"
+#include "sim2d/nav/nav2/global/BandedLeastSquares.h"
+#include "sim2d/nav/nav2/global/ConstrainedTerms.h"
+
+namespace sim2d::nav2 {
+namespace {
+
+constexpr double kLeastStretch = 1e-4;   // of a stretch [m]
+constexpr double kPosesPerSecond = 1e6;  // that an iteration moves
+constexpr double kLongestFit = 60.0;     // [s], whatever the tree allows
+constexpr double kControlPoints = 0.4;   // of a stretch, of the curves between poses
+constexpr std::size_t kFixed = std::numeric_limits<std::size_t>::max();  // number of no variable
+
+/// An inner pose with its neighbours, by their places in the path.
+struct InnerPose {
+  std::size_t before, at, after;
+  SmoothTerm term;
+};
+
+/// The poses that are kept, and what belongs to each of the inner ones.
+class SmoothProblem final : public LeastSquares {
+ public:
+  SmoothProblem(const std::vector<ConstrainedPose>& path, const Costmap& costmap,
+                const ConstrainedSmootherParameters& parameters)
+      : path_(path), costmap_(costmap), parameters_(parameters), isKept_(path.size(), false) {
+    chooseKept();
+    numberVariables();
+  }
+
+  std::size_t variables() const { return count_; }
+  const std::vector<bool>& kept() const { return isKept_; }
+
+  std::vector<double> firstPoint() const {
+    std::vector<double> point(count_);
+    for (std::size_t i = 0; i < path_.size(); ++i) {
+      if (numbers_[i] != kFixed) {
+        point[numbers_[i]] = path_[i].position.x();
+        point[numbers_[i] + 1] = path_[i].position.y();
+      }
+    }
+    return point;
+  }
+  Vec2 placeOf(std::size_t i, const std::vector<double>& point) const {
+    return numbers_[i] == kFixed ? path_[i].position
+                                 : Vec2(point[numbers_[i]], point[numbers_[i] + 1]);
+  }
+
+  std::size_t bandwidth() const override { return 6; }
+  std::vector<Group> groups(const std::vector<double>& point) const override {
+    std::vector<Group> all;
+    all.reserve(inner_.size());
+    for (const InnerPose& pose : inner_) {
+      all.push_back(groupOf(pose, point));
+    }
+    return all;
+  }
+
+ private:
+  /// Where the robot turns back, poses are kept whatever the factor.
+  bool isSkipped(std::size_t i, std::size_t last, bool isCusp) const {
+    const std::size_t first = parameters_.keepStartOrientation ? 1 : 0;
+    const std::size_t end = parameters_.keepGoalOrientation ? 2 : 1;
+    return !isCusp && i > first && i + end < path_.size() &&
+           i - last < static_cast<std::size_t>(parameters_.pathDownsamplingFactor);
+  }
+
+  /// The weight of costs at a distance from a cusp.
+  double weightAt(double distance) const {
+    const double half = parameters_.cuspZoneLength / 2.0;
+    const double cusp = parameters_.wCost * parameters_.wCostCuspMultiplier;
+    return cusp * (1.0 - distance / half) + parameters_.wCost * distance / half;
+  }
+
+  /// Costs count more before the cusp that comes after the pose with this number.
+  void raiseWeightsBefore(double length) {
+    const double cusp = parameters_.wCost * parameters_.wCostCuspMultiplier;
+    for (std::size_t i = nearby_.size(); i-- > 0;) {
+      SmoothTerm& term = inner_[nearby_[i].second].term;
+      const double weight = weightAt(length);
+      if (std::abs(weight - cusp) < std::abs(term.costWeight - cusp)) {
+        term.costWeight = weight;
+      }
+      length += nearby_[i].first;
+    }
+    nearby_.clear();
+    nearbyLength_ = 0.0;
+  }
+
+  void forgetFar() {
+    while (!nearby_.empty() && nearbyLength_ > parameters_.cuspZoneLength / 2.0) {
+      nearbyLength_ -= nearby_.front().first;
+      nearby_.pop_front();
+    }
+  }
+
+  void chooseKept() {
+    std::size_t before = kFixed, last = 0;
+    double direction = path_[0].direction, lastLength = kLeastStretch;
+    double sinceCusp = std::numeric_limits<double>::infinity();
+    bool wasCusp = false, wasReversing = false;
+    isKept_[0] = true;
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      bool isCusp = false;
+      if (i + 1 != path_.size()) {
+        isCusp = path_[i].direction * direction < 0.0;
+        direction = path_[i].direction;
+        if (isSkipped(i, last, isCusp)) {
+          continue;
+        }
+      }
+      const double length = (path_[i].position - path_[last].position).norm();
+      nearbyLength_ += length;
+      forgetFar();
+      if (isCusp) {
+        raiseWeightsBefore(length);
+        sinceCusp = 0.0;
+      }
+      isKept_[i] = true;
+      if (before != kFixed) {
+        const bool isNear = sinceCusp <= parameters_.cuspZoneLength / 2.0;
+        SmoothTerm term;
+        term.given = path_[last].position;
+        term.ratio = (wasCusp ? -1.0 : 1.0) * lastLength / std::max(length, kLeastStretch);
+        term.isReversing = wasReversing;
+        term.costWeight = isNear ? weightAt(sinceCusp) : parameters_.wCost;
+        nearby_.emplace_back(length, inner_.size());
+        inner_.push_back({before, last, i, term});
+      }
+      wasCusp = isCusp;
+      wasReversing = direction < 0.0;
+      before = last;
+      last = i;
+      sinceCusp += lastLength;
+      lastLength = std::max(kLeastStretch, length);
+    }
+  }
+
+  /// The ends stay, and the poses beside them where their headings are to be kept.
+  void numberVariables() {
+    numbers_.assign(path_.size(), kFixed);
+    const std::size_t last = path_.size() - 1;
+    for (std::size_t i = 1; i < last; ++i) {
+      const bool isHeld = (i == 1 && parameters_.keepStartOrientation) ||
+                          (i + 1 == last && parameters_.keepGoalOrientation);
+      if (isKept_[i] && !isHeld) {
+        numbers_[i] = count_;
+        count_ += 2;
+      }
+    }
+  }
+
+  Group groupOf(const InnerPose& pose, const std::vector<double>& point) const {
+    const std::array<std::size_t, 3> places = {pose.before, pose.at, pose.after};
+    const SmoothResiduals residuals =
+        smoothResiduals(pose.term, parameters_, costmap_, placeOf(pose.before, point),
+                        placeOf(pose.at, point), placeOf(pose.after, point));
+    Group group;
+    std::vector<std::size_t> slots;  // of the derivatives
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (numbers_[places[k]] != kFixed) {
+        group.variables.insert(group.variables.end(),
+                               {numbers_[places[k]], numbers_[places[k]] + 1});
+        slots.insert(slots.end(), {2 * k, 2 * k + 1});
+      }
+    }
+    for (const SmoothNumber& residual : residuals) {
+      group.values.push_back(residual.value);
+      for (const std::size_t slot : slots) {
+        group.slopes.push_back(residual.slopes[slot]);
+      }
+    }
+    return group;
+  }
+
+  const std::vector<ConstrainedPose>& path_;
+  const Costmap& costmap_;
+  const ConstrainedSmootherParameters& parameters_;
+  std::vector<bool> isKept_;
+  std::vector<InnerPose> inner_;
+  std::vector<std::size_t> numbers_;  // of the first variable of a pose
+  std::size_t count_ = 0;
+  std::deque<std::pair<double, std::size_t>> nearby_;  // lengths, inner poses before a cusp
+  double nearbyLength_ = 0.0;
+};
+
+/// With the direction of the movement after each pose.
+std::vector<ConstrainedPose> posesOf(const Path& path, const ConstrainedSmootherParameters& p) {
+  std::vector<ConstrainedPose> poses;
+  poses.reserve(path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    double direction = poses.empty() ? 1.0 : poses.back().direction;
+    if (i + 1 < path.size()) {
+      const Vec2 way = path[i + 1].position - path[i].position;
+      const bool isReversing = p.reversingEnabled && path[i].direction().dot(way) < 0.0;
+      direction = isReversing ? -1.0 : 1.0;
+    }
+    poses.push_back({path[i].position, direction});
+  }
+  if (poses.size() > 2 && !p.keepStartOrientation) {
+    poses[0].direction = poses[1].direction;
+  }
+  return poses;
+}
+
+Vec2 bezier(const std::array<Vec2, 4>& points, double t) {
+  const double s = 1.0 - t;
+  return s * s * s * points[0] + 3.0 * s * s * t * points[1] + 3.0 * s * t * t * points[2] +
+         t * t * t * points[3];
+}
+
+/// The vector, or the opposite one, that goes the same way as another.
+Vec2 along(const Vec2& vector, const Vec2& way) {
+  return vector.dot(way) >= 0.0 ? vector : Vec2(-vector);
+}
+
+/// Puts the poses together again, with curves between those that were kept.
+class Assembly {
+ public:
+  Assembly(const std::vector<ConstrainedPose>& poses, const std::vector<bool>& kept,
+           const ConstrainedSmootherParameters& parameters)
+      : poses_(poses), kept_(kept), parameters_(parameters) {}
+
+  Path assemble(const Vec2& startDirection, const Vec2& endDirection) {
+    std::size_t before = kFixed, last = 0;
+    Vec2 beforeDirection = startDirection;
+    for (std::size_t i = 1; i <= poses_.size(); ++i) {
+      if (i < poses_.size() && !kept_[i]) {
+        continue;
+      }
+      if (before == kFixed) {
+        const Vec2 way = (poses_[i].position - poses_[0].position) * poses_[0].direction;
+        beforeDirection =
+            parameters_.keepStartOrientation ? startDirection : Vec2(way.normalized());
+        path_.push_back({poses_[0].position, base::headingOf(beforeDirection)});
+      } else {
+        const Vec2 direction = directionAt(before, last, i, endDirection);
+        addCurve(before, last, beforeDirection, direction);
+        beforeDirection = direction;
+      }
+      before = last;
+      last = i;
+    }
+    return std::move(path_);
+  }
+
+ private:
+  Vec2 directionAt(std::size_t before, std::size_t last, std::size_t next,
+                   const Vec2& endDirection) const {
+    const ConstrainedPose& a = poses_[before];
+    const ConstrainedPose& b = poses_[last];
+    if (next < poses_.size()) {
+      const Vec2 tangent = arcDirection(a.position, b.position, poses_[next].position,
+                                        a.direction * b.direction < 0.0);
+      return along(tangent, (poses_[next].position - b.position) * b.direction).normalized();
+    }
+    return parameters_.keepGoalOrientation
+               ? endDirection
+               : Vec2(((b.position - a.position) * b.direction).normalized());
+  }
+
+  void addCurve(std::size_t before, std::size_t last, const Vec2& from, const Vec2& to) {
+    const ConstrainedPose& a = poses_[before];
+    const ConstrainedPose& b = poses_[last];
+    const auto count = static_cast<int>(last - before) * parameters_.pathUpsamplingFactor - 1;
+    const double length = kControlPoints * (b.position - a.position).norm() * a.direction;
+    const std::array<Vec2, 4> points = {a.position, a.position + from * length,
+                                        b.position - to * length, b.position};
+    const std::size_t first = path_.size();
+    for (int i = 1; i <= count; ++i) {
+      path_.push_back({bezier(points, static_cast<double>(i) / (count + 1)), 0.0});
+    }
+    path_.push_back({b.position, base::headingOf(to)});
+    for (std::size_t i = first; i + 1 < path_.size(); ++i) {
+      const Vec2 tangent =
+          arcDirection(path_[i - 1].position, path_[i].position, path_[i + 1].position, false);
+      path_[i].heading = base::headingOf(
+          along(tangent, (path_[i + 1].position - path_[i].position) * a.direction));
+    }
+  }
+
+  const std::vector<ConstrainedPose>& poses_;
+  const std::vector<bool>& kept_;
+  const ConstrainedSmootherParameters& parameters_;
+  Path path_;
+};
+
+}  // namespace
+
+ConstrainedSmoother::ConstrainedSmoother(const ConstrainedSmootherParameters& parameters)
+    : parameters_(parameters) {}
+
+SmoothResult ConstrainedSmoother::smooth(const Path& path, const Costmap& costmap,
+                                         double maxDuration) const {
+  SmoothResult result;
+  if (path.size() < 2 || costmap.costs().empty()) {
+    result.error = path.empty() ? SmoothError::InvalidPath : SmoothError::FailedToSmoothPath;
+    return result;
+  }
+  std::vector<ConstrainedPose> poses = posesOf(path, parameters_);
+  const SmoothProblem problem(poses, costmap, parameters_);
+  std::vector<double> point = problem.firstPoint();
+  if (problem.variables() > 0) {
+    LeastSquaresLimits limits;
+    const double allowed = std::clamp(maxDuration, 0.0, kLongestFit) * kPosesPerSecond /
+                           static_cast<double>(problem.variables());
+    limits.mostIterations = static_cast<int>(std::min<double>(parameters_.maxIterations, allowed));
+    limits.functionTolerance = parameters_.fnTol;
+    limits.gradientTolerance = parameters_.gradientTol;
+    limits.parameterTolerance = parameters_.paramTol;
+    const LeastSquaresEnd end = minimise(problem, limits, point);
+    if (!std::isfinite(end.lastCost) || end.lastCost > end.firstCost) {
+      result.error = SmoothError::FailedToSmoothPath;
+      return result;
+    }
+    result.wasCompleted = end.isConverged;
+  }
+  std::vector<ConstrainedPose> smoothed = poses;
+  for (std::size_t i = 0; i < smoothed.size(); ++i) {
+    smoothed[i].position = problem.placeOf(i, point);
+  }
+  result.path = Assembly(smoothed, problem.kept(), parameters_)
+                    .assemble(path.front().direction(), path.back().direction());
+  return result;
+}
+
+}  // namespace sim2d::nav2
