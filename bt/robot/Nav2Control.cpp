@@ -57,13 +57,17 @@ void Nav2Servers::watchController() {
   }
 }
 
-/// Of the costmap whose filters spoke last.
+/// Of the costmap whose filters spoke last; states of binary filters for the manifest.
 void Nav2Servers::applySpeedLimit() {
   for (const LayeredCostmap* const costmap : {local_.get(), global_.get()}) {
     SpeedLimit& last = costmap == local_.get() ? localLimit_ : globalLimit_;
     if (!(costmap->speedLimit() == last)) {
       last = costmap->speedLimit();
       controllers_->setSpeedLimit(last.value, last.isPercentage);
+    }
+    const std::string node = costmap == local_.get() ? "local_costmap." : "global_costmap.";
+    for (const auto& [name, state] : costmap->binaryStates()) {
+      counts_.binaryFilters[node + name] = state;
     }
   }
 }

@@ -98,6 +98,15 @@ Json substitutionsJson(const base::Diagnostics& problems) {
   return substitutions;
 }
 
+/// What binary filters publish at the end, and how often that changed.
+Json binaryJson(const Nav2Counts& counts) {
+  Json filters = Json::object();
+  for (const auto& [name, filter] : counts.binaryFilters) {
+    filters[name] = {{"state", filter.state}, {"changes", filter.changes}};
+  }
+  return filters;
+}
+
 Json ratesJson(const Nav2Parameters& parameters, double dt) {
   return {{"controller", rate(controllerValue(parameters, "controller_frequency", 20.0), dt)},
           {"behaviors", rate(parameters.behaviors.server.cycleFrequency, dt)},
@@ -124,6 +133,7 @@ std::string nav2Report(const Nav2Loaded& loaded, const Nav2Counts& counts,
   json["plugins"] = pluginsJson(parameters);
   json["treated_as"] = replacedJson(parameters);
   json["substitutions"] = substitutionsJson(loaded.problems);
+  json["binary_filters"] = binaryJson(counts);
   json["collision_monitor"] = parameters.collisionMonitor.has_value();
   json["frequencies"] = ratesJson(parameters, setup.dt);
   json["latency_steps"] = {

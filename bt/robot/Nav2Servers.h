@@ -45,6 +45,7 @@ struct Nav2Counts {
   std::map<std::string, int> planReasons{};          // planFailures by their reasons
   std::map<std::string, int> actionReasons{};        // other actions that failed, by their reasons
   std::vector<sim2d::nav2::RouteEvent> routeEvents;  // of the route server's operations
+  std::map<std::string, sim2d::nav2::BinaryState> binaryFilters;  // "local_costmap.lights"
 };
 
 /// Nav2's servers round one robot: costmaps, planners, smoothers, controllers, behaviours, velocity

@@ -29,6 +29,7 @@ class Nav2ReplacementsTest : public QObject {
   void oldNames_areTheirNewerNames();
   void oldNames_ofEloquent_nameClassesInLists();
   void placeholder_isAbsent();
+  void placeholder_ofLaunchFiles_isAbsent();
   void placeholder_listHasItsBlocks();
   void emptyList_ofPlanners_isAbsent();
 };
@@ -329,6 +330,21 @@ void Nav2ReplacementsTest::placeholder_isAbsent() {
   QVERIFY(problem != nullptr);
   QCOMPARE(problem->line, 5);
   QCOMPARE(controllerValue(reading.parameters, "controller_frequency", 20.0), 20.0);
+}
+
+void Nav2ReplacementsTest::placeholder_ofLaunchFiles_isAbsent() {
+  const Nav2Reading reading = readOf(kPursuit + R"yaml(    controller_frequency: $(var rate)
+local_costmap:
+  local_costmap:
+    ros__parameters:
+      robot_radius: $(var radius)
+      footprint: "$(var footprint)"
+      plugins: $(var layers)
+)yaml");
+  QVERIFY2(reading.ok(), texts(reading.problems).c_str());
+  QCOMPARE(countOf(reading.problems, "nav2.placeholder"), 4);
+  QCOMPARE(reading.parameters.localCostmap.parameters.robotRadius, 0.1);
+  QCOMPARE(reading.parameters.localCostmap.parameters.footprint, std::string("[]"));
 }
 
 void Nav2ReplacementsTest::placeholder_listHasItsBlocks() {

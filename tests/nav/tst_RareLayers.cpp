@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -29,6 +30,7 @@ class RareLayersTest : public QObject {
   void range_maximum_clearsTheCone();
   void range_topics_lookWhereTheirNamesSay();
   void range_lidar_givesTheLeastOfTheCone();
+  void problems_ofRareLayers_areTold();
   void decay_linear_forgetsAfterItsTime();
   void decay_fieldOfView_isSooner();
   void decay_persistent_staysBehindTheRays();
@@ -223,6 +225,31 @@ void RareLayersTest::range_lidar_givesTheLeastOfTheCone() {
   QCOMPARE(int{costmap.costmap().at({70, 40})}, 0);    // 1.5 m ahead: nothing before 2 m
   QVERIFY(costmap.costmap().at({80, 40}) == kLethal);  // 2 m ahead
   QVERIFY(costmap.costmap().at({46, 47}) != kLethal);  // the short beam is not in it
+}
+
+void RareLayersTest::problems_ofRareLayers_areTold() {
+  CostmapSetup setup = plainSetup(10, 0.5);
+  RangeSensorLayerParameters range;
+  range.topics = {"/sonar"};
+  range.inputSensorType = "FIXED";
+  range.markThreshold = 1.5;
+  DecayLayerParameters decay;
+  decay.voxelSize = 0.0;
+  DecaySource low;
+  low.maxObstacleHeight = 0.1;  // the lidar is at 0.2 m
+  decay.sources = {low};
+  ContainerLayerParameters container;
+  container.layers = {{"both.sonar", range}};
+  setup.settings.plugins = {{"both", container}, {"stvl", decay}};
+  std::vector<std::string> codes;
+  for (const base::Diagnostic& problem : problemsOf(setup)) {
+    codes.emplace_back(problem.code);
+  }
+  for (const char* const code : {"nav2.range-type", "nav2.lidar-not-taken"}) {
+    QCOMPARE(std::count(codes.begin(), codes.end(), code), 1);
+  }
+  QCOMPARE(codes.size(), std::size_t{4});  // and two values out of their ranges
+  QVERIFY(base::hasErrors(problemsOf(setup)));
 }
 
 namespace {

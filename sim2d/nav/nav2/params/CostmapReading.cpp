@@ -156,6 +156,21 @@ void readContained(NodeReader& node, const std::string& name, ContainerLayerPara
   }
 }
 
+/// What a layer consists of: sources, other layers.
+template <class Layer>
+void readParts(NodeReader& node, const std::string& name, Layer& layer) {
+  if constexpr (std::is_base_of_v<ObstacleLayerParameters, Layer>) {
+    readSources(node, name + ".", layer);
+  } else if constexpr (std::is_same_v<DecayLayerParameters, Layer>) {
+    readSources(node, name + ".", layer);
+    for (const IdleKey& key : idleDecayKeys()) {
+      node.know(name + "." + key.name, key.why);
+    }
+  } else if constexpr (std::is_same_v<ContainerLayerParameters, Layer>) {
+    readContained(node, name, layer);
+  }
+}
+
 /// Packages also hold layers of forks, so that the package alone is no evidence.
 bool isMisspeltLayer(const std::string& type) {
   const std::vector<std::string> known = layerTypes();
@@ -192,17 +207,7 @@ void readLayer(NodeReader& node, const std::string& name, std::vector<CostmapPlu
   std::visit(
       [&](auto& held) {
         held = node.read(prefix, keysOf(held), idleLayerKeys(), held);
-        using Held = std::decay_t<decltype(held)>;
-        if constexpr (std::is_base_of_v<ObstacleLayerParameters, Held>) {
-          readSources(node, prefix, held);
-        } else if constexpr (std::is_same_v<DecayLayerParameters, Held>) {
-          readSources(node, prefix, held);
-          for (const IdleKey& key : idleDecayKeys()) {
-            node.know(prefix + key.name, key.why);
-          }
-        } else if constexpr (std::is_same_v<ContainerLayerParameters, Held>) {
-          readContained(node, name, held);
-        }
+        readParts(node, name, held);
       },
       *layer);
   if (isReplaced) {

@@ -41,12 +41,14 @@ void tellUnknownPlugin(NodeReader& node, const std::string& name, const std::str
 
 void tellSubstitute(NodeReader& node, const std::string& name, const std::string& found,
                     const std::string& substitute, const std::string& why) {
-  node.tell(name + ".plugin", base::warning("nav2.treated-as", {name, found, substitute, why}));
+  node.tell(name + ".plugin",
+            base::warning("nav2.treated-as", {node.node() + "." + name, found, substitute, why}));
 }
 
 void tellLeftOut(NodeReader& node, const std::string& name, const std::string& found,
                  const std::string& why) {
-  node.tell(name + ".plugin", base::warning("nav2.left-out", {name, found, why}));
+  node.tell(name + ".plugin",
+            base::warning("nav2.left-out", {node.node() + "." + name, found, why}));
 }
 
 void tellAt(NodeReader& node, const base::Diagnostics& problems) {

@@ -119,7 +119,7 @@ void addTemplate(NodeReader& node, const std::string& prefix, const std::string&
 void replaceController(NodeReader& node, const std::string& name, const std::string& prefix,
                        const std::string& key, const std::string& type, const RobotLimits& robot) {
   const ReplacedController substitute = nearestController(type);
-  const std::string owner = key.substr(0, key.rfind(".plugin"));
+  const std::string owner = node.node() + "." + key.substr(0, key.rfind(".plugin"));
   node.tell(key,
             base::warning("nav2.treated-as", {owner, type, substitute.plugin, substitute.why}));
   const GivenParameter* const given = node.parameters().find(key);
