@@ -13,6 +13,7 @@
 #include "bt/robot/Nav2Files.h"
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/nav2/params/NamedFiles.h"
 
 namespace bt {
 namespace {
@@ -25,19 +26,6 @@ using sim2d::nav2::SmacLatticeParameters;
 
 constexpr std::size_t kMostPrimitives = 10000, kMostHeadings = 360;
 constexpr double kFarthest = 1000.0;  // [m]
-
-/// The path as it is, else its last part beside the parameter file; empty: there is none.
-std::string latticeFile(const std::string& named, const std::string& folder) {
-  namespace fs = std::filesystem;
-  std::error_code none;
-  for (const fs::path& place :
-       {fs::path(folder) / named, fs::path(folder) / fs::path(named).filename()}) {
-    if (!named.empty() && fs::is_regular_file(place, none)) {
-      return place.lexically_normal().string();
-    }
-  }
-  return {};
-}
 
 /// Reads values of a lattice; what is missing or out of range is one problem.
 class LatticeReader {
@@ -158,7 +146,7 @@ Nav2Lattices loadNav2Lattices(sim2d::nav2::Nav2Parameters& parameters) {
     if (lattice == nullptr) {
       continue;
     }
-    const std::string file = latticeFile(lattice->latticeFilepath, folder);
+    const std::string file = sim2d::nav2::findNamedFile(lattice->latticeFilepath, {folder}).file;
     if (file.empty()) {
       found.problems.push_back(placedProblem(
           parameters, name,

@@ -101,8 +101,10 @@ void Nav2CheckTest::oneChange_isToldOnceWithItsLine_data() {
       "nav2.map-too-small", false);
   row("costmap without updates", "update_frequency: 5.0", "update_frequency: 0.0",
       "nav2.never-updated", false);
-  row("class of nobody", "nav2_mppi_controller::MPPIController", "nav2_mppi::Controller",
-      "nav2.unknown-plugin", true);
+  row("misspelt class", "nav2_mppi_controller::MPPIController",
+      "nav2_mppi_controller::MPPIControler", "nav2.unknown-plugin", true);
+  row("class of another package", "nav2_mppi_controller::MPPIController", "nav2_mppi::Controller",
+      "nav2.treated-as", false);
 }
 
 void Nav2CheckTest::oneChange_isToldOnceWithItsLine() {
