@@ -935,7 +935,6 @@ constexpr ProblemText kTexts[] = {
     // Command line.
     {"program.failed", "{said}"},
     {"option.wrong", "{said}"},
-    {"option.check-nothing", "nothing to check: name files, or parameter files with --nav2-params"},
     {"option.window-input", "the window opens files, not the standard input"},
     {"option.size", "--size takes WIDTHxHEIGHT, such as 1280x800"},
     {"option.scale", "--scale takes a number from 0.5 to 8"},

@@ -146,10 +146,6 @@ int checkCommand(const CheckOptions& options, const Invocation& given) {
     base::append(all, found);
   };
   const std::vector<std::string>& params = options.scenario.nav2Params;
-  if (options.files.empty() && params.empty()) {
-    show({base::error("option.check-nothing")});
-    return ExitWrongCommandLine;
-  }
   if (options.files.empty()) {  // as one
     show(checkNav2Files(params, sim2d::nav2::distroNamed(options.distro)));
   }
@@ -179,6 +175,11 @@ void addCheck(CommandRegistry& commands) {
       ->check(oneOf(sim2d::fieldOf<sim2d::Robot>("nav2_distro")->spec.choices));
   addNav2Params(command, options.scenario.nav2Params);
   addStrict(command, options.strict);
+  command.callback([&checked = options] {
+    if (checked.files.empty() && checked.scenario.nav2Params.empty()) {
+      throw CLI::RequiredError("files");
+    }
+  });
 }
 
 }  // namespace app
