@@ -114,7 +114,7 @@ Driven drive(const std::string& scenario, const std::string& params, const std::
              double seconds, const std::function<sim2d::StepInputs(double)>& inputs = {}) {
   app::RunOptions options;
   options.scenario = scenario;
-  options.nav2Params = params;
+  options.nav2Params = {params};
   options.nav2Tree = tree;
   options.nav2Distro = "main";
   const app::Bundle bundle = app::readBundle(options, *app::runSettingsOf(options), {});

@@ -73,7 +73,7 @@ Driven drive(app::RunOptions options, const Words& set, double longest) {
 app::RunOptions nav2(const std::string& params = "turtlebot4") {
   app::RunOptions options;
   options.planner = "nav2";
-  options.nav2Params = SOURCE_DIR "/resources/nav2_params/" + params + ".yaml";
+  options.nav2Params = {SOURCE_DIR "/resources/nav2_params/" + params + ".yaml"};
   options.nav2Tree =
       SOURCE_DIR "/resources/nav2_trees/jazzy/navigate_to_pose_w_replanning_and_recovery.xml";
   return options;

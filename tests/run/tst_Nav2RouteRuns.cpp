@@ -136,7 +136,7 @@ Driven drive(const std::string& paramsFile, const std::string& treeFile, double 
   app::RunOptions options;
   options.scenario = scenario();
   options.planner = "nav2";
-  options.nav2Params = paramsFile;
+  options.nav2Params = {paramsFile};
   options.nav2Tree = treeFile;
   options.nav2Distro = "kilted";
   options.set = set;

@@ -108,7 +108,7 @@ bool arrives(const std::string& parameters, const std::string& scene) {
   app::RunOptions options;
   options.scenario = std::string(SOURCE_DIR "/maps/planners/") + scene + "_agents.yaml";
   options.planner = "nav2";
-  options.nav2Params = parameters;
+  options.nav2Params = {parameters};
   options.nav2Tree =
       SOURCE_DIR "/resources/nav2_trees/humble/navigate_to_pose_w_replanning_and_recovery.xml";
   const app::Bundle bundle = app::readBundle(options, *app::runSettingsOf(options), {});

@@ -159,7 +159,7 @@ Ended ended(const std::string& scenario, const std::string& params, const std::s
             const Words& set = {}) {
   app::RunOptions options;
   options.scenario = scenario;
-  options.nav2Params = params;
+  options.nav2Params = {params};
   options.nav2Tree = tree.empty() ? std::nullopt : std::optional(tree);
   options.set = set;
   const app::Bundle bundle = app::readBundle(options, *app::runSettingsOf(options), {});
