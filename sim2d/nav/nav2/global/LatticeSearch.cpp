@@ -9,9 +9,10 @@
 namespace sim2d::nav2 {
 namespace {
 
-constexpr double kLatticeStep = 1.4142135623730951;  // [cells] a move of this length leaves the cell
-constexpr double kOnTheSpot = 1e-4;              // [m]
-constexpr double kNoArc = 1e-3;                  // [m] of an arc
+constexpr double kLatticeStep =
+    1.4142135623730951;              // [cells] a move of this length leaves the cell
+constexpr double kOnTheSpot = 1e-4;  // [m]
+constexpr double kNoArc = 1e-3;      // [m] of an arc
 constexpr std::size_t kMostLatticeNodes = 5000000;
 
 }  // namespace
@@ -127,7 +128,8 @@ PlanResult LatticeSearch::find(const Pose2& start, const std::vector<Pose2>& goa
   open_.push(0.0, static_cast<std::size_t>(first));
   PlanResult result;
   int nearGoal = 0;
-  while (!open_.isEmpty() && result.iterations < limits.most && nodes_.size() <= kMostLatticeNodes) {
+  while (!open_.isEmpty() && result.iterations < limits.most &&
+         nodes_.size() <= kMostLatticeNodes) {
     const std::size_t node = open_.pop().node;
     const int index = static_cast<int>(node);
     if (nodes_[node].isVisited) {
