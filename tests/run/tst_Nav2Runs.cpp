@@ -319,7 +319,7 @@ void Nav2RunsTest::report_hasKeysDefaultsAndCounts() {
   QCOMPARE(driven.report["code_defaults"]["controller_server.FollowPath.time_granularity"], "0.5");
   bool isIdle = false;
   for (const auto& key : driven.report["keys"]) {
-    isIdle = isIdle || (key["key"] == "local_costmap.global_frame" && key["use"] == "ignored" &&
+    isIdle = isIdle || (key["key"] == "local_costmap.robot_base_frame" && key["use"] == "ignored" &&
                         !key["why"].get<std::string>().empty());
   }
   QVERIFY(isIdle);
