@@ -86,7 +86,8 @@ void Nav2AnswersTest::checkPath_throughTheWall_hasItsCollisions_data() {
   QTest::newRow("up to the wall") << 254 << 4.6 << ""
                                   << "" << false << 1;
   const QString kLong = QStringLiteral("[[0.6, 0.1], [0.6, -0.1], [-0.6, -0.1], [-0.6, 0.1]]");
-  QTest::newRow("long footprint") << 254 << -1.0 << "" << kLong << false << 3;
+  // The wall's pose, its neighbours, and both ends of the path, where it reaches off the map.
+  QTest::newRow("long footprint") << 254 << -1.0 << "" << kLong << false << 5;
   QTest::newRow("layer without inflation") << 160 << -1.0 << "static_layer"
                                            << "" << false << 1;
 }

@@ -143,6 +143,7 @@ Driven drive(const std::string& paramsFile, const std::string& treeFile, double 
   const auto settings = app::runSettingsOf(options);
   app::Verdict verdict = app::check(app::readBundle(options, *settings, {}));
   base::append(verdict.problems, verdict.wrongWords);
+  base::append(verdict.problems, verdict.worldRemarks);
   Driven driven;
   for (const base::Diagnostic& problem : verdict.problems) {
     driven.problems += problem.severity == base::Severity::Info ? "" : problem.text() + "\n";
@@ -276,7 +277,9 @@ void Nav2RouteRunsTest::navigateToPose_ownTree_drivesThere() {
                             folder() + R"(nav2_inner.xml"/></Sequence>)";
   const Driven driven = drive(params(""), tree(nodes), 60.0);
   QVERIFY2(driven.hasArrived, (driven.problems + driven.failure).c_str());
-  const Driven usual = drive(params(""), tree("<NavigateToPose goal=\"{goal}\"/>"), 60.0);
+  const Driven usual = drive(params(""), tree("<NavigateToPose goal=\"{goal}\"/>"), 60.0,
+                             {"nav2.default_nav_to_pose_bt_xml=" +
+                              shippedTree("kilted", "navigate_to_pose_w_replanning_and_recovery")});
   QVERIFY2(usual.hasArrived, (usual.problems + usual.failure).c_str());
 }
 
