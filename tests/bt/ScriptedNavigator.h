@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,10 +56,12 @@ class Scripted : public bt::NavigatorHost {
   bt::RobotRequest last;       // of the last request
   bool hasPose = true, hasLocalizer = true;
   sim2d::nav2::FrameNames frames;
+  std::optional<sim2d::BatteryState> charge;
 
   Distro distro() const override { return distro_; }
   base::Pose2 pose() const override { return place; }
   double speed() const override { return driven; }
+  std::optional<sim2d::BatteryState> battery() const override { return charge; }
   double goalReachedTolerance() const override { return 0.25; }
   bt::PathId newestGoal() const override { return goal; }
   double time() const override { return 0.05 * static_cast<double>(step); }

@@ -241,7 +241,8 @@ void Nav2DockRunsTest::tree_thatDocksNowhere_fails() {
   QVERIFY2(driven.headings.back() > 1.4, qPrintable(QString::number(driven.headings.back())));
 }
 
-/// She walks 6 m at 0.3 m/s; the controller may drive 0.25 m/s and catches up once she stands.
+/// She walks 6 m at 0.3 m/s, and a little farther as the robot comes near; the controller may drive
+/// 0.25 m/s and catches up once she is slower.
 void Nav2DockRunsTest::person_isFollowed() {
   for (const std::string port : {"tracked_frame=\"anna\"", "tracked_frame=\"1\"",
                                  "pose_topic=\"/anna/pose\"", "pose_topic=\"detected_pose\""}) {
@@ -249,10 +250,12 @@ void Nav2DockRunsTest::person_isFollowed() {
         planeWith("follow_anna", kFar), SOURCE_DIR "/maps/planners/nav2_rpp.yaml",
         treeWith("follow_anna_tree", "<FollowObject " + port + " max_duration=\"95\"/>\n"), 90.0);
     QVERIFY2(driven.hasRun, driven.problems.c_str());
-    const double distance = (driven.places.back() - driven.person).norm();
+    const Vec2 line = driven.person - driven.places.back();
+    const double distance = line.norm();
     QVERIFY2(distance > 0.9 && distance < 1.25,
              qPrintable(QString::number(distance) + QString::fromStdString(port)));
-    QVERIFY2(driven.speeds.back() < 0.05, qPrintable(QString::number(driven.speeds.back())));
+    QVERIFY(driven.person.x() > 7.0);
+    QVERIFY(std::fabs(base::wrapToPi(base::headingOf(line) - driven.headings.back())) < 0.3);
   }
 }
 
