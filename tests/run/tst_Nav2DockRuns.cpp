@@ -242,7 +242,8 @@ void Nav2DockRunsTest::tree_thatDocksNowhere_fails() {
 }
 
 /// She walks 6 m at 0.3 m/s, and a little farther as the robot comes near; the controller may drive
-/// 0.25 m/s and catches up once she is slower.
+/// 0.25 m/s and catches up once she is slower. Filtered poses of a topic lag behind by 0.45 s of
+/// her way (weight 0.1 in each 0.05 s).
 void Nav2DockRunsTest::person_isFollowed() {
   for (const std::string port : {"tracked_frame=\"anna\"", "tracked_frame=\"1\"",
                                  "pose_topic=\"/anna/pose\"", "pose_topic=\"detected_pose\""}) {
@@ -252,7 +253,7 @@ void Nav2DockRunsTest::person_isFollowed() {
     QVERIFY2(driven.hasRun, driven.problems.c_str());
     const Vec2 line = driven.person - driven.places.back();
     const double distance = line.norm();
-    QVERIFY2(distance > 0.9 && distance < 1.25,
+    QVERIFY2(distance > 0.9 && distance < 1.4,
              qPrintable(QString::number(distance) + QString::fromStdString(port)));
     QVERIFY(driven.person.x() > 7.0);
     QVERIFY(std::fabs(base::wrapToPi(base::headingOf(line) - driven.headings.back())) < 0.3);
