@@ -168,6 +168,54 @@ bool isNeeded(const std::string& name) {
   return endsWith(name, "_plugins");
 }
 
+/// A list that counts as absent, and the placeholder in it; empty: it is a list without names.
+struct AbsentList {
+  std::string name, placeholder;
+};
+
+std::vector<AbsentList> absentLists(const NodeReader& node) {
+  std::vector<AbsentList> absent;
+  for (const GivenParameter& given : node.parameters().given) {
+    if (!isListOfPlugins(given.name)) {
+      continue;
+    }
+    std::string placeholder = placeholderIn(given.name, *given.value);
+    if (!placeholder.empty() || (isNeeded(given.name) && isEmptyList(*given.value))) {
+      absent.push_back({given.name, std::move(placeholder)});
+    }
+  }
+  return absent;
+}
+
+/// The plugins whose blocks are in the node, with a warning. A placeholder without blocks is left
+/// to the reader of the key.
+void fillList(NodeReader& node, const AbsentList& absent) {
+  const std::vector<std::string> blocks = blocksOf(node, absent.name);
+  if (!absent.placeholder.empty() && blocks.empty()) {
+    return;
+  }
+  const std::string path = node.node() + "." + absent.name;
+  const std::string instead =
+      blocks.empty() ? "Nav2's default counts" : "its blocks count: " + base::join(blocks, ", ");
+  node.tell(absent.name,
+            absent.placeholder.empty()
+                ? base::warning("nav2.empty-list", {path, instead})
+                : base::warning("nav2.list-placeholder", {path, absent.placeholder, instead}));
+  const base::YamlNode place = *node.parameters().find(absent.name)->value;
+  node.markUsed(absent.name);
+  node.drop(absent.name);
+  if (blocks.empty()) {
+    return;
+  }
+  base::YamlNode list(base::YamlNode::Kind::List);
+  list.line = place.line;
+  list.column = place.column;
+  for (const std::string& block : blocks) {
+    list.items.push_back(base::stringNode(block));
+  }
+  node.supply(absent.name, std::move(list));
+}
+
 }  // namespace
 
 void readOldNames(NodeReader& node, bool isOld) {
@@ -192,41 +240,8 @@ void readOldNames(NodeReader& node, bool isOld) {
 }
 
 void readMissingLists(NodeReader& node) {
-  struct Absent {
-    std::string name, placeholder;
-    base::YamlNode place;
-  };
-  std::vector<Absent> absent;
-  for (const GivenParameter& given : node.parameters().given) {
-    const bool isList = isListOfPlugins(given.name);
-    const std::string placeholder =
-        isList ? placeholderIn(given.name, *given.value) : std::string();
-    if (!placeholder.empty() || (isNeeded(given.name) && isEmptyList(*given.value))) {
-      absent.push_back({given.name, placeholder, *given.value});
-    }
-  }
-  for (const auto& [name, placeholder, place] : absent) {
-    const std::vector<std::string> blocks = blocksOf(node, name);
-    if (!placeholder.empty() && blocks.empty()) {
-      continue;  // Nav2's own list, as for other placeholders
-    }
-    const std::string path = node.node() + "." + name;
-    const std::string instead =
-        blocks.empty() ? "Nav2's default counts" : "its blocks count: " + base::join(blocks, ", ");
-    node.tell(name, placeholder.empty()
-                        ? base::warning("nav2.empty-list", {path, instead})
-                        : base::warning("nav2.list-placeholder", {path, placeholder, instead}));
-    node.markUsed(name);
-    node.drop(name);
-    if (!blocks.empty()) {
-      base::YamlNode list(base::YamlNode::Kind::List);
-      list.line = place.line;
-      list.column = place.column;
-      for (const std::string& block : blocks) {
-        list.items.push_back(base::stringNode(block));
-      }
-      node.supply(name, std::move(list));
-    }
+  for (const AbsentList& absent : absentLists(node)) {
+    fillList(node, absent);
   }
 }
 

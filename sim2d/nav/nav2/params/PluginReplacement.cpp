@@ -151,13 +151,13 @@ void replaceController(NodeReader& node, const std::string& name, const std::str
 void replaceControllers(NodeReader& node, const Nav2Block& block, const RobotLimits& limits) {
   const std::vector<std::string> known = controllerRegistry().plugins(node.distro());
   for (const std::string& name : listAt(block, "controller_plugins", "FollowPath")) {
-    const std::string outer = name + ".plugin";
-    std::string key = outer, prefix = name + ".";
+    std::string key = base::join({name, "plugin"}, "."), prefix = base::join({name, ""}, ".");
     std::string type = textAt(block, key).value_or("");
     if (pluginName(type) == kShim) {
       const bool isNested = node.distro() >= Distro::Lyrical;
-      key = name + (isNested ? ".primary_controller.plugin" : ".primary_controller");
-      prefix = isNested ? name + ".primary_controller." : prefix;
+      const std::string primary = base::join({name, "primary_controller"}, ".");
+      key = isNested ? base::join({primary, "plugin"}, ".") : primary;
+      prefix = isNested ? base::join({primary, ""}, ".") : prefix;
       type = textAt(block, key).value_or("");
     }
     const bool isKnown = type.empty() || controllerRegistry().find(type, node.distro()) != nullptr;
