@@ -99,6 +99,22 @@ inline double valueOf(const QJsonObject& metrics, const QString& key) {
   return metrics.value(key).toObject().value(text("value")).toDouble(-1e300);
 }
 
+/// Fields of a line; commas between quotation marks do not separate.
+inline QStringList csvFields(const QString& line) {
+  QStringList fields{QString()};
+  bool isQuoted = false;
+  for (const QChar c : line) {
+    if (c == QLatin1Char('"')) {
+      isQuoted = !isQuoted;
+    } else if (c == QLatin1Char(',') && !isQuoted) {
+      fields.append(QString());
+    } else {
+      fields.last().append(c);
+    }
+  }
+  return fields;
+}
+
 /// Rows of a CSV file without quoted line breaks, as column -> text.
 inline std::vector<std::map<QString, QString>> readCsv(const QString& path) {
   std::vector<std::map<QString, QString>> rows;
@@ -108,7 +124,7 @@ inline std::vector<std::map<QString, QString>> readCsv(const QString& path) {
     if (lines[k].isEmpty()) {
       continue;
     }
-    const QStringList fields = lines[k].split(QLatin1Char(','));
+    const QStringList fields = csvFields(lines[k]);
     std::map<QString, QString> row;
     for (int column = 0; column < header.size(); ++column) {
       row[header[column]] = fields.value(column);
