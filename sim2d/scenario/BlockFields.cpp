@@ -249,7 +249,8 @@ void readNav2Params(YamlMap& view, Robot& robot) {
   if (value != nullptr && value->isList()) {
     robot.nav2Params = view.names("nav2_params");
   } else if (value != nullptr) {
-    robot.nav2Params = nav2ParamsOf(view.text("nav2_params").value_or(""));
+    const std::optional<std::string> text = view.text("nav2_params");
+    robot.nav2Params = text && !text->empty() ? std::vector{*text} : std::vector<std::string>();
   }
 }
 

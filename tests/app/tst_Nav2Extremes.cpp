@@ -58,7 +58,7 @@ void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine_data() {
   };
   row("humble", "FollowPath.max_vel_x=.nan", "FollowPath.max_vel_x nan: numbers here are finite");
   row("humble", "FollowPath.min_vel_y=.nan", "FollowPath.min_vel_y nan: numbers here are finite");
-  row("humble", "FollowPath.acc_lim_x=.inf", "FollowPath.acc_lim_x inf: numbers here are finite");
+  row("humble", "FollowPath.acc_lim_x=.inf", "");
   row("humble", "FollowPath.vx_samples=1000000000", "vx_samples 1000000000 with");
   row("humble", "FollowPath.vtheta_samples=1000000000", "vtheta_samples 1000000000 with");
   row("humble", "FollowPath.sim_time=1000.0", "sim_time");
@@ -83,8 +83,7 @@ void Nav2ExtremesTest::value_asFarAsItGoes_endsWithALine_data() {
   row("jazzy", "local_costmap.inflation_layer.cost_scaling_factor=-1.0", "");
   row("jazzy", "local_costmap.inflation_layer.inflation_radius=1e9", "inflation_radius");
   row("jazzy", "voxel_layer.scan.raytrace_max_range=1e9", "");
-  row("jazzy", "local_costmap.footprint=\"[[1e9, 1e9], [-1e9, 1e9], [0.0, -1e9]]\"",
-      "no farther than 1e+05 m");
+  row("jazzy", "local_costmap.footprint=\"[[1e9, 1e9], [-1e9, 1e9], [0.0, -1e9]]\"", "");
   row("main", "FollowPath.simulate_ahead_time=1e9", "simulate_ahead_time 1e+09 is not");
   row("main", "FollowPath.max_angular_accel=-1.0", "");
   row("main", "FollowPath.max_allowed_time_to_collision_up_to_carrot=1e9", "");
@@ -145,10 +144,6 @@ void Nav2ExtremesTest::file_ofMasses_isRefused_data() {
   sources.replace("observation_sources: \"scan\"",
                   "observation_sources: \"" + QByteArray("scan ").repeated(9999) + '"');
   QTest::newRow("sources") << sources << text("observation_sources names 9999, 100 at most");
-  QByteArray corners = jazzy;
-  corners.replace("footprint: \"[[0.2, 0.2]",
-                  "footprint: \"[[0.2, 0.2]" + QByteArray(", [0.2, 0.3]").repeated(5000));
-  QTest::newRow("corners") << corners << text("a polygon has up to 1000 points");
 }
 
 void Nav2ExtremesTest::file_ofMasses_isRefused() {

@@ -751,13 +751,14 @@ void LayeredCostmapTest::keys_defaults_areThoseOfNav2sCode() {
     return text;
   };
   QCOMPARE(textOf(costmapKeys(), CostmapParameters()),
-           std::string("update_frequency 5 m; publish_frequency 1 m; width 5; height 5; "
-                       "resolution 0.1 m; origin_x 0 m; origin_y 0 m; rolling_window false; "
-                       "track_unknown_space false; robot_radius 0.1 m; footprint '[]'; "
-                       "footprint_padding 0.01 m; plugins static_layer,obstacle_layer,"
-                       "inflation_layer; filters ; unknown_cost_value 255; "
-                       "lethal_cost_threshold 100; trinary_costmap true; "
-                       "inscribed_obstacle_cost_value 99; use_maximum false; "));
+           std::string(
+               "update_frequency 5 m; publish_frequency 1 m; width 5; height 5; "
+               "resolution 0.1 m; origin_x 0 m; origin_y 0 m; rolling_window false; "
+               "global_frame 'map'; track_unknown_space false; robot_radius 0.1 m; footprint '[]'; "
+               "footprint_padding 0.01 m; plugins static_layer,obstacle_layer,"
+               "inflation_layer; filters ; unknown_cost_value 255; "
+               "lethal_cost_threshold 100; trinary_costmap true; "
+               "inscribed_obstacle_cost_value 99; use_maximum false; "));
   QCOMPARE(textOf(observationSourceKeys(), ObservationSource()),
            std::string("topic ''; data_type 'LaserScan'; observation_persistence 0 m; "
                        "expected_update_rate 0 m; min_obstacle_height 0 m; max_obstacle_height 0 "
@@ -777,7 +778,7 @@ void LayeredCostmapTest::keys_defaults_areThoseOfNav2sCode() {
                        "restore_cleared_footprint true; "));
   QCOMPARE(textOf(keepoutFilterKeys(), KeepoutFilterParameters()),
            std::string("enabled true; override_lethal_cost false; lethal_override_cost 252; "
-                       "mask_file ''; "));  // the last is ours
+                       "filter_info_topic ''; mask_file ''; "));  // the last is ours
 }
 
 void LayeredCostmapTest::twoCostmaps_shareNothing() {

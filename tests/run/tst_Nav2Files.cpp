@@ -110,8 +110,8 @@ bt::Nav2Loaded loadedWith(const std::string& params) {
   return bt::loadNav2({{params}, {}, {}, {}}, {}, "robot1",
                       {SOURCE_DIR "/resources/nav2_params", SOURCE_DIR "/resources/nav2_trees"});
 }
-const std::string kHumbleTree =
-    SOURCE_DIR "/resources/nav2_trees/humble/navigate_w_replanning_time.xml";
+const std::string kJazzyTree =
+    SOURCE_DIR "/resources/nav2_trees/jazzy/navigate_w_replanning_time.xml";
 
 std::string keyOf(const nlohmann::json& report, const std::string& key) {
   for (const nlohmann::json& each : report.at("keys")) {
@@ -245,7 +245,7 @@ void Nav2FilesTest::tree_byItsPlaceOnTheRobot_isFound() {
   const bt::Nav2Loaded loaded = loadedWith(params);
   QVERIFY2(loaded.ok(), textsOf(loaded.problems).c_str());
   QCOMPARE(textsOf(loaded.problems), std::string());
-  QCOMPARE(loaded.treeFile, file.isEmpty() ? kHumbleTree : folder_.filePath(file).toStdString());
+  QCOMPARE(loaded.treeFile, file.isEmpty() ? kJazzyTree : folder_.filePath(file).toStdString());
 }
 
 void Nav2FilesTest::tree_thatIsNotFound_isAWarningAndNav2sOwn() {
@@ -366,7 +366,7 @@ local_costmap:
   QVERIFY2(!left.is_null(), all.dump().c_str());
   QCOMPARE(left.at("file").get<std::string>(), params);
   QCOMPARE(left.at("line").get<int>(), 12);
-  QCOMPARE(left.at("name").get<std::string>(), std::string("sonar"));
+  QCOMPARE(left.at("name").get<std::string>(), std::string("local_costmap.sonar"));
   QCOMPARE(left.at("found").get<std::string>(), std::string("my_layers::SonarLayer"));
   const nlohmann::json taken = find("nav2.placeholder");
   QVERIFY2(!taken.is_null(), all.dump().c_str());
