@@ -119,11 +119,11 @@ void Nav2LocalizationTest::errors_areThoseOfTheFile() {
   QVERIFY2(turned > 0.02 && turned <= 0.105 + 1e-9, "heading");
 }
 
-/// 5 cm, with a drift of the odometry that alone misses the goal by more than half a metre.
+/// 5 cm, with a drift of the odometry that alone misses the goal by a metre or so.
 void Nav2LocalizationTest::driftWithCorrections_arrives_withoutItDoesNot() {
-  const Words drift = {"robot1.odometry_noise.drift=0.005"};
+  const Words drift = {"robot1.odometry_noise.drift=0.02"};
   const Driven lost = drive(nav2(), drift, 90.0);
-  QVERIFY2(lost.left > 0.5, qPrintable(QString::number(lost.left)));
+  QVERIFY2(lost.left > 0.8, qPrintable(QString::number(lost.left)));
   Words both = drift;
   both.insert(both.end(), {"robot1.localization.std_x=0.05", "robot1.localization.std_y=0.05"});
   const Driven driven = drive(nav2(), both, 90.0);
