@@ -260,8 +260,11 @@ void ScenarioDocument::checkSoon() {
 /// As every run would check it, beside the GUI thread: walls of a large map take long to trace.
 /// What was said while it was read is not told again.
 void ScenarioDocument::startCheck() {
-  liveCheck_->start(
-      [bundle = bundle()] { return app::notYetTold(bundle.remarks, app::check(bundle).problems); });
+  liveCheck_->start([bundle = bundle()] {
+    app::Verdict verdict = app::check(bundle);
+    base::append(verdict.problems, verdict.worldRemarks);
+    return app::notYetTold(bundle.remarks, verdict.problems);
+  });
 }
 
 void ScenarioDocument::replaceAll(sim2d::Scenario scenario) {

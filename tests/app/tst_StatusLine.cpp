@@ -77,6 +77,7 @@ class StatusLineTest : public QObject, protected quiet::InFolder {
     for (const base::EntityId& id : document().entities(base::EntityKind::Robot)) {
       editor::pushChange<sim2d::Robot>(document(), id, QString(), [&tree](sim2d::Robot& robot) {
         robot.planner = sim2d::kNav2Planner;
+        robot.nav2Params = {SOURCE_DIR "/resources/nav2_params/generic.yaml"};
         robot.nav2Tree = tree.toStdString();
       });
     }

@@ -144,6 +144,7 @@ void rowsOfTheRest() {
     s.robots[0].planner = "nav2";
     s.robots[0].radius = 0.5;
     s.robots[0].nav2Params = {SOURCE_DIR "/resources/nav2_params/turtlebot4.yaml"};
+    s.robots[0].nav2Tree = SOURCE_DIR "/resources/nav2_trees/jazzy/follow_point.xml";
   });
   row("no robot", "Add a robot", [](Scenario& s) { s.robots.clear(); });
 }
