@@ -425,7 +425,7 @@ constexpr ProblemText kTexts[] = {
      "{node}: names of a branch before Humble ({keys}) are read as their newer names"},
     {"nav2.list-placeholder",
      "{key} is '{found}', a placeholder that launch files replace: {instead}", kSubstitution},
-    {"nav2.empty-list", "{key} is empty: {instead}"},
+    {"nav2.empty-list", "{key} is empty: {instead}", kSubstitution},
     {"nav2.bad-value", "{what}"},
     {"nav2.launch-word",
      "{name} is switched off: its 'enabled' is a word that Nav2's launch files replace",

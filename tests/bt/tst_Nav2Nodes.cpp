@@ -73,23 +73,6 @@ bool isDeviation(const std::string& node, const std::string& port, Distro distro
   });
 }
 
-/// Nodes of other parts of the program, whose ports are looked at there.
-constexpr std::array<std::string_view, 11> kElsewhere = {"AssistedTeleop",
-                                                         "CancelAssistedTeleop",
-                                                         "DockRobot",
-                                                         "UndockRobot",
-                                                         "FollowObject",
-                                                         "CancelFollowObject",
-                                                         "IsBatteryLow",
-                                                         "IsBatteryCharging",
-                                                         "InitialPoseReceived",
-                                                         "TransformAvailable",
-                                                         "ReinitializeGlobalLocalization"};
-
-bool isElsewhere(const std::string& node) {
-  return std::find(kElsewhere.begin(), kElsewhere.end(), node) != kElsewhere.end();
-}
-
 const char* prefixOf(bt::PortDirection direction) {
   static constexpr std::array<const char*, 3> kPrefixes = {"in:", "out:", "inout:"};
   return kPrefixes.at(static_cast<std::size_t>(direction));
@@ -127,9 +110,7 @@ std::vector<std::string> declaredPorts(const std::string& node, Distro distro) {
 void addNodes() {
   QTest::addColumn<QString>("id");
   for (const auto& [id, node] : declaredNodes()) {
-    if (!isElsewhere(id)) {
-      QTest::newRow(id.c_str()) << QString::fromStdString(id);
-    }
+    QTest::newRow(id.c_str()) << QString::fromStdString(id);
   }
 }
 
@@ -176,7 +157,7 @@ void Nav2NodesTest::eachNode_hasItsPortsInEachBranch() {
 void Nav2NodesTest::ownNodes_areOfTheTable() {
   const bt::NodeLibrary library = bt::robotNodes();
   for (const bt::NodeManifest& node : library.catalogue().all()) {
-    const bool isKnown = declaredNodes().count(node.id) == 1 || isElsewhere(node.id);
+    const bool isKnown = declaredNodes().count(node.id) == 1;
     QVERIFY2(node.category != "Navigation" || isKnown, node.id.c_str());
   }
   QVERIFY(declaredNodes().size() >= 83);
