@@ -76,7 +76,7 @@ void Nav2Servers::showRoute(RobotOutcome& outcome, const RoutePlan& plan) {
 void Nav2Servers::route() {
   callRouteServices();
   const RouteScene scene{observation_->pose, global_->updates() > 0 ? &global_->costmap() : nullptr,
-                         local_->updates() > 0 ? &local_->costmap() : nullptr, time_};
+                         local_->updates() > 0 ? &local_->costmap() : nullptr, time_, localFrame()};
   if (Asked& request = asked(RobotAction::ComputeRoute); request.isWaiting) {
     const RoutePlan plan = routes_->compute(routeRequest(request.request), scene);
     finish(RobotAction::ComputeRoute, static_cast<int>(plan.error), 0, plan.text);

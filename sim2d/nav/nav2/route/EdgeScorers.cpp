@@ -5,6 +5,7 @@
 
 #include "sim2d/base/Math.h"
 #include "sim2d/base/Text.h"
+#include "sim2d/nav/FrameTransform.h"
 #include "sim2d/nav/nav2/costmap/FootprintCost.h"
 
 namespace sim2d::nav2 {
@@ -50,8 +51,12 @@ Cost costOf(const CostmapScorerParameters& scorer, const ScoredEdge& at) {
   if (costmap == nullptr) {
     return std::nullopt;
   }
-  const auto from = costmap->worldToCell(at.graph.nodes[at.edge.from].place);
-  const auto to = costmap->worldToCell(at.graph.nodes[at.edge.to].place);
+  const Pose2 frame = isLocal ? at.scene.localFrame : Pose2();
+  const auto cellOf = [&](std::size_t node) {
+    return costmap->worldToCell(toFrame(frame, {at.graph.nodes[node].place, 0.0}).position);
+  };
+  const auto from = cellOf(at.edge.from);
+  const auto to = cellOf(at.edge.to);
   if (!from || !to) {
     return scorer.invalidOffMap ? std::nullopt : Cost(0.0);
   }

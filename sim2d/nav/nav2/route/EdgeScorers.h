@@ -31,6 +31,7 @@ struct ScoringScene {
   const DynamicEdges& dynamicEdges;
   const Costmap* global = nullptr;  // null: none yet, edges cannot be taken
   const Costmap* local = nullptr;
+  Pose2 localFrame{};  // the frame of `local`, in the map
 };
 
 /// Costs of edges by the plugins of the key edge_cost_functions, whose costs add up (nav2_route,

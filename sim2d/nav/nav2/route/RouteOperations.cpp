@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <variant>
 
+#include "sim2d/nav/FrameTransform.h"
 #include "sim2d/nav/nav2/costmap/FootprintCost.h"
 
 namespace sim2d::nav2 {
@@ -49,6 +50,10 @@ std::optional<std::size_t> blockedEdge(const RouteCollisionParameters& monitor,
   }
   std::size_t edge = *scene.state.current;
   const auto placeOf = [&](std::size_t node) { return scene.graph.nodes[node].place; };
+  const Pose2 frame = isLocal ? scene.localFrame : Pose2();
+  const auto inFrame = [&frame](const Vec2& place) -> Vec2 {
+    return toFrame(frame, {place, 0.0}).position;
+  };
   Vec2 from = nearestOn(placeOf(scene.graph.edges[edge].from), placeOf(scene.graph.edges[edge].to),
                         scene.robot);
   double left = monitor.maxCollisionDist;
@@ -57,7 +62,8 @@ std::optional<std::size_t> blockedEdge(const RouteCollisionParameters& monitor,
     const Vec2 to = placeOf(scene.graph.edges[edge].to);
     const double length = (to - from).norm();
     const Vec2 end = length > left ? Vec2(from + (left / length) * (to - from)) : to;
-    if (isLineBlocked(*costmap, from, onMap(*costmap, from, end), monitor)) {
+    const Vec2 first = inFrame(from);
+    if (isLineBlocked(*costmap, first, onMap(*costmap, first, inFrame(end)), monitor)) {
       return edge;
     }
     left -= length;

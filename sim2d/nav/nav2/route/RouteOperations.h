@@ -19,7 +19,8 @@ struct OperationsScene {
   Vec2 robot = Vec2::Zero();        // [m]
   const Costmap* global = nullptr;  // null: none yet
   const Costmap* local = nullptr;
-  double time = 0.0;  // [s]
+  double time = 0.0;   // [s]
+  Pose2 localFrame{};  // the frame of `local`, in the map
 };
 
 struct OperationsResult {

@@ -51,9 +51,10 @@ RoutePlan RouteServer::between(std::size_t start, std::size_t goal, const RouteR
   RoutePlan plan;
   plan.route.start = start;
   if (start != goal) {
-    RouteResult found = findRoute(graph_, start, goal, rerouting.blocked, scorers_,
-                                  {request, dynamicEdges_, scene.global, scene.local},
-                                  settings_.server.maxIterations);
+    RouteResult found =
+        findRoute(graph_, start, goal, rerouting.blocked, scorers_,
+                  {request, dynamicEdges_, scene.global, scene.local, scene.localFrame},
+                  settings_.server.maxIterations);
     plan.error = found.error;
     plan.text = std::move(found.text);
     plan.route = std::move(found.route);
@@ -148,9 +149,9 @@ void RouteServer::update(const RouteScene& scene) {
   const bool hasChanged =
       achievesNode(state_, scene.robot.position, route, graph_, settings_.server);
   const bool isOver = hasChanged && !goOn(state_, route, graph_);
-  const OperationsResult result = operations_.process(
-      hasChanged,
-      {graph_, route, state_, scene.robot.position, scene.global, scene.local, scene.time});
+  const OperationsResult result =
+      operations_.process(hasChanged, {graph_, route, state_, scene.robot.position, scene.global,
+                                       scene.local, scene.time, scene.localFrame});
   take(result, scene.time);
   if (!result.failure.empty()) {
     fail(RouteError::OperationFailed, result.failure);

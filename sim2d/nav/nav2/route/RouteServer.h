@@ -17,7 +17,8 @@ struct RouteScene {
   Pose2 robot;
   const Costmap* global = nullptr;  // null: none yet
   const Costmap* local = nullptr;
-  double time = 0.0;  // [s]
+  double time = 0.0;   // [s]
+  Pose2 localFrame{};  // the frame of `local`, in the map
 };
 
 /// What came of a request.
