@@ -72,7 +72,7 @@ void Nav2Servers::showRoute(RobotOutcome& outcome, const RoutePlan& plan) {
   outcome.progress.route = paths().add(nodesOf(plan.route, routes_->graph()));
 }
 
-/// ComputeRoute is answered at once, ComputeAndTrackRoute goes on.
+/// ComputeRoute is answered immediately; ComputeAndTrackRoute keeps running.
 void Nav2Servers::route() {
   callRouteServices();
   const RouteScene scene{observation_->pose, global_->updates() > 0 ? &global_->costmap() : nullptr,

@@ -20,7 +20,7 @@ class Nav2Waypoints {
   bool isOn() const { return isWanted_; }
   /// The robot is at a goal: its task begins. A text: it has taken a photo, "x y heading".
   std::optional<std::string> reach(double time, const base::Pose2& pose);
-  /// The task goes on.
+  /// The task is still running.
   bool isBusy(double time) const { return time < busyUntil_; }
 
  private:

@@ -28,8 +28,8 @@ NodeStatus persistentSequence(ParentContext& node) {
   return isSkipped ? NodeStatus::Skipped : NodeStatus::Success;
 }
 
-// PauseResumeController. Children 0: while it goes on; optional 1: while it is paused, 2: once when
-// it is paused, 3: once when it goes on.
+// PauseResumeController. Children 0: while it runs; optional 1: while it is paused, 2: once when it
+// is paused, 3: once when it resumes.
 
 enum class PauseState : int { Resumed, Paused, OnPause, OnResume };
 struct PauseMemory {

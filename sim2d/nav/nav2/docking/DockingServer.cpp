@@ -10,7 +10,7 @@ namespace sim2d::nav2 {
 namespace {
 
 constexpr double kBeyondDock = 0.25;    // [m], of the target of an approach behind the dock's pose
-constexpr double kDetectionGate = 1.0;  // [m], detections farther from the dock are of others
+constexpr double kDetectionGate = 1.0;  // [m], detections farther from the dock are ignored
 
 Pose2 ahead(const Pose2& pose, double distance) {
   return {pose.position + distance * Vec2(base::cos(pose.heading), base::sin(pose.heading)),

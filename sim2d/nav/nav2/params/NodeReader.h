@@ -113,12 +113,12 @@ class NodeReader {
   }
 
   /// The value of a parameter, also of one that is not in the file: under an older name, or because
-  /// the replacement of a plugin needs it. What was set from outside stays. Problems are told at
-  /// the place of `value`.
+  /// the replacement of a plugin needs it. What was set from outside stays. Problems are reported
+  /// at the place of `value`.
   void supply(const std::string& name, base::YamlNode value);
   /// Removes a parameter as if the file did not have it.
   void drop(const std::string& name);
-  /// The key of the file counts as used, whoever has read it.
+  /// The key of the file counts as used.
   void markUsed(const std::string& name);
   /// Below `prefix` only those of `keys` remain whose values are of the right type; the others have
   /// no effect, for the reason `why`.

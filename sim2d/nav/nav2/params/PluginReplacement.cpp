@@ -37,7 +37,7 @@ std::vector<std::string> listAt(const Nav2Block& block, const std::string& key,
   return names != nullptr ? *names : std::vector<std::string>{usual};
 }
 
-/// A text in the place of another value of the file.
+/// A text that replaces another value of the file.
 base::YamlNode textInPlaceOf(const GivenParameter* given, const std::string& text, int line) {
   base::YamlNode node = base::stringNode(text);
   node.line = given != nullptr ? given->value->line : line;
