@@ -54,8 +54,8 @@ struct Asked {
   int iterations = 0;
 
   RouteResult route(std::uint32_t from, std::uint32_t to) const {
-    return findRoute(graph, *graph.nodeOf(from), *graph.nodeOf(to), blocked, EdgeScorers(settings),
-                     {request, dynamic, costmap, costmap}, iterations);
+    return findRoute(graph, {*graph.nodeOf(from), *graph.nodeOf(to), iterations}, blocked,
+                     EdgeScorers(settings), {request, dynamic, costmap, costmap});
   }
   std::string way(std::uint32_t from, std::uint32_t to) const {
     const RouteResult result = route(from, to);

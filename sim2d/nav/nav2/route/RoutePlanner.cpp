@@ -125,16 +125,15 @@ RouteResult Search::run(int maxIterations) {
 
 }  // namespace
 
-RouteResult findRoute(const RouteGraph& graph, std::size_t start, std::size_t goal,
-                      const BlockedEdges& blocked, const EdgeScorers& scorers,
-                      const ScoringScene& scene, int maxIterations) {
+RouteResult findRoute(const RouteGraph& graph, const RouteQuery& query, const BlockedEdges& blocked,
+                      const EdgeScorers& scorers, const ScoringScene& scene) {
   if (scorers.needsPoses() && !scene.request.usesPoses) {
     RouteResult result;
     result.error = RouteError::InvalidEdgeScorerUse;
     result.text = "a scorer of headings needs poses, not ids";
     return result;
   }
-  return Search(graph, start, goal, blocked, scorers, scene).run(maxIterations);
+  return Search(graph, query.start, query.goal, blocked, scorers, scene).run(query.maxIterations);
 }
 
 }  // namespace sim2d::nav2

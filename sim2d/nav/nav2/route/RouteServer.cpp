@@ -52,9 +52,8 @@ RoutePlan RouteServer::between(std::size_t start, std::size_t goal, const RouteR
   plan.route.start = start;
   if (start != goal) {
     RouteResult found =
-        findRoute(graph_, start, goal, rerouting.blocked, scorers_,
-                  {request, dynamicEdges_, scene.global, scene.local, scene.localFrame},
-                  settings_.server.maxIterations);
+        findRoute(graph_, {start, goal, settings_.server.maxIterations}, rerouting.blocked,
+                  scorers_, {request, dynamicEdges_, scene.global, scene.local, scene.localFrame});
     plan.error = found.error;
     plan.text = std::move(found.text);
     plan.route = std::move(found.route);
