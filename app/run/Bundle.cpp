@@ -207,15 +207,20 @@ Bundle readBundle(const RunOptions& options, const RunSettings& settings, KnownF
 
 namespace {
 
-/// With the bodies that robots take from their Nav2 files.
-Bundle withBodies(const Bundle& bundle, base::Diagnostics& problems) {
-  Bundle shaped = bundle;
-  if (bundle.hasScenario()) {
-    base::Diagnostics found;
-    shaped.scenario = withNav2Bodies(bundle.scenario, bundle.path, found);
-    sim2d::addPlaces(found, bundle.lines, bundle.path);
-    base::append(problems, found);
+/// A copy with the bodies that robots take from their Nav2 files; none: no robot does.
+std::optional<Bundle> withBodies(const Bundle& bundle, base::Diagnostics& problems) {
+  if (!bundle.hasScenario()) {
+    return std::nullopt;
   }
+  base::Diagnostics found;
+  auto scenario = withNav2Bodies(bundle.scenario, bundle.path, found);
+  sim2d::addPlaces(found, bundle.lines, bundle.path);
+  base::append(problems, found);
+  if (scenario == bundle.scenario) {
+    return std::nullopt;
+  }
+  std::optional<Bundle> shaped = bundle;
+  shaped->scenario = std::move(scenario);
   return shaped;
 }
 
@@ -236,7 +241,8 @@ Verdict strict(Verdict verdict) {
 Verdict checkBundle(const Bundle& given, CheckDepth depth) {
   Verdict verdict;
   verdict.problems = given.remarks;
-  const Bundle bundle = withBodies(given, verdict.problems);
+  const std::optional<Bundle> shaped = withBodies(given, verdict.problems);
+  const Bundle& bundle = shaped ? *shaped : given;
   verdict.wrongWords = bundle.wrongWords;
   if (!bundle.hasScenario() || base::hasErrors(bundle.wrongWords)) {
     return verdict;

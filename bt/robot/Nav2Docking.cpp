@@ -95,7 +95,7 @@ void Nav2Servers::Docking::cancel(RobotAction action) {
 
 DockView Nav2Servers::Docking::view() const {
   return {servers_.observation_->pose, servers_.observation_->motion, servers_.local_->costmap(),
-          servers_.local_->footprint()};
+          servers_.local_->footprint(), servers_.localFrame()};
 }
 
 std::optional<BodyTwist> Nav2Servers::Docking::drive() {

@@ -149,8 +149,8 @@ class RunFromTest : public QObject {
     }
   }
 
-  /// A navigation that has ended stays ended in a run that goes on from there, also with another
-  /// file; one that is under way goes on, or begins anew.
+  /// A navigation that has ended stays ended in a run that continues from there, also with another
+  /// file; one that is under way continues, or restarts.
   void navigatorsEnd_isKept() {
     const auto ends = [this](const char* folder) {
       std::vector<double> times;

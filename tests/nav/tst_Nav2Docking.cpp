@@ -25,6 +25,7 @@ class Nav2DockingTest : public QObject {
   void turn_canStopInTime_data();
   void turn_canStopInTime();
   void obstacle_onTheWay_isFound();
+  void obstacle_inTheFrameOfTheCostmap_isFound();
   void obstacle_nearTheDock_doesNotCount();
 
   void dock_isReachedAndCharges();
@@ -80,7 +81,9 @@ struct Robot {
   std::vector<DockPlace> seen;
   double time = 0.0;
 
-  DockView view() const { return {pose, motion, room, footprint}; }
+  Pose2 costmapFrame;
+
+  DockView view() const { return {pose, motion, room, footprint, costmapFrame}; }
   std::optional<BatteryState> battery() const {
     const bool isThere = charger && (pose.position - *charger).norm() <= 0.1;
     return hasBattery ? std::optional(BatteryState{0.5, 24.0, isThere ? 5.0 : -1.0, isThere})
@@ -231,6 +234,20 @@ void Nav2DockingTest::obstacle_onTheWay_isFound() {
       robot.room.set(*robot.room.worldToCell({x, y}), kLethal);
     }
     QCOMPARE(controller.isFree(robot.view(), kDockPose, true, false), x > 1.45);
+  }
+}
+
+/// The wall is 1.3 m ahead in the costmap's frame, which lies 0.3 m farther ahead in the map (so
+/// the wall is at 1.6 m there), or 0.3 m behind (1.0 m).
+void Nav2DockingTest::obstacle_inTheFrameOfTheCostmap_isFound() {
+  const DockController controller(DockControllerParameters(), Distro::Jazzy);
+  for (const double shift : {0.3, -0.3}) {
+    Robot robot;
+    robot.costmapFrame = {{shift, 0.0}, 0.0};
+    for (double y = -1.0; y < 1.0; y += 0.05) {
+      robot.room.set(*robot.room.worldToCell({1.3, y}), kLethal);
+    }
+    QCOMPARE(controller.isFree(robot.view(), kDockPose, true, false), shift > 0.0);
   }
 }
 

@@ -92,7 +92,7 @@ void RoutePlannerTest::distance_speedOfAnEdge_lengthensIt() {
   QCOMPARE(asked.way(0, 2), std::string("10 11"));
   asked.settings = {{"d", DistanceScorerParameters{"v", 3.0}}};
   QVERIFY(isNear(asked.cost(1, 2), 9.0));
-  edgeOf(asked.graph, 11).metadata.set("v", 0.0);  // nobody may drive there
+  edgeOf(asked.graph, 11).metadata.set("v", 0.0);  // the edge is closed
   QCOMPARE(asked.way(1, 2), std::string("405"));
 }
 
@@ -206,7 +206,7 @@ void RoutePlannerTest::orientation_ofStartAndGoal_isOfTheirEdgesAlone() {
   OrientationScorerParameters goal;
   goal.isOfGoal = true;
   asked.settings.back().second = goal;
-  asked.request.goal.heading = 0.0;  // edge 11 comes in at pi/2
+  asked.request.goal.heading = 0.0;  // edge 11 arrives at pi/2
   QVERIFY(isNear(asked.cost(0, 2), 7.0 + 1.5707963267948966));
   asked.request.usesPoses = false;
   QCOMPARE(asked.way(0, 2), std::string("407"));

@@ -94,9 +94,9 @@ void forgetPause(ParentContext& node) {
 }
 
 constexpr const char* kNodes = R"(
-Control PersistentSequence|Navigation|Runs its children one after the other and goes on, after a failure or a halt, where it was (since Lyrical).
+Control PersistentSequence|Navigation|Runs its children one after the other and, after a failure or a halt, resumes at the same child (since Lyrical).
 current_child_idx int inout default 0 suggest {current_child_idx}|Number of the child that is next, from 0.
-Control PauseResumeController children 1 4|Navigation|Runs its first child, unless a service has paused it; then the second one. The third one runs when it is paused, the fourth one when it goes on (since Lyrical).
+Control PauseResumeController children 1 4|Navigation|Runs its first child, unless a service has paused it; then the second one. The third one runs when it is paused, the fourth one when it resumes (since Lyrical).
 pause_service_name text needed suggest /pause|Service that pauses it (nav2_topics of the robot).
 resume_service_name text needed suggest /resume|Service that lets it go on (nav2_topics of the robot).
 )";

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim2d/base/Math.h"
+#include "sim2d/nav/FrameTransform.h"
 #include "sim2d/nav/nav2/control/SmoothControlLaw.h"
 #include "sim2d/nav/nav2/costmap/FootprintCost.h"
 
@@ -33,7 +34,8 @@ bool DockController::isFree(const DockView& view, const Pose2& target, bool isDo
     pose.position += twist.linear * dt * Vec2(base::cos(pose.heading), base::sin(pose.heading));
     pose.heading = base::wrapToPi(pose.heading + twist.angular * dt);
     const bool isTested = (pose.position - spared).norm() > parameters_.dockCollisionThreshold;
-    if (isTested && footprintCost(view.costmap, view.footprint.corners, pose) == kLethal) {
+    const Pose2 inCostmap = toFrame(view.costmapFrame, pose);
+    if (isTested && footprintCost(view.costmap, view.footprint.corners, inCostmap) == kLethal) {
       return false;
     }
     if ((target.position - pose.position).norm() <= kAtTarget) {

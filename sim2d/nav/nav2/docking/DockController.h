@@ -8,12 +8,13 @@
 /// The controller of docking_server and following_server (opennav_docking::Controller).
 namespace sim2d::nav2 {
 
-/// What it looks at.
+/// What it looks at: poses in the map, the costmap in a frame of its own.
 struct DockView {
   Pose2 pose;                         // of the robot
   BodyTwist motion;                   // of the odometry
   const Costmap& costmap;             // the local one
   const CostmapFootprint& footprint;  // robot frame
+  Pose2 costmapFrame{};               // in the map: odom, when that is the costmap's frame
 };
 
 class DockController {

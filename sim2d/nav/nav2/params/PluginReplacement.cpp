@@ -145,7 +145,7 @@ void replaceController(NodeReader& node, const std::string& name, const std::str
   const auto isKey = [&](const std::string& path) {
     return keys.find(path.substr(name.size() + 1), node.distro()) != nullptr;
   };
-  addTemplate(node, prefix, yaml, line, isKey);  // in the place of values of a wrong type
+  addTemplate(node, prefix, yaml, line, isKey);  // replaces values of a wrong type
 }
 
 void replaceControllers(NodeReader& node, const Nav2Block& block, const RobotLimits& limits) {

@@ -56,8 +56,8 @@ class RouteServer {
   /// Action ComputeRoute: at once.
   RoutePlan compute(const RouteRequest& request, const RouteScene& scene) const;
 
-  /// Action ComputeAndTrackRoute; another one ends. `update` in each step goes on with it at
-  /// `tracker_update_rate`.
+  /// Begins the action ComputeAndTrackRoute and ends an earlier one. `update`, to be called in each
+  /// step, advances it at `tracker_update_rate`.
   void track(const RouteRequest& request, const RouteScene& scene);
   void update(const RouteScene& scene);
   void cancel() { feedback_.status = TrackStatus::Idle; }

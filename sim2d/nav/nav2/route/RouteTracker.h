@@ -19,10 +19,10 @@ struct TrackState {
 TrackState beginTracking(const Route& route, const RouteGraph& graph,
                          const ContinuedEdge& continued);
 
-/// Whether the robot has achieved the next node: of the first and the last node, when it is within
-/// `boundary_radius_to_achieve_node`; of others, when it is within `radius_to_achieve_node` and has
-/// crossed the line through the node that halves the angle between its edges, or has left that
-/// radius again.
+/// Whether the robot has achieved the next node. The first and the last node: it is within
+/// `boundary_radius_to_achieve_node`. Nodes in between: it is within `radius_to_achieve_node` and
+/// has crossed the line through the node that halves the angle between its edges, or it has left
+/// that radius again.
 bool achievesNode(TrackState& state, const Vec2& robot, const Route& route, const RouteGraph& graph,
                   const RouteServerParameters& parameters);
 
