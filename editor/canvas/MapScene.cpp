@@ -38,9 +38,9 @@ enum Depth {
 
 Depth depthOf(EntityKind kind) {
   static const std::map<EntityKind, Depth> kDepths = {
-      {EntityKind::Area, AreaDepth},         {EntityKind::Dock, AreaDepth},
-      {EntityKind::Obstacle, ObstacleDepth}, {EntityKind::Door, DoorDepth},
-      {EntityKind::Robot, RobotDepth},       {EntityKind::Human, PersonDepth},
+      {EntityKind::Area, AreaDepth},   {EntityKind::Obstacle, ObstacleDepth},
+      {EntityKind::Door, DoorDepth},   {EntityKind::Dock, DoorDepth},
+      {EntityKind::Robot, RobotDepth}, {EntityKind::Human, PersonDepth},
       {EntityKind::Goal, GoalDepth}};
   return kDepths.at(kind);
 }

@@ -28,15 +28,17 @@ double distanceToOutline(const Vec2& point, const sim2d::Outline& outline) {
 class ShapeItem : public EntityItem {
  public:
   using EntityItem::EntityItem;
+  /// 0 inside, but not in the room that a closed wall surrounds: holes have the opposite turn.
   double distanceTo(const Vec2& world) const override {
     double nearest = std::numeric_limits<double>::max();
+    int winding = 0;
     for (const sim2d::Outline& outline : outlines_) {
       if (outline.points.size() > 2 && sim2d::isInside(outline.points, world)) {
-        return 0.0;
+        winding += sim2d::signedArea(outline.points) > 0.0 ? 1 : -1;
       }
       nearest = std::min(nearest, distanceToOutline(world, outline));
     }
-    return nearest;
+    return winding != 0 ? 0.0 : nearest;
   }
 
   std::vector<Label> labels() const override {

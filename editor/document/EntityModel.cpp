@@ -25,7 +25,7 @@ const std::array<Group, 5>& groups() {
   static const std::array<Group, 5> kGroups = {{
       {QT_TRANSLATE_NOOP("EntityModel", "People"), {EntityKind::Human}},
       {QT_TRANSLATE_NOOP("EntityModel", "Goals"), {EntityKind::Goal}},
-      {QT_TRANSLATE_NOOP("EntityModel", "Robots"), {EntityKind::Robot, EntityKind::Dock}},
+      {QT_TRANSLATE_NOOP("EntityModel", "Robots and docks"), {EntityKind::Robot, EntityKind::Dock}},
       {QT_TRANSLATE_NOOP("EntityModel", "Obstacles"), {EntityKind::Obstacle, EntityKind::Door}},
       {QT_TRANSLATE_NOOP("EntityModel", "Areas"), {EntityKind::Area}},
   }};

@@ -200,8 +200,9 @@ class DockTool : public PlacingTool {
 
 void addPlaceTool(ToolRegistry& to) {
   to.add<PersonTool>({20, QObject::tr("Person"), QStringLiteral("tool-person"), Qt::Key_P});
-  to.add<RobotTool>({130, QObject::tr("Robot"), QStringLiteral("tool-robot"), Qt::Key_B});
-  to.add<DockTool>({135, QObject::tr("Dock"), QStringLiteral("tool-dock"), Qt::Key_U});
+  const QString robot = QStringLiteral("robot");
+  to.add<RobotTool>({130, QObject::tr("Robot"), QStringLiteral("tool-robot"), Qt::Key_B, robot});
+  to.add<DockTool>({135, QObject::tr("Dock"), QStringLiteral("tool-dock"), Qt::Key_U, robot});
 }
 
 }  // namespace editor

@@ -105,6 +105,24 @@ class CanvasTest : public QObject {
     scene_.setTheme(Theme::light());
   }
 
+  void entityAt_inAClosedWall_isWhatStandsInTheRoom() {
+    sim2d::Obstacle room;
+    room.key = {EntityKind::Obstacle, 901};
+    room.name = "room";
+    room.kind = sim2d::ObstacleKind::Wall;
+    room.points = {{20.0, 0.0}, {26.0, 0.0}, {26.0, 6.0}, {20.0, 6.0}, {20.0, 0.0}};
+    room.thickness = 0.1;
+    sim2d::Dock dock;
+    dock.key = {EntityKind::Dock, 902};
+    dock.name = "home";
+    dock.pose = {{22.0, 2.0}, 0.0};
+    editor::pushAdd(document_, room);
+    editor::pushAdd(document_, dock);
+    QVERIFY(!scene_.entityAt(Vec2(24.5, 4.5)));  // the floor of the room
+    QVERIFY(scene_.entityAt(Vec2(22.0, 2.0)).kind == EntityKind::Dock);
+    QVERIFY(scene_.entityAt(Vec2(23.0, 0.0)).kind == EntityKind::Obstacle);
+  }
+
   void entityAt_overlapping_prefersPeople() {
     QVERIFY(scene_.entityAt(Vec2(2.0, 2.0)) == EntityId({EntityKind::Human, 1}));
     QVERIFY(scene_.entityAt(Vec2(4.2, 1.4)) == EntityId({EntityKind::Obstacle, 31}));
