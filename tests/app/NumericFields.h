@@ -87,11 +87,12 @@ class NumericFields {
     add<sim2d::DetectorSettings>("ROBOT.detector.", kBlock, robots, {"detector"});
     add<sim2d::OdometrySettings>("ROBOT.odometry_noise.", kBlock, robots, {"odometry_noise"});
     add<sim2d::LocalizationSettings>("ROBOT.localization.", kBlock, robots, {"localization"});
+    add<sim2d::BatterySettings>("ROBOT.battery.", kBlock, robots, {"battery"});
     addPlain<sim2d::ScenarioSettings>(kLoader, {});
     addPlain<sim2d::DesktopSettings>(kBlock, {});
     addPlain<sim2d::VariationSettings>(kBlock, {"variation"});
     addPlain<sim2d::MetricsSettings>(kBlock, {"metrics"});
-    for (const char* list : {"obstacles", "doors", "areas"}) {
+    for (const char* list : {"obstacles", "doors", "areas", "docks"}) {
       for (const std::string& name : namesIn(list, kBlock)) {
         addEntity(list, name);
       }
@@ -194,8 +195,10 @@ class NumericFields {
       addAll(sim2d::fieldsOf<sim2d::Obstacle>(), obstacle);
     } else if (list == "doors") {
       addAll(sim2d::fieldsOf<sim2d::Door>(), sim2d::Door());
-    } else {
+    } else if (list == "areas") {
       addAll(sim2d::fieldsOf<sim2d::Area>(), sim2d::Area());
+    } else {
+      addAll(sim2d::fieldsOf<sim2d::Dock>(), sim2d::Dock());
     }
   }
 

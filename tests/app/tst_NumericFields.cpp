@@ -66,7 +66,8 @@ hunavsim_desktop:
     robots: [r1, r2, r3, r4, r5, r6, r7]
     r1: {planner: pursuit, start: {x: 3.0, y: 6.0, h: 0.0}, goal: {x: 16.0, y: 6.0},
       detector: {noise: 0.02, misses: 0.01}, odometry_noise: {alpha1: 0.01, alpha3: 0.01},
-      localization: {std_x: 0.05, std_y: 0.05, std_yaw: 0.035}}
+      localization: {std_x: 0.05, std_y: 0.05, std_yaw: 0.035, jump_rate: 0.1,
+        jump_distance: 0.2}, battery: {capacity: 100.0, level: 0.8}}
     r2: {planner: dwa, start: {x: 5.0, y: 6.0, h: 0.0}, goals: [1], lidar: {beams: 180},
       footprint_x: [0.3, -0.3, -0.3, 0.3], footprint_y: [0.2, 0.2, -0.2, -0.2]}
     r3: {planner: mppi, start: {x: 7.0, y: 6.0, h: 0.0}, goal: {x: 2.0, y: 6.0},
@@ -83,6 +84,8 @@ hunavsim_desktop:
     pillar1: {kind: circle, x: 6.0, y: 8.5, radius: 0.4}
     block1: {kind: polygon, xs: [8.0, 9.0, 8.5], ys: [8.0, 8.0, 9.0]}
     wall1: {kind: wall, xs: [11.0, 12.0], ys: [8.0, 9.0], thickness: 0.1}
+    docks: [dock1]
+    dock1: {kind: charging, x: 3.0, y: 8.0, h: 1.0}
     doors: [door1]
     door1: {x1: 14.0, y1: 8.0, x2: 15.0, y2: 8.0, thickness: 0.05, toggles: [0.5]}
     areas: [in1, out1, wait1, exit1]

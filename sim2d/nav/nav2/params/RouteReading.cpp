@@ -21,7 +21,8 @@ void readPlugin(NodeReader& node, const std::string& name, Parameters& parameter
     }
   }
   if constexpr (std::is_same_v<Parameters, AdjustSpeedLimitParameters>) {
-    node.know(prefix + "speed_limit_topic", "the limit is passed to the controller server directly");
+    node.know(prefix + "speed_limit_topic",
+              "the limit is passed to the controller server directly");
   }
 }
 
