@@ -11,15 +11,13 @@ namespace sim2d {
 namespace {
 
 // Indices of the draws of one correction.
-enum : std::uint32_t {
-  kPlace,
-  kYaw,
-  kJumpAge,
-  kJumpDirection,
-  kJumpSide,
-  kGlobalPlace,
-  kGlobalYaw
-};
+constexpr std::uint32_t kPlace = 0;
+constexpr std::uint32_t kYaw = 1;
+constexpr std::uint32_t kJumpAge = 2;
+constexpr std::uint32_t kJumpDirection = 3;
+constexpr std::uint32_t kJumpSide = 4;
+constexpr std::uint32_t kGlobalPlace = 5;
+constexpr std::uint32_t kGlobalYaw = 6;
 
 double cut(double deviations) {
   return std::clamp(deviations, -kMostDeviations, kMostDeviations);

@@ -35,7 +35,7 @@ LegacyInflationLayer::LegacyInflationLayer(std::string name, const CostmapContex
                      resolution) {}
 
 AsymmetricInflationLayer::AsymmetricInflationLayer(
-    std::string name, const CostmapContext& context,
+    const std::string& name, const CostmapContext& context,
     const AsymmetricInflationLayerParameters& parameters, double resolution)
     : CostmapLayer(name, context),
       parameters_(parameters),
@@ -70,17 +70,7 @@ void AsymmetricInflationLayer::updateCosts(Costmap& master, const CellWindow& wi
     return;
   }
   Costmap left = master, right = master;
-  const auto isSource = [this](std::uint8_t cost) {
-    return cost == kLethal || (cost == kNoInformation && parameters_.inflateAroundUnknown);
-  };
-  for (int row = 0; row < master.height(); ++row) {
-    for (int column = 0; column < master.width(); ++column) {
-      const Cell cell{column, row};
-      if (isSource(master.at(cell))) {
-        (isLeft(master.cellToWorld(cell)) ? right : left).set(cell, kFreeSpace);
-      }
-    }
-  }
+  removeOtherSide(master, left, right);
   left_.updateCosts(left, window);
   right_.updateCosts(right, window);
   for (int row = window.bottom; row < window.top; ++row) {
@@ -91,6 +81,23 @@ void AsymmetricInflationLayer::updateCosts(Costmap& master, const CellWindow& wi
         master.set(cell, std::max({old, l, r}));
       } else if (!isSource(old)) {  // 255 only where neither side raises it
         master.set(cell, l == old ? r : r == old ? l : std::max(l, r));
+      }
+    }
+  }
+}
+
+bool AsymmetricInflationLayer::isSource(std::uint8_t cost) const {
+  return cost == kLethal || (cost == kNoInformation && parameters_.inflateAroundUnknown);
+}
+
+/// Keeps in `left` and `right` only the obstacles on that side of the plan.
+void AsymmetricInflationLayer::removeOtherSide(const Costmap& master, Costmap& left,
+                                               Costmap& right) const {
+  for (int row = 0; row < master.height(); ++row) {
+    for (int column = 0; column < master.width(); ++column) {
+      const Cell cell{column, row};
+      if (isSource(master.at(cell))) {
+        (isLeft(master.cellToWorld(cell)) ? right : left).set(cell, kFreeSpace);
       }
     }
   }

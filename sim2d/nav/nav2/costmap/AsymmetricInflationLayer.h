@@ -27,7 +27,7 @@ class LegacyInflationLayer final : private CostmapContext, public InflationLayer
 /// them.
 class AsymmetricInflationLayer final : public CostmapLayer {
  public:
-  AsymmetricInflationLayer(std::string name, const CostmapContext& context,
+  AsymmetricInflationLayer(const std::string& name, const CostmapContext& context,
                            const AsymmetricInflationLayerParameters& parameters, double resolution);
 
   void updateBounds(const Observation& observation, const Costmap& master,
@@ -43,6 +43,8 @@ class AsymmetricInflationLayer final : public CostmapLayer {
 
  private:
   bool isLeft(const Vec2& place) const;
+  bool isSource(std::uint8_t cost) const;
+  void removeOtherSide(const Costmap& master, Costmap& left, Costmap& right) const;
 
   AsymmetricInflationLayerParameters parameters_;
   InflationLayer left_, right_, both_;

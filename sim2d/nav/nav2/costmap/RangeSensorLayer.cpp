@@ -107,12 +107,11 @@ void RangeSensorLayer::updateBounds(const Observation& observation, const Costma
   readings_.clear();
   bounds.touch(touched_);
   touched_ = CostmapBounds();
-  if (!parameters_.enabled) {
-    isCurrent_ = true;
-  } else if (!hasReadings && parameters_.noReadingsTimeout > 0.0 &&
-             observation.time - lastReading_ > parameters_.noReadingsTimeout) {
+  const bool isStale = !hasReadings && parameters_.noReadingsTimeout > 0.0 &&
+                       observation.time - lastReading_ > parameters_.noReadingsTimeout;
+  if (parameters_.enabled && isStale) {
     isCurrent_ = false;
-  } else if (hasReadings && !wasReset_) {
+  } else if (!parameters_.enabled || (hasReadings && !wasReset_)) {
     isCurrent_ = true;
   }
 }

@@ -96,7 +96,7 @@ PluginAnswer<GlobalPlannerParameters> globalPlannerPlugin(const std::string& cla
 SmacHybridParameters hybridInsteadOf(const SmacLatticeParameters& lattice, Distro distro) {
   SmacHybridParameters hybrid =
       std::get<SmacHybridParameters>(plannerDefaults(kSmacHybrid, distro));
-  static_cast<SmacParameters&>(hybrid) = lattice;
+  static_cast<SmacParameters&>(hybrid) = static_cast<const SmacParameters&>(lattice);
   hybrid.tolerance = lattice.tolerance;
   hybrid.maxPlanningTime = lattice.maxPlanningTime;
   hybrid.motionModelForSearch = lattice.allowReverseExpansion ? "REEDS_SHEPP" : "DUBIN";

@@ -151,8 +151,9 @@ const LayerSubstitute* substituteOf(const std::string& type) {
 void readLayer(NodeReader& node, const std::string& name, std::vector<CostmapPlugin>& to);
 
 void readContained(NodeReader& node, const std::string& name, ContainerLayerParameters& container) {
-  for (const std::string& inner : pluginNames(node, name + ".plugins", container.plugins)) {
-    readLayer(node, name + "." + inner, container.layers);
+  const std::string prefix = name + ".";
+  for (const std::string& inner : pluginNames(node, prefix + "plugins", container.plugins)) {
+    readLayer(node, prefix + inner, container.layers);
   }
 }
 

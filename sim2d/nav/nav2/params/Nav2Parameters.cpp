@@ -316,12 +316,13 @@ base::Diagnostic placedInFile(const Nav2Parameters& parameters, base::Diagnostic
       where = base::join(where.empty() ? std::vector{value} : std::vector{where, value}, ".");
     }
   }
-  paths.push_back(where + ".plugin");
+  const std::string prefix = where + ".";
+  paths.push_back(prefix + "plugin");
   for (const auto& [hole, value] : problem.values) {
-    paths.push_back(where + "." + value + ".plugin");
+    paths.push_back(prefix + value + ".plugin");
   }
   for (const auto& [hole, value] : problem.values) {
-    paths.push_back(where + "." + value);
+    paths.push_back(prefix + value);
   }
   paths.push_back(where);
   const KeyNote* key = nullptr;

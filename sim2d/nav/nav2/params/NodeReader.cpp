@@ -326,7 +326,7 @@ void NodeReader::noteUnknown() {
 
 std::string NodeReader::unknownBlock(const std::string& name) const {
   for (std::size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1)) {
-    const std::string block = name.substr(0, dot + 1);
+    std::string block = name.substr(0, dot + 1);
     const auto isWithin = [&block](const std::string& other) { return beginsWith(other, block); };
     const auto asked = asked_.lower_bound(block);
     const bool isAsked = asked != asked_.end() && isWithin(*asked);
