@@ -131,7 +131,7 @@ base::Diagnostics missingTrees(const sim2d::nav2::Nav2Parameters& parameters) {
                    bt::kUsualNav2Tree),
         std::tuple("default_nav_through_poses_bt_xml", navigator.defaultNavThroughPosesBtXml,
                    bt::kUsualThroughTree)}) {
-    bt::nav2TreeOfParameter(parameters, parameter, named, usual, {}, shippedNav2(), missing);
+    bt::nav2TreeOfParameter(parameters, {parameter, named, usual}, {}, shippedNav2(), missing);
   }
   return missing;
 }

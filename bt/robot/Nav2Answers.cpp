@@ -14,6 +14,21 @@ namespace {
 using namespace sim2d::nav2;  // NOLINT: this file is about nothing else
 using sim2d::BodyTwist;
 
+Path::const_iterator nearestPose(const Path& path, const base::Vec2& place) {
+  return std::min_element(
+      path.begin(), path.end(), [&](const base::Pose2& a, const base::Pose2& b) {
+        return (a.position - place).squaredNorm() < (b.position - place).squaredNorm();
+      });
+}
+
+/// Whether a pose of this cost blocks a path; a robot of a radius also where it touches.
+bool isBlocked(const PathCheck& check, std::uint8_t cost, bool isRadius) {
+  if (cost == kNoInformation) {
+    return check.unknownBlocks;
+  }
+  return cost == kLethal || (isRadius && cost == kInscribed) || cost >= check.maxCost;
+}
+
 }  // namespace
 
 double Nav2Servers::speed() const {
@@ -45,28 +60,18 @@ PathCheckResult Nav2Servers::checkPath(const PathCheck& check) const {
     return {};
   }
   const bool isRadius = global_->footprint().isRadius && check.footprint.empty();
-  const auto isBlocked = [&](const base::Pose2& place) {
-    const std::uint8_t cost =
-        isRadius ? placeCost(*costmap, place.position) : footprintCost(*costmap, *given, place);
-    if (cost == kNoInformation) {
-      return check.unknownBlocks;
-    }
-    return cost == kLethal || (isRadius && cost == kInscribed) || cost >= check.maxCost;
-  };
-  const base::Vec2 robot = observation_->pose.position;
-  const auto nearest =
-      std::min_element(path.begin(), path.end(), [&](const base::Pose2& a, const base::Pose2& b) {
-        return (a.position - robot).squaredNorm() < (b.position - robot).squaredNorm();
-      });
   PathCheckResult result;
-  double way = 0.0;  // [m] from the nearest pose
-  for (auto place = nearest; place != path.end(); ++place) {
-    way += place == nearest ? 0.0 : (place->position - (place - 1)->position).norm();
-    if (check.lookahead >= 0.0 && way > check.lookahead) {
+  const auto nearest = nearestPose(path, observation_->pose.position);
+  double distance = 0.0;  // [m] from the nearest pose
+  for (auto pose = nearest; pose != path.end(); ++pose) {
+    distance += pose == nearest ? 0.0 : (pose->position - (pose - 1)->position).norm();
+    if (check.lookahead >= 0.0 && distance > check.lookahead) {
       break;
     }
-    if (isBlocked(*place)) {
-      result.collisions.push_back(*place);
+    const std::uint8_t cost =
+        isRadius ? placeCost(*costmap, pose->position) : footprintCost(*costmap, *given, *pose);
+    if (isBlocked(check, cost, isRadius)) {
+      result.collisions.push_back(*pose);
       if (check.stopsAtFirst) {
         break;
       }

@@ -135,27 +135,26 @@ std::string nav2TreeFile(const std::string& named, const std::string& folder, Di
   return !named.empty() && isFile(beside) ? beside : shippedTree(name, distro, shipped);
 }
 
-std::string nav2TreeOfParameter(const Nav2Parameters& parameters, const std::string& parameter,
-                                const std::string& named, const std::string& usual,
+std::string nav2TreeOfParameter(const Nav2Parameters& parameters, const TreeParameter& parameter,
                                 const std::string& folder, const Nav2Folders& shipped,
                                 base::Diagnostics& problems) {
-  if (named.empty()) {
-    return shippedTree(usual, parameters.distro, shipped);
+  if (parameter.value.empty()) {
+    return shippedTree(parameter.usual, parameters.distro, shipped);
   }
-  const std::string key = "bt_navigator." + parameter;
+  const std::string key = "bt_navigator." + parameter.name;
   std::vector<std::string> folders = sim2d::nav2::foldersOfParameter(parameters, key);
   folders.push_back(folder);
-  const sim2d::nav2::NamedFile found = sim2d::nav2::findNamedFile(named, folders);
+  const sim2d::nav2::NamedFile found = sim2d::nav2::findNamedFile(parameter.value, folders);
   if (!found.file.empty()) {
     return found.file;
   }
-  const std::string path = sim2d::nav2::pathWithoutPlaceholder(named);
+  const std::string path = sim2d::nav2::pathWithoutPlaceholder(parameter.value);
   std::string own = path.empty() ? path : shippedTree(path, parameters.distro, shipped);
   if (own.empty()) {
-    own = shippedTree(usual, parameters.distro, shipped);
-    problems.push_back(placedInFile(
-        parameters, base::within("bt_navigator", sim2d::nav2::namedFileMissing(
-                                                     parameter, named, found, "Nav2's tree"))));
+    own = shippedTree(parameter.usual, parameters.distro, shipped);
+    const base::Diagnostic missing =
+        sim2d::nav2::namedFileMissing(parameter.name, parameter.value, found, "Nav2's tree");
+    problems.push_back(placedInFile(parameters, base::within("bt_navigator", missing)));
   }
   return own;
 }
@@ -199,9 +198,9 @@ namespace {
 /// The tree for several goals.
 void loadThrough(const std::string& folder, const Nav2Folders& shipped, Nav2Loaded& loaded) {
   const std::string& named = loaded.parameters.btNavigator.defaultNavThroughPosesBtXml;
-  loaded.throughFile =
-      nav2TreeOfParameter(loaded.parameters, "default_nav_through_poses_bt_xml", named,
-                          kUsualThroughTree, folder, shipped, loaded.problems);
+  loaded.throughFile = nav2TreeOfParameter(
+      loaded.parameters, {"default_nav_through_poses_bt_xml", named, kUsualThroughTree}, folder,
+      shipped, loaded.problems);
   if (loaded.throughFile.empty()) {  // goals are driven to one by one
     return;
   }
@@ -293,9 +292,11 @@ Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
     return loaded;
   }
   if (choice.tree.empty()) {
-    loaded.treeFile = nav2TreeOfParameter(loaded.parameters, "default_nav_to_pose_bt_xml",
-                                          loaded.parameters.btNavigator.defaultNavToPoseBtXml,
-                                          kUsualNav2Tree, folder, shipped, loaded.problems);
+    const TreeParameter parameter{"default_nav_to_pose_bt_xml",
+                                  loaded.parameters.btNavigator.defaultNavToPoseBtXml,
+                                  kUsualNav2Tree};
+    loaded.treeFile =
+        nav2TreeOfParameter(loaded.parameters, parameter, folder, shipped, loaded.problems);
   } else {
     loaded.treeFile = nav2TreeFile(choice.tree, folder, loaded.parameters.distro, shipped);
   }

@@ -106,11 +106,15 @@ Nav2Loaded loadNav2Parameters(const sim2d::Nav2Choice& choice, const std::string
 Nav2Loaded loadNav2(const sim2d::Nav2Choice& choice, const std::string& folder,
                     const std::string& robot, const Nav2Folders& shipped);
 
+/// A parameter of bt_navigator that names a tree, its value, and the shipped tree used without one.
+struct TreeParameter {
+  std::string name, value, usual;
+};
 /// The tree that a parameter of bt_navigator names, beside the parameter files (`findNamedFile`),
-/// in `folder`, or among those shipped by its name; else `usual`, with a warning in `problems`.
+/// in `folder`, or among those shipped by its name; else the usual one, with a warning in
+/// `problems`.
 std::string nav2TreeOfParameter(const sim2d::nav2::Nav2Parameters& parameters,
-                                const std::string& parameter, const std::string& named,
-                                const std::string& usual, const std::string& folder,
+                                const TreeParameter& parameter, const std::string& folder,
                                 const Nav2Folders& shipped, base::Diagnostics& problems);
 
 NavigatorTree loadNavigatorTree(const std::string& file,

@@ -221,8 +221,8 @@ Interval stratifiedShiftInterval(const Strata& differences, double level) {
     return {};
   }
   const PairMeans means(strata, weights.each);
-  constexpr double kRounding = 1e-9;  // of weights that are not whole
-  return {means.at(outside + (weights.areWhole ? 1.0 : kRounding)),
+  constexpr double kWeightRounding = 1e-9;  // of weights that are not whole
+  return {means.at(outside + (weights.areWhole ? 1.0 : kWeightRounding)),
           means.at(means.all() - outside)};
 }
 
