@@ -38,9 +38,15 @@ std::string nameOfPair(const Study& study, const PairResult& pair, double width)
   return shortened(first, half) + " − " + shortened(second, half);
 }
 
+/// The place of a panel [px]; `names`: the width of the column with the names of its rows.
+struct PanelPlace {
+  double left = 0.0, top = 0.0, width = 0.0, names = 0.0;
+};
+
 void differencePanel(Figure& figure, const Study& study, const MetricComparison& comparison,
-                     double left, double top, double width, double names) {
+                     const PanelPlace& place) {
   constexpr double kRow = 30.0;
+  const auto& [left, top, width, names] = place;
   const Metric& metric = study.metrics[comparison.metric];
   const auto pairs = shownPairs(comparison);
   panelTitle(figure, titleOf(metric), left, top);
@@ -151,7 +157,7 @@ std::optional<Figure> differencesFigure(const Study& study, const Comparisons& c
       panels("differences", chosen.size(), kTitle + 30.0 * static_cast<double>(rows) + kAxis,
              columns, [&](Figure& to, std::size_t k, double left, double top, double width) {
                const double names = pairNamesWidth(study, comparisons, kMostNames * width);
-               differencePanel(to, study, *chosen[k], left, top, width, names);
+               differencePanel(to, study, *chosen[k], {left, top, width, names});
              });
   figure.caption =
       "Differences on the same case and seed (dots), with the typical difference and its "
