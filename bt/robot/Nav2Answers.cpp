@@ -21,6 +21,15 @@ Path::const_iterator nearestPose(const Path& path, const base::Vec2& place) {
       });
 }
 
+/// The cells of a layer; of the costmap itself for an empty name. Null: it has no such layer.
+const Costmap* gridOf(const LayeredCostmap& costmap, const std::string& layer) {
+  if (layer.empty()) {
+    return &costmap.costmap();
+  }
+  const CostmapLayer* const found = costmap.layer(layer);
+  return found != nullptr ? found->grid() : nullptr;
+}
+
 /// Whether a pose of this cost blocks a path; a robot of a radius also where it touches.
 bool isBlocked(const PathCheck& check, std::uint8_t cost, bool isRadius) {
   if (cost == kNoInformation) {
@@ -49,14 +58,11 @@ std::optional<std::uint8_t> Nav2Servers::costAt(bool isLocal, const base::Pose2&
 
 PathCheckResult Nav2Servers::checkPath(const PathCheck& check) const {
   const Path& path = paths().get(check.path);
-  const CostmapLayer* const layer = check.layer.empty() ? nullptr : global_->layer(check.layer);
-  const Costmap* const costmap = layer != nullptr ? layer->grid() : &global_->costmap();
-  base::Result<Polygon> given = global_->footprint().corners;
-  if (!check.footprint.empty()) {
-    given = readPolygon(check.footprint);
-  }
-  const bool isKnown = check.layer.empty() || (layer != nullptr && costmap != nullptr);
-  if (path.empty() || !isKnown || !given) {
+  const Costmap* const costmap = gridOf(*global_, check.layer);
+  const base::Result<Polygon> given = check.footprint.empty()
+                                          ? base::Result<Polygon>(global_->footprint().corners)
+                                          : readPolygon(check.footprint);
+  if (path.empty() || costmap == nullptr || !given) {
     return {};
   }
   const bool isRadius = global_->footprint().isRadius && check.footprint.empty();
