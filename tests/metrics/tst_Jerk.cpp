@@ -1,3 +1,4 @@
+#include <cmath>
 #include <functional>
 
 #include <QtTest>
@@ -15,7 +16,7 @@ using Speed = std::function<double(double)>;
 /// A robot along x whose speed is sampled every `dt` for so many seconds.
 SampledRun driven(const Speed& speed, double dt, double duration) {
   std::vector<Sample> samples;
-  const int last = static_cast<int>(duration / dt + 0.5);
+  const int last = static_cast<int>(std::lround(duration / dt));
   for (int k = 0; k <= last; ++k) {
     samples.push_back(sampleAt(k * dt, 0.0, 0.0, speed(k * dt)));
   }
