@@ -115,7 +115,7 @@ bool takesAll() {
 
 base::YamlNode yamlOf(const std::string& words) {
   base::Diagnostics problems;
-  const base::YamlNode root = base::parseYaml(words, "base.yaml", problems);
+  base::YamlNode root = base::parseYaml(words, "base.yaml", problems);
   if (!problems.empty()) {
     qFatal("%s", problems.front().text().c_str());
   }
@@ -174,13 +174,13 @@ class NumericFieldsTest : public QObject {
 };
 
 void NumericFieldsTest::initTestCase() {
-  constexpr int kWidth = 200, kHeight = 110;
-  std::vector<std::int8_t> cells(static_cast<std::size_t>(kWidth) * kHeight, 0);
-  for (int row = 0; row < kHeight; ++row) {
-    for (int column = 0; column < kWidth; ++column) {
+  constexpr std::size_t kWidth = 200, kHeight = 110;
+  std::vector<std::int8_t> cells(kWidth * kHeight, 0);
+  for (std::size_t row = 0; row < kHeight; ++row) {
+    for (std::size_t column = 0; column < kWidth; ++column) {
       const bool isBorder = row < 2 || row >= kHeight - 2 || column < 2 || column >= kWidth - 2;
       const bool isWall = row == 50 && column > 40 && column < 90;
-      cells[static_cast<std::size_t>(row * kWidth + column)] = isBorder || isWall ? 100 : 0;
+      cells[row * kWidth + column] = isBorder || isWall ? 100 : 0;
     }
   }
   const sim2d::OccupancyGrid grid(kWidth, kHeight, 0.1, {}, std::move(cells));

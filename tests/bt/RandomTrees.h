@@ -310,6 +310,7 @@ class TreeDrawer {
 
   std::vector<Spec> children(int count, int depth, bool isInReactiveSequence = false) {
     std::vector<Spec> all;
+    all.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) {
       all.push_back(node(depth - 1, isInReactiveSequence));
     }

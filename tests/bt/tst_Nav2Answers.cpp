@@ -35,10 +35,10 @@ struct Scene {
   bt::PathId path = 0;
 
   explicit Scene(double y = 1.525) {
-    constexpr int kColumns = 200, kRows = 60;
+    constexpr std::size_t kColumns = 200, kRows = 60;
     std::vector<std::int8_t> cells(kColumns * kRows, 0);
-    for (int row = 0; row < kRows; ++row) {
-      cells[static_cast<std::size_t>(row * kColumns + 100)] = 100;
+    for (std::size_t row = 0; row < kRows; ++row) {
+      cells[row * kColumns + 100] = 100;
     }
     const auto file = ParameterFile::read(SOURCE_DIR "/resources/nav2_params/generic.yaml");
     bt::Nav2Servers::Setup setup;

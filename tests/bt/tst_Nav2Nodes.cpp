@@ -146,9 +146,9 @@ void Nav2NodesTest::eachNode_hasItsPortsInEachBranch() {
     if (isIn(bt::distrosOfNode(node->id), distro)) {
       const std::string own = base::join(ownPorts(*node, distro), " ");
       const std::string declared = base::join(declaredPorts(node->id, distro), " ");
-      QVERIFY2(
-          own == declared,
-          (std::string(distroTitle(distro)) + ": '" + own + "', not '" + declared + "'").c_str());
+      const std::string title = distroTitle(distro);
+      QVERIFY2(own == declared,
+               base::join({title, ": '", own, "', not '", declared, "'"}, "").c_str());
     }
   }
 }
