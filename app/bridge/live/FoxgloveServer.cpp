@@ -72,6 +72,8 @@ void FoxgloveServer::catchUp(std::uint64_t time, const std::vector<Message>& mes
 
 void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& messages,
                              bool onlyAwaited) {
+  std::string clock(1, TimeOfServer);
+  appendLittleEndian(clock, time);
   server_->exclusively([&] {
     for (const Message& message : messages) {
       Outlet& outlet = *outlets_.at(message.channel - 1);
@@ -81,32 +83,30 @@ void FoxgloveServer::publish(std::uint64_t time, const std::vector<Message>& mes
       }
     }
     for (auto& [client, table] : tables_) {
-      publishTo(client, table, time, messages, onlyAwaited);
+      publishTo(client, table, {time, clock, messages}, onlyAwaited);
       tellLoss(client, table);
     }
   });
 }
 
 /// The time goes before the messages; also alone, unless only awaited messages are sent.
-void FoxgloveServer::publishTo(Client client, Table& table, std::uint64_t time,
-                               const std::vector<Message>& messages, bool onlyAwaited) {
+void FoxgloveServer::publishTo(Client client, Table& table, const Publication& publication,
+                               bool onlyAwaited) {
   bool isTimeDue = true;
   const auto sendTime = [&] {
     Connection* const connection = server_->find(client);
     if (connection != nullptr && std::exchange(isTimeDue, false)) {
-      std::string clock(1, TimeOfServer);
-      appendLittleEndian(clock, time);
-      connection->sendBinary(clock, nullptr, Outbox::Kind::Message);
+      connection->sendBinary(publication.clock, nullptr, Outbox::Kind::Message);
     }
   };
   if (!onlyAwaited) {
     sendTime();
   }
-  for (const Message& message : messages) {
+  for (const Message& message : publication.messages) {
     const auto wanted = table.wanted.find(message.channel);
     if (wanted != table.wanted.end() && (!onlyAwaited || wanted->second.isAwaited)) {
       sendTime();
-      sendMessage(client, message.channel, wanted->second, time, message.payload,
+      sendMessage(client, message.channel, wanted->second, publication.time, message.payload,
                   Outbox::Kind::Message);
     }
   }

@@ -140,8 +140,12 @@ class FoxgloveServer : private WebSocketServer::Handler {
   void unsubscribe(Table& table, std::uint32_t subscription);
   void tellParameters();
   void publish(std::uint64_t time, const std::vector<Message>& messages, bool onlyAwaited);
-  void publishTo(Client client, Table& table, std::uint64_t time,
-                 const std::vector<Message>& messages, bool onlyAwaited);
+  struct Publication {
+    std::uint64_t time;        // [ns]
+    const std::string& clock;  // the time as a message, the same for all clients
+    const std::vector<Message>& messages;
+  };
+  void publishTo(Client client, Table& table, const Publication& publication, bool onlyAwaited);
   void sendMessage(Client client, ChannelId channel, Wanted& wanted, std::uint64_t time,
                    const SharedBytes& payload, Outbox::Kind kind);
   void leave(ChannelId channel, const Wanted& wanted);
