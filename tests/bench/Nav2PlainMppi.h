@@ -120,11 +120,12 @@ class Nav2PlainMppi {
     const auto& set = mppi_.settings;
     const auto& critics = mppi_.critics;
     const std::size_t end = from + steps_ - 1;
+    const float high = single(std::hypot(set.vxMax, set.vyMax));  // so before Lyrical
+    const float low = -single(std::hypot(set.vxMin, set.vyMax));
     float excess = 0.0F;
     float back = 0.0F;
     for (std::size_t at = from; at <= end; ++at) {
-      excess +=
-          std::max(0.0F, vx_[at] - single(set.vxMax)) + std::max(0.0F, single(set.vxMin) - vx_[at]);
+      excess += std::max(0.0F, vx_[at] - high) + std::max(0.0F, low - vx_[at]);
       back += std::max(0.0F, -vx_[at]);
     }
     const std::size_t last = pathX_.size() - 1;
